@@ -1,0 +1,1 @@
+"""What a Jacobian says: its subspaces, its singularities, the forces it balances."""

@@ -1,0 +1,184 @@
+"""From points on the singular set to its pieces: their dimension, constant and free joints, and what hangs together."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
+from robotics1.analysis.singularity import SingularBranch
+from robotics1.analysis.spaces import subspaces
+from robotics1.inputs import Array
+
+ENOUGH = 50  # samples of a branch
+SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one
+STRIDE = 0.1  # of a walk on the set, in units
+
+
+@dataclass
+class Sheet:
+    """The points that look alike: same dimension, same free joints, same joints constant at the same values."""
+
+    dimension: int
+    constant: tuple[int, ...]
+    free: tuple[int, ...]
+    points: list[Array]
+
+    @property
+    def tied(self) -> list[int]:
+        """The joints that are neither constant nor free."""
+        return [i for i in range(len(self.points[0])) if i not in self.constant and i not in self.free]
+
+
+def branches_of(points: SingularPoints, count: int, rng: np.random.Generator) -> tuple[SingularBranch, ...]:
+    """Return the pieces of the singular set that `count` random starts lead to, the larger first."""
+    sheets = _sheets(points, count, rng)
+    flat = [sheet for sheet in sheets if not sheet.tied]
+    pieces = []
+    for sheet in sheets:
+        if any(_is_part_of(points, sheet, larger) for larger in flat):
+            continue  # where the set is degenerate inside a larger sheet its dimension is measured too low
+        pieces += _connected_pieces(points, sheet, flat) if sheet.tied else [sheet]
+    branches = [_branch(points, piece, rng) for piece in pieces]
+    return tuple(sorted(branches, key=lambda branch: (-branch.dimension, list(branch.values.items()))))
+
+
+def _sheets(points: SingularPoints, count: int, rng: np.random.Generator) -> list[Sheet]:
+    sheets: list[Sheet] = []
+    for start in points.box.random(rng, count):
+        q = points.project(start)
+        if q is None:
+            continue
+        known = next((sheet for sheet in sheets if not sheet.tied and _lies_on(points, q, sheet)), None)
+        if known is None:
+            known = _sheet_at(points, q, rng)
+            alike = (s for s in sheets if s.tied and _alike(points, s, known))
+            sheet = next(alike, None)
+            if sheet is None:
+                sheets.append(known)
+                continue
+            known = sheet
+        known.points.append(q)
+    return sheets
+
+
+def _sheet_at(points: SingularPoints, q: Array, rng: np.random.Generator) -> Sheet:
+    """Measure the set at q: its dimension, the joints that stand still on it, and those that do not matter."""
+    tangent = points.tangent(q, rng)
+    still = np.linalg.norm(tangent, axis=1) < 1e-2
+    trials = points.box.random(rng, 4)
+    free = []
+    for i in np.flatnonzero(~still):
+        moved = np.repeat(q[None], len(trials), axis=0)
+        moved[:, i] = trials[:, i]
+        if all(points.gap(p) < 1e-9 for p in moved):
+            free.append(int(i))
+    return Sheet(tangent.shape[1], tuple(map(int, np.flatnonzero(still))), tuple(free), [q])
+
+
+def _lies_on(points: SingularPoints, q: Array, sheet: Sheet) -> bool:
+    """Whether the constant joints of the sheet have its values at q."""
+    apart = points.box.difference(q, sheet.points[0])
+    return bool(np.abs(apart[list(sheet.constant)]).max(initial=0.0) < SAME_VALUE)
+
+
+def _alike(points: SingularPoints, sheet: Sheet, other: Sheet) -> bool:
+    same_kind = (sheet.dimension, sheet.constant, sheet.free) == (other.dimension, other.constant, other.free)
+    return same_kind and _lies_on(points, other.points[0], sheet)
+
+
+def _is_part_of(points: SingularPoints, sheet: Sheet, larger: Sheet) -> bool:
+    return larger.dimension > sheet.dimension and all(_lies_on(points, q, larger) for q in sheet.points)
+
+
+def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet]) -> list[Sheet]:
+    """Split a curved sheet into what a walk on the set connects: union-find over the nearest pairs."""
+    members = sheet.points[:200]
+    for q in members:
+        q[list(sheet.free)] = members[0][list(sheet.free)]
+    apart = np.array([[np.linalg.norm(points.box.difference(a, b)) for b in members] for a in members])
+    piece = list(range(len(members)))
+    near = np.sort(apart, axis=1)[:, min(8, len(members) - 1)]
+    pairs = sorted(
+        (apart[i, j], i, j) for i in range(len(members)) for j in range(i) if apart[i, j] <= max(near[i], near[j])
+    )
+    for _, i, j in pairs:
+        if piece[i] != piece[j] and _walk(points, members[i], members[j], flat):
+            old, new = piece[i], piece[j]
+            piece = [new if label == old else label for label in piece]
+    groups = [[q for q, label in zip(members, piece, strict=True) if label == name] for name in sorted(set(piece))]
+    return [Sheet(sheet.dimension, sheet.constant, sheet.free, group) for group in groups]
+
+
+def _walk(points: SingularPoints, start: Array, goal: Array, flat: list[Sheet]) -> bool:
+    """Whether steps towards the goal, each projected on the set, arrive there without changing to a flat sheet."""
+    q = start
+    left = float(np.linalg.norm(points.box.difference(goal, q)))
+    on_flat = 0
+    for _ in range(int(4 * left / STRIDE) + 4):
+        ahead = points.box.difference(goal, q)
+        step = ahead * min(1.0, STRIDE / max(left, 1e-300))
+        p = points.project(points.box.nearest(q + points.box.unit * step), iterations=12)
+        if p is None or np.linalg.norm(points.box.difference(p, q)) > 2 * STRIDE:
+            return False
+        q, before = p, left
+        left = float(np.linalg.norm(points.box.difference(goal, q)))
+        on_flat = on_flat + 1 if any(_lies_on(points, q, sheet) for sheet in flat) else 0
+        if left < 1e-6:
+            return True
+        if on_flat > 1 or left > before - 0.05 * STRIDE:
+            return False
+    return False
+
+
+def _branch(points: SingularPoints, piece: Sheet, rng: np.random.Generator) -> SingularBranch:
+    """Complete the samples of a piece and choose the configuration at which its bases are told."""
+    samples = [points.box.nearest(q) for q in piece.points]
+    values = _constant_values(points, piece, samples)
+    free = list(piece.free)
+    while piece.dimension > 0 and len(samples) < ENOUGH:
+        q = samples[rng.integers(len(samples))].copy()
+        if piece.tied:
+            q = _neighbour(points, piece, q, rng)
+        q[free] = points.box.random(rng, 1)[0, free]
+        samples.append(q)
+    if piece.dimension == 0:
+        samples = samples[:1]
+    for q in samples:
+        q[list(piece.constant)] = values
+    ranks = [subspaces(points.jacobian(q)).rank for q in samples]
+    best = int(np.argmax(ranks))
+    names = points.robot.joint_names
+    return SingularBranch(
+        points=points,
+        dimension=piece.dimension,
+        values={names[i]: float(value) for i, value in zip(piece.constant, values, strict=True)},
+        free_joints=tuple(names[i] for i in piece.free),
+        samples=np.array(samples),
+        q=samples[best],
+        rank=ranks[best],
+    )
+
+
+def _constant_values(points: SingularPoints, piece: Sheet, samples: list[Array]) -> Array:
+    """Return the values of the constant joints: those of the most singular sample, or the multiples of π/12
+    (for a prismatic joint, zero) next to them, if the samples stay singular with these.
+
+    A double root is found only to 1e-8, and rounding makes 4e-16 of a zero.
+    """
+    constant = list(piece.constant)
+    values = min(samples, key=points.gap)[constant]
+    grid = np.where(points.robot.revolute[constant], np.pi / 12 * np.round(values * 12 / np.pi), 0.0)
+    round_values = np.where(np.abs(grid - values) < 1e-6, grid, values) + 0.0  # never −0
+    moved = np.array(samples[:8])
+    moved[:, constant] = round_values
+    return round_values if all(points.gap(q) <= ON_THE_SET for q in moved) else values
+
+
+def _neighbour(points: SingularPoints, piece: Sheet, q: Array, rng: np.random.Generator) -> Array:
+    """Return a point of the same curved piece near q, or q itself when the step leaves the piece."""
+    step = np.zeros_like(q)
+    step[piece.tied] = rng.uniform(-STRIDE, STRIDE, len(piece.tied))
+    p = points.project(points.box.nearest(q + points.box.unit * step), iterations=12)
+    if p is None or np.linalg.norm(points.box.difference(p, q)) > 2 * STRIDE:
+        return q
+    return p if _lies_on(points, p, piece) else q

@@ -1,0 +1,94 @@
+"""Points on the singular set, found by Newton's method on the part of J that loses rank."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from robotics1.analysis.spaces import numeric_rank
+from robotics1.inputs import Array
+from robotics1.kinematics import configuration_derivative
+from robotics1.robot.box import JointBox
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+from robotics1.tasks.units import unitless_jacobian
+
+ON_THE_SET = 1e-10  # σ_ρ/σ₁ of a configuration that is called singular
+LONGEST_STEP = 0.5  # of one iteration, in the box's units
+
+
+@dataclass(frozen=True, eq=False)
+class SingularPoints:
+    """The set {q : rank J(q) < ρ}, where ρ is the rank of J almost everywhere.
+
+    At q, with J = U Σ Vᵀ, let U₂ and V₂ hold the singular vectors from the ρ-th on. The rank is below ρ where
+    the block U₂ᵀ J V₂ vanishes; to first order it changes by U₂ᵀ dJ V₂, which gives a Newton step for q. Its
+    solution of least norm moves q straight to the set and hardly along it, so the step is a projection.
+
+    J is taken without units: lengths are divided by the arm's reach.
+
+    Source of the Newton step: the Schur complement of a rank-revealing block, Golub, Van Loan, Matrix
+    Computations, 2013, chapter 5.
+    """
+
+    robot: Robot
+    task: Task
+    box: JointBox
+    rank: int
+
+    def jacobian(self, q: Array) -> Array:
+        """Return J(q), (m, n), without units."""
+        return unitless_jacobian(self.robot, self.task, q)
+
+    def gap(self, q: Array) -> float:
+        """Return σ_ρ/σ₁, which is zero on the set."""
+        sigma = np.linalg.svd(self.jacobian(q), compute_uv=False)
+        return float(sigma[self.rank - 1] / sigma[0]) if sigma[0] > 0 else 0.0
+
+    def project(self, q: Array, iterations: int = 60) -> Array | None:
+        """Return a configuration on the set near q, or None when Newton's method finds none inside the box."""
+        best, best_gap = q, np.inf
+        for _ in range(iterations):
+            gap = self.gap(q)
+            if gap < best_gap:
+                best, best_gap = q, gap
+            if gap < 1e-15 or (best_gap < ON_THE_SET and gap > best_gap):
+                break  # exact, or at the level of rounding
+            A, b = self.linearised(q)
+            step = np.linalg.lstsq(A, -b, rcond=1e-7)[0]
+            step *= min(1.0, LONGEST_STEP / max(np.abs(step).max(), 1e-300))
+            q = self.box.nearest(q + self.box.unit * step)
+        return best if best_gap <= ON_THE_SET else None
+
+    def tangent(self, q: Array, rng: np.random.Generator, radius: float = 1e-4) -> Array:
+        """Return an orthonormal basis (n, d) of the set's tangent space at q, in the box's units.
+
+        Small random displacements, projected back on the set, stay in the tangent space up to radius².
+        This serves also where the derivative of the block vanishes.
+        """
+        n = len(q)
+        moves = []
+        for direction in rng.standard_normal((2 * n, n)):
+            p = self.project(self.box.nearest(q + radius * self.box.unit * direction), iterations=12)
+            if p is not None:
+                moves.append(self.box.difference(p, q))
+        if not moves:
+            return np.zeros((n, 0))
+        _, lengths, Vt = np.linalg.svd(np.array(moves), full_matrices=False)
+        return np.asarray(Vt[lengths > 0.03 * radius].T)
+
+    def linearised(self, q: Array) -> tuple[Array, Array]:
+        """Return (A, b): near q the block U₂ᵀ J V₂, as a vector, is b + A dx, with dx in the box's units."""
+        k = self.rank - 1
+        U, sigma, Vt = np.linalg.svd(self.jacobian(q))
+        U2, V2 = U[:, k:], Vt[k:].T
+        block = np.zeros((U2.shape[1], V2.shape[1]))
+        np.fill_diagonal(block, sigma[k:])
+        dJ = configuration_derivative(self.jacobian, self.robot, q) * self.box.unit
+        A = np.einsum("ia,ijk,jb->abk", U2, dJ, V2).reshape(-1, self.robot.nv)
+        return A, block.ravel()
+
+
+def generic_rank(robot: Robot, task: Task, box: JointBox, rng: np.random.Generator) -> int:
+    """Return ρ, the rank of J almost everywhere: the largest at 16 random configurations."""
+    points = box.random(rng, 16)
+    return max(numeric_rank(np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False)) for q in points)

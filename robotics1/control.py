@@ -1,0 +1,149 @@
+"""Kinematic control: following a joint trajectory with feedback, and how much gain that needs."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+import numpy.typing as npt
+from scipy.integrate import solve_ivp
+
+from robotics1.errors import InputError
+from robotics1.inputs import Array, per_joint, real_array, real_number
+from robotics1.trajectories.polynomial import PolynomialTrajectory
+
+
+@dataclass(frozen=True, eq=False)
+class Tracking:
+    """A simulated run of q̇ = q̇_d + K (q_d − q).
+
+    Attributes:
+        t: (k,) times [s].
+        q: (k, n) what the joints did [rad or m].
+        command: (k, n) the velocities they were given, after saturation [rad/s or m/s].
+        error: (k, n) q_d − q.
+        saturated: (n,) whether a joint's command was cut at its rate limit.
+    """
+
+    t: Array
+    q: Array
+    command: Array
+    error: Array
+    saturated: npt.NDArray[np.bool_]
+
+    @property
+    def final_error(self) -> float:
+        """|q_d(T) − q(T)|, the error at the end of the trajectory."""
+        return float(np.linalg.norm(self.error[-1]))
+
+
+def simulate_tracking(
+    trajectory: PolynomialTrajectory,
+    q0: npt.ArrayLike,
+    gain: npt.ArrayLike,
+    *,
+    rate_limits: npt.ArrayLike | None = None,
+    samples: int = 401,
+) -> Tracking:
+    """Integrate q̇ = sat(q̇_d(t) + K (q_d(t) − q)) from q(0) = q0 along the trajectory, K = diag(gain).
+
+    Without saturation the error decays as e_i(t) = e_i(0) exp(−k_i t).
+
+    Args:
+        trajectory: q_d(t).
+        q0: (n,) where the joints really start [rad or m].
+        gain: (n,) k_i [1/s], or one number for all; zero is feedforward alone.
+        rate_limits: (n,) largest |q̇| of each joint, or one number; None for no saturation.
+        samples: the number of times that are returned.
+
+    Raises:
+        InputError: a negative gain or limit, or a wrong shape.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1, with joint errors.
+    """
+    n = trajectory.coefficients.shape[1]
+    q0 = real_array("q0", q0, (n,), "one number for each joint")
+    k = _non_negative("gain", gain, n)
+    limits = np.full(n, np.inf) if rate_limits is None else _non_negative("rate_limits", rate_limits, n)
+
+    def wanted(t: float, q: Array) -> Array:
+        time = min(max(t, 0.0), trajectory.duration)
+        return trajectory.velocity(time) + k * (trajectory(time) - q)
+
+    def rate(t: float, q: Array) -> Array:
+        return np.clip(wanted(t, q), -limits, limits)
+
+    t = np.linspace(0.0, trajectory.duration, samples)
+    run = solve_ivp(
+        rate, (0.0, t[-1]), q0, t_eval=t, rtol=1e-10, atol=1e-12, method="LSODA", max_step=trajectory.duration / 50
+    )
+    q = run.y.T
+    asked = np.array([wanted(time, position) for time, position in zip(t, q, strict=True)])
+    saturated = (np.abs(asked) > limits).any(axis=0)
+    return Tracking(t, q, np.clip(asked, -limits, limits), trajectory(t) - q, saturated)
+
+
+class GainVerdict(Enum):
+    """What the smallest gain leads to."""
+
+    FEEDBACK = "feedback recovers the error"
+    SATURATES = "the command saturates for a while, but feedback still recovers the error in time"
+    REPLAN = "the command saturates and the error remains: plan a new trajectory from where the robot is"
+
+
+@dataclass(frozen=True, eq=False)
+class GainChoice:
+    """The smallest gain for a wanted final error, and whether the robot can follow its command.
+
+    Attributes:
+        gain: (n,) k_i [1/s], equal for all joints.
+        verdict: whether to use it.
+        run: the simulated run with it.
+    """
+
+    gain: Array
+    verdict: GainVerdict
+    run: Tracking
+
+
+def smallest_gain(
+    trajectory: PolynomialTrajectory,
+    q0: npt.ArrayLike,
+    final_error: float,
+    *,
+    rate_limits: npt.ArrayLike | None = None,
+) -> GainChoice:
+    """Return the smallest diagonal gain with |q_d(T) − q(T)| ≤ final_error, and try it under the rate limits.
+
+    With e(0) = q_d(0) − q0, the error of the loop is |e(T)|² = Σ e_i(0)² exp(−2 k_i T); the largest k_i is
+    least when all are k = ln(|e(0)| / final_error) / T. A command that saturates loses some of this; when the
+    run then misses the wanted error, replanning is the better answer.
+
+    Args:
+        trajectory: q_d(t), of duration T.
+        q0: (n,) where the joints really start [rad or m].
+        final_error: the wanted |e(T)|, positive.
+        rate_limits: (n,) largest |q̇| of each joint, or one number; None for no saturation.
+
+    Raises:
+        InputError: final_error is not positive, or a shape is wrong.
+    """
+    wanted = real_number("final_error", final_error, positive=True)
+    n = trajectory.coefficients.shape[1]
+    q0 = real_array("q0", q0, (n,), "one number for each joint")
+    start = float(np.linalg.norm(trajectory(0.0) - q0))
+    k = max(0.0, float(np.log(start / wanted)) / trajectory.duration) if start > 0 else 0.0
+    run = simulate_tracking(trajectory, q0, k, rate_limits=rate_limits)
+    if not run.saturated.any():
+        verdict = GainVerdict.FEEDBACK
+    elif run.final_error <= wanted * (1 + 1e-6):
+        verdict = GainVerdict.SATURATES
+    else:
+        verdict = GainVerdict.REPLAN
+    return GainChoice(np.full(n, k), verdict, run)
+
+
+def _non_negative(name: str, value: npt.ArrayLike, n: int) -> Array:
+    array = per_joint(name, value, n)
+    if (array < 0).any():
+        raise InputError(f"{name} must not be negative; it is {array.tolist()}")
+    return array

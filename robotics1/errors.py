@@ -1,0 +1,84 @@
+"""What can go wrong, as one tree.
+
+::
+
+    Robotics1Error
+    ├── RobotFileError (ValueError)     a robot file is wrong: .path, .line, .element
+    ├── UnknownNameError (LookupError)  no such robot, frame, parameter ...: .candidates
+    ├── InputError (ValueError)         an argument has the wrong shape, type or value
+    ├── TaskError (ValueError)          the task does not fit the robot
+    ├── FormulaError (RuntimeError)     no verified formula can be given
+    ├── NotConverged (RuntimeError)     an answer was insisted upon: .result
+    └── MissingExtraError (ImportError) an optional package is not installed
+
+    RobotWarning (UserWarning)          the robot loads, but something in its file is odd
+
+Misuse raises. An unreachable target is not misuse: it is an outcome, reported in the result's status.
+"""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+from pathlib import Path
+
+
+class Robotics1Error(Exception):
+    """The root of every error this package raises on purpose."""
+
+
+class RobotFileError(Robotics1Error, ValueError):
+    """A robot file cannot be read as a robot; the message says what is wrong and where."""
+
+    def __init__(
+        self, message: str, *, path: str | Path | None = None, line: int | None = None, element: str | None = None
+    ):
+        where = ":".join(str(part) for part in (path, line) if part is not None)
+        super().__init__(f"{where}: {message}" if where else message)
+        self.path = path
+        self.line = line
+        self.element = element
+
+
+class UnknownNameError(Robotics1Error, LookupError):
+    """A name that is not among those that exist; the message lists them, or the nearest."""
+
+    def __init__(self, kind: str, name: object, candidates: Iterable[str]):
+        self.candidates = tuple(candidates)
+        close = get_close_matches(str(name), self.candidates, n=3, cutoff=0.5)
+        if close:
+            hint = f"did you mean {' or '.join(map(repr, close))}?"
+        elif self.candidates:
+            hint = f"there is {', '.join(map(repr, self.candidates))}"
+        else:
+            hint = "there is none"
+        super().__init__(f"no {kind} {name!r}; {hint}")
+
+
+class InputError(Robotics1Error, ValueError):
+    """An argument has the wrong shape, type or value; the message says what would be right."""
+
+
+class TaskError(Robotics1Error, ValueError):
+    """The task asks for something this robot cannot be asked."""
+
+
+class FormulaError(Robotics1Error, RuntimeError):
+    """No formula can be given that agrees with the numbers."""
+
+
+class NotConverged(Robotics1Error, RuntimeError):  # noqa: N818 (the contract's name)
+    """A result was required to be a success and is not; `.result` is that result."""
+
+    def __init__(self, message: str, result: object):
+        super().__init__(message)
+        self.result = result
+
+
+class MissingExtraError(Robotics1Error, ImportError):
+    """An optional package is needed here."""
+
+    def __init__(self, package: str, extra: str):
+        super().__init__(f"{package} is needed for this; install it with: pip install 'robotics1[{extra}]'")
+
+
+class RobotWarning(UserWarning):
+    """The robot loads, but something in its file is probably not meant."""

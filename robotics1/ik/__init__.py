@@ -1,0 +1,1 @@
+"""Inverse kinematics: taught iterations with their table, and every solution."""

@@ -1,0 +1,178 @@
+"""Inverse kinematics as it is taught: one method, iterated, with its table and the reason it stopped."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.analysis.spaces import RANK_TOLERANCE, numeric_rank
+from robotics1.errors import NotConverged, TaskError
+from robotics1.ik.steps import damped_step, gradient_step, newton_step, pseudoinverse_step
+from robotics1.inputs import Array, counting_number, one_of, real_number
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+
+METHODS = ("newton", "pseudoinverse", "gradient", "damped")
+TOO_FAR = 1e6  # a joint value beyond this says that the iteration diverges [rad or m]
+
+
+class IKStatus(Enum):
+    """Why an iteration stopped."""
+
+    CONVERGED = "the error is within the tolerance"
+    SINGULAR = "J is singular, so Newton's step does not exist; 'pseudoinverse' or 'damped' go on from here"
+    STALLED = "Jᵀe = 0 with e ≠ 0: no step along J reduces the error; start elsewhere"
+    MAX_ITERATIONS = "the number of iterations is used up"
+    DIVERGED = "the iterates grow without bound; a smaller gain or 'damped' would not"
+
+
+class IKIterate(NamedTuple):
+    """One row of the table: k, q, r = f(q), |e|, det J (NaN if J is not square), and the least singular value."""
+
+    k: int
+    q: Array
+    r: Any
+    error: float
+    det: float
+    sigma_min: float
+
+
+@dataclass(frozen=True, eq=False)
+class IKIteration:
+    """What an iteration did.
+
+    Attributes:
+        status: why it stopped.
+        q: (nq,) the last iterate.
+        table: one row an iterate, the start included.
+        within_limits: whether q is inside the joint limits; the iteration itself ignores them.
+        method: its name.
+    """
+
+    status: IKStatus
+    q: Array
+    table: tuple[IKIterate, ...]
+    within_limits: bool
+    method: str
+
+    @property
+    def converged(self) -> bool:
+        """Whether |e| ≤ tolerance at `q`."""
+        return self.status is IKStatus.CONVERGED
+
+    @property
+    def iterations(self) -> int:
+        """The number of updates of q that were made."""
+        return len(self.table) - 1
+
+    def require(self) -> "IKIteration":
+        """Return self if it converged.
+
+        Raises:
+            NotConverged: it did not; the message says why.
+        """
+        if not self.converged:
+            raise NotConverged(
+                f"{self.method} stopped after {self.iterations} iterations with |e| = {self.table[-1].error:.3g}: "
+                f"{self.status.value}",
+                self,
+            )
+        return self
+
+
+def iterate_ik(
+    robot: Robot,
+    task: Task,
+    target: Any,
+    q0: npt.ArrayLike,
+    *,
+    method: str = "newton",
+    tolerance: float = 1e-4,
+    max_iterations: int = 50,
+    gain: float | None = None,
+    damping: float | None = None,
+) -> IKIteration:
+    """Iterate q ← q + Δq(J(q), e), e = r_d − f(q), from q0 until |e| ≤ tolerance, and return every iterate.
+
+    Args:
+        robot: the robot; its joint limits are ignored, and looked at in the end.
+        task: r = f(q), m rows.
+        target: r_d, in the form of the task's value.
+        q0: (nq,) the start [rad or m].
+        method: "newton" Δq = J⁻¹e; "pseudoinverse" Δq = J⁺e; "gradient" Δq = α Jᵀe;
+            "damped" Δq = Jᵀ(JJᵀ + λ²1)⁻¹e.
+        tolerance: on |e| in the task's units [m, rad].
+        max_iterations: the most updates of q.
+        gain: factor of every step, 1 by default; of "gradient" it is α, by default the optimal one (Cauchy).
+        damping: λ of "damped", 0.1 by default.
+
+    Raises:
+        TaskError: "newton" on a task with m ≠ n rows, or axes that move with the robot.
+        InputError: an argument has the wrong shape or value.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.
+    """
+    step = _step(robot, task, method, gain, damping)
+    tolerance = real_number("tolerance", tolerance, positive=True)
+    limit = counting_number("max_iterations", max_iterations)
+    task.check_integrable(robot)
+    target = task.target(target)
+    q = robot.configuration(q0)
+    table: list[IKIterate] = []
+    while True:
+        e, J = task.error(robot, q, target), task.jacobian(robot, q)
+        table.append(_row(len(table), q, task.value(robot, q), e, J))
+        status = _status(J, e, method, tolerance, len(table) > limit)
+        if status is None:
+            ahead = q + step(J, e)
+            if not np.abs(ahead).max() < TOO_FAR:  # also when it is not a number
+                status = IKStatus.DIVERGED
+        if status is not None:
+            return IKIteration(status, q, tuple(table), robot.within_limits(q), method)
+        q = ahead
+
+
+def _step(
+    robot: Robot, task: Task, method: str, gain: float | None, damping: float | None
+) -> Callable[[Array, Array], Array]:
+    """Return (J, e) → Δq of the method."""
+    one_of("method", method, METHODS)
+    if robot.nq != robot.nv:
+        raise TaskError(f"robot {robot.name!r} has joints with several degrees of freedom, so q + Δq is not defined")
+    if method == "newton" and task.rows != robot.nv:
+        raise TaskError(
+            f"newton needs as many task rows as joints; here there are {task.rows} rows and {robot.nv} joints: "
+            f"use method='pseudoinverse'"
+        )
+    alpha = None if gain is None else real_number("gain", gain, positive=True)
+    factor = 1.0 if alpha is None else alpha
+    lam = 0.1 if damping is None else real_number("damping", damping, positive=True)
+    return {
+        "newton": lambda J, e: factor * newton_step(J, e),
+        "pseudoinverse": lambda J, e: factor * pseudoinverse_step(J, e),
+        "gradient": lambda J, e: gradient_step(J, e, alpha),
+        "damped": lambda J, e: factor * damped_step(J, e, lam),
+    }[method]
+
+
+def _row(k: int, q: Array, r: Any, e: Array, J: Array) -> IKIterate:
+    square = J.shape[0] == J.shape[1]
+    det = float(np.linalg.det(J)) if square else float("nan")
+    return IKIterate(k, q, r, float(np.linalg.norm(e)), det, float(np.linalg.svd(J, compute_uv=False)[-1]))
+
+
+def _status(J: Array, e: Array, method: str, tolerance: float, used_up: bool) -> IKStatus | None:
+    """Return why the iteration ends at this iterate, or None if it goes on."""
+    error = np.linalg.norm(e)
+    if error <= tolerance:
+        return IKStatus.CONVERGED
+    sigma = np.linalg.svd(J, compute_uv=False)
+    if method == "newton":
+        if numeric_rank(sigma) < len(sigma):
+            return IKStatus.SINGULAR
+    elif np.linalg.norm(J.T @ e) <= RANK_TOLERANCE * sigma[0] * error:
+        return IKStatus.STALLED
+    return IKStatus.MAX_ITERATIONS if used_up else None

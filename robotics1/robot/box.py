@@ -1,0 +1,76 @@
+"""The configurations that a search goes through: a box of joint values, in which whole turns are closed circles."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import InputError, UnknownNameError
+from robotics1.inputs import Array, real_array
+from robotics1.robot.model import Robot
+
+TURN = 2 * np.pi
+
+
+@dataclass(frozen=True, eq=False)
+class JointBox:
+    """lower ≤ q ≤ upper; a revolute joint that can make a whole turn is a circle, told in (−π, π].
+
+    Attributes:
+        lower, upper: (n,) [rad or m].
+        circular: (n,) True where q and q + 2π are the same place.
+        unit: (n,) what counts as one in distances: 1 rad, or the arm's reach [m].
+    """
+
+    lower: Array
+    upper: Array
+    circular: npt.NDArray[np.bool_]
+    unit: Array
+
+    def random(self, rng: np.random.Generator, count: int) -> Array:
+        """Return `count` configurations, (count, n), uniform in the box."""
+        return rng.uniform(self.lower, self.upper, (count, len(self.lower)))
+
+    def nearest(self, q: Array) -> Array:
+        """Return q with circular joints turned into (−π, π] and the others moved to their nearest limit."""
+        turned = np.pi - (np.pi - q) % TURN
+        turned[turned < 1e-12 - np.pi] = np.pi  # −π, but for rounding, is π
+        return np.where(self.circular, turned, np.clip(q, self.lower, self.upper))
+
+    def difference(self, a: Array, b: Array) -> Array:
+        """Return a − b in units, the short way round the circles."""
+        d = a - b
+        return np.where(self.circular, d - TURN * np.round(d / TURN), d) / self.unit
+
+
+def joint_box(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None) -> JointBox:
+    """Return the box of the robot's limits, narrowed by `box`: joint name → (lower, upper) [rad or m].
+
+    Raises:
+        UnknownNameError: no such joint.
+        InputError: a prismatic joint has no limits, or an interval is empty or outside the limits.
+    """
+    if robot.nq != robot.nv:
+        raise InputError(
+            f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and "
+            f"prismatic joints can be searched"
+        )
+    lower, upper = robot.lower, robot.upper
+    circular = robot.revolute & (upper - lower >= TURN - 1e-9)
+    lower[circular], upper[circular] = -np.pi, np.pi
+    for name, interval in (box or {}).items():
+        if name not in robot.joint_names:
+            raise UnknownNameError("joint named", name, robot.joint_names)
+        i = robot.joint_names.index(name)
+        low, high = real_array(f"the interval of {name!r}", interval, (2,), "lower and upper")
+        if low > high or low < robot.lower[i] - 1e-9 or high > robot.upper[i] + 1e-9:
+            raise InputError(
+                f"the interval of {name!r} must lie in its limits [{robot.lower[i]:g}, {robot.upper[i]:g}]; "
+                f"it is [{low:g}, {high:g}]"
+            )
+        lower[i], upper[i], circular[i] = low, high, robot.revolute[i] and high - low >= TURN - 1e-9
+    for name, low, high in zip(robot.joint_names, lower, upper, strict=True):
+        if not (np.isfinite(low) and np.isfinite(high)):
+            raise InputError(f"joint {name!r} has no limits: say where to search, as in box={{{name!r}: (-1, 1)}}")
+    return JointBox(lower, upper, circular, robot.units)

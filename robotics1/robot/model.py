@@ -1,0 +1,156 @@
+"""The robot: a Pinocchio model with a name, a tool and its named parameters."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+import pinocchio as pin
+
+from robotics1.errors import InputError, UnknownNameError
+from robotics1.inputs import Array, real_array
+
+
+@dataclass(frozen=True, eq=False)
+class Robot:
+    """A robot as Pinocchio sees it.
+
+    One scratch `pin.Data` serves every call, so a Robot is not safe to share between threads.
+
+    Attributes:
+        name: the robot's name in its file.
+        model: the `pin.Model`; q and q̇ are in its order of joints.
+        tool: the frame meant when no frame is named, or None when the file leaves it open.
+        parameters: the named lengths and their values [m].
+        urdf: the URDF text the model was made from.
+        path: the file it came from.
+        warnings: what is odd about the file, one sentence each.
+    """
+
+    name: str
+    model: pin.Model = field(repr=False)
+    tool: str | None
+    parameters: Mapping[str, float]
+    urdf: str = field(repr=False)
+    path: Path
+    warnings: tuple[str, ...] = ()
+
+    @cached_property
+    def data(self) -> pin.Data:
+        """The scratch memory of Pinocchio's algorithms."""
+        return self.model.createData()
+
+    @property
+    def nq(self) -> int:
+        """The length of q."""
+        return int(self.model.nq)
+
+    @property
+    def nv(self) -> int:
+        """The length of q̇: the degrees of freedom."""
+        return int(self.model.nv)
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """The moving joints, in the order of q."""
+        return tuple(self.model.names)[1:]
+
+    @cached_property
+    def frame_names(self) -> tuple[str, ...]:
+        """The links of the robot, each of which is a frame."""
+        return tuple(frame.name for frame in self.model.frames if frame.type == pin.FrameType.BODY)
+
+    @property
+    def lower(self) -> Array:
+        """(nq,) lower joint limits [rad or m]; −∞ where there is none."""
+        return np.array(self.model.lowerPositionLimit)
+
+    @property
+    def upper(self) -> Array:
+        """(nq,) upper joint limits [rad or m]; +∞ where there is none."""
+        return np.array(self.model.upperPositionLimit)
+
+    @property
+    def max_velocity(self) -> Array:
+        """(nv,) velocity limits [rad/s or m/s]; +∞ where there is none."""
+        return np.array(self.model.upperVelocityLimit)
+
+    @property
+    def max_effort(self) -> Array:
+        """(nv,) effort limits [N m or N]; +∞ where there is none."""
+        return np.array(self.model.upperEffortLimit)
+
+    @cached_property
+    def revolute(self) -> npt.NDArray[np.bool_]:
+        """(nv,) True where q is an angle, False where it is a length."""
+        kinds = [joint.shortname().removeprefix("JointModel") for joint in self.model.joints]
+        return np.array([kind.startswith("R") for kind in kinds[1:]])
+
+    @cached_property
+    def reach(self) -> float:
+        """A length of the size of the arm [m], which makes metres and radians comparable.
+
+        The sum of the distances from joint to joint and to the tool, with the travel of prismatic joints;
+        1 when that is zero.
+        """
+        joints = [np.linalg.norm(placement.translation) for placement in self.model.jointPlacements][2:]
+        tools = [np.linalg.norm(frame.placement.translation) for frame in self.model.frames]
+        lengths = [*joints, max(tools, default=0.0)]
+        if self.nq == self.nv:
+            lengths += [*np.maximum(np.abs(self.lower), np.abs(self.upper))[~self.revolute]]
+        return float(sum(length for length in lengths if np.isfinite(length))) or 1.0
+
+    @property
+    def units(self) -> Array:
+        """(nv,) what counts as one of each joint: 1 rad, or the reach [m]."""
+        return np.where(self.revolute, 1.0, self.reach)
+
+    def configuration(self, q: npt.ArrayLike) -> Array:
+        """Return q as a float array (nq,).
+
+        Raises:
+            InputError: wrong shape, not numeric, or not finite.
+        """
+        return real_array("q", q, (self.nq,), f"one number for each of {', '.join(self.joint_names)}")
+
+    def frame_id(self, frame: str | None) -> int:
+        """Return Pinocchio's number of a frame; None means the tool.
+
+        The one place where a name becomes a number: Pinocchio answers a mistyped name with a number out of
+        range, and crashes the interpreter when that is used.
+
+        Raises:
+            UnknownNameError: there is no such frame.
+            InputError: no frame is named and the robot has several tips, so that its tool is open.
+        """
+        if frame is None:
+            frame = self.tool
+            if frame is None:
+                raise InputError(
+                    f"robot {self.name!r} has several tips: name the tool, as in load_robot(..., tool='...'); "
+                    f"the tips are {', '.join(map(repr, tips(self.model)))}"
+                )
+        if not isinstance(frame, str) or not self.model.existFrame(frame):
+            raise UnknownNameError(f"frame of robot {self.name!r} named", frame, self.frame_names)
+        return int(self.model.getFrameId(frame))
+
+    def within_limits(self, q: npt.ArrayLike, tolerance: float = 1e-9) -> bool:
+        """Return whether lower − tolerance ≤ q ≤ upper + tolerance for every joint."""
+        q = self.configuration(q)
+        return bool(np.all(q >= self.lower - tolerance) and np.all(q <= self.upper + tolerance))
+
+
+def tips(model: pin.Model) -> tuple[str, ...]:
+    """Return the links that carry no other link."""
+    bodies = [frame for frame in model.frames if frame.type == pin.FrameType.BODY]
+    parents = {_parent_body(model, frame) for frame in bodies}
+    return tuple(frame.name for frame in bodies if frame.name not in parents)
+
+
+def _parent_body(model: pin.Model, frame: pin.Frame) -> str:
+    parent = model.frames[frame.parentFrame]
+    while parent.type != pin.FrameType.BODY and parent.parentFrame != model.frames[parent.parentFrame].parentFrame:
+        parent = model.frames[parent.parentFrame]
+    return str(parent.name)

@@ -1,0 +1,1 @@
+"""Tasks: r = f(q), its Jacobian, and the error to a target."""

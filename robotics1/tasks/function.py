@@ -1,0 +1,93 @@
+"""The user's own task: r = f(p, R, q)."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import TaskError
+from robotics1.inputs import Array, counting_number, real_array
+from robotics1.kinematics import configuration_derivative, forward_kinematics
+from robotics1.robot.model import Robot
+
+TaskFunction = Callable[[Array, Array, Array], npt.ArrayLike]
+
+
+@dataclass(frozen=True)
+class FunctionTask:
+    """r = f(p, R, q), with p (3,) and R (3, 3) of a frame in world axes and q (nq,).
+
+    Attributes:
+        f: the function; it returns (m,).
+        m: how many rows it returns.
+        derivative: J(p, R, q), (m, nv), if known; otherwise central differences are taken.
+        frame: the frame's name; None for the tool.
+    """
+
+    f: TaskFunction
+    m: int
+    derivative: TaskFunction | None = None
+    frame: str | None = None
+
+    def __init__(
+        self, f: TaskFunction, rows: int, jacobian: TaskFunction | None = None, *, frame: str | None = None
+    ) -> None:
+        object.__setattr__(self, "f", f)
+        object.__setattr__(self, "m", counting_number("rows", rows, least=1))
+        object.__setattr__(self, "derivative", jacobian)
+        object.__setattr__(self, "frame", frame)
+
+    @property
+    def rows(self) -> int:
+        """m, the number of rows."""
+        return self.m
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """r1, r2, ..."""
+        return tuple(f"r{i + 1}" for i in range(self.m))
+
+    @property
+    def row_units(self) -> tuple[str, ...]:
+        """Unknown, so taken as numbers."""
+        return ("1",) * self.m
+
+    def value(self, robot: Robot, q: npt.ArrayLike) -> Array:
+        """Return r = f(p, R, q), (m,).
+
+        Raises:
+            TaskError: f fails, or returns something else than m finite numbers.
+        """
+        return self._evaluate(self.f, robot, robot.configuration(q), (self.m,))
+
+    def target(self, target: Any) -> Array:
+        """Return the target as (m,)."""
+        return real_array("the target", target, (self.m,), "one number for each row of the task")
+
+    def error(self, robot: Robot, q: npt.ArrayLike, target: Any) -> Array:
+        """Return r_d − r, (m,)."""
+        return self.target(target) - self.value(robot, q)
+
+    def jacobian(self, robot: Robot, q: npt.ArrayLike) -> Array:
+        """Return ∂f/∂q, (m, nv): the given one, else by central differences."""
+        if self.derivative is None:
+            return configuration_derivative(lambda x: self.value(robot, x), robot, q)
+        return self._evaluate(self.derivative, robot, robot.configuration(q), (self.m, robot.nv))
+
+    def check(self, robot: Robot) -> None:
+        """Any robot will do."""
+
+    def check_integrable(self, robot: Robot) -> None:
+        """J is the derivative of f by construction."""
+
+    def _evaluate(self, function: TaskFunction, robot: Robot, q: Array, shape: tuple[int, ...]) -> Array:
+        T = forward_kinematics(robot, q, frame=self.frame)
+        try:
+            result = np.array(function(T.translation, T.rotation, q), dtype=float)
+        except Exception as error:
+            raise TaskError(f"the task's function failed at q = {q.tolist()}: {error!r}") from error
+        if result.shape != shape or not np.isfinite(result).all():
+            raise TaskError(f"the task's function must return finite numbers of shape {shape}; it returned {result!r}")
+        return result

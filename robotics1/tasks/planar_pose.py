@@ -1,0 +1,88 @@
+"""The pose of a frame that moves in a plane: two coordinates and an angle."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import atan2
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+
+from robotics1.errors import TaskError
+from robotics1.inputs import Array, one_of, real_array
+from robotics1.kinematics import frame_jacobian
+from robotics1.robot.model import Robot
+from robotics1.tasks.position import AXES
+from robotics1.tasks.task import FrameTask, wrapped
+
+
+@dataclass(frozen=True)
+class PlanarPoseTask(FrameTask):
+    """r = (a, b, φ): the coordinates in the plane [m] and the angle of the frame's x axis [rad].
+
+    φ ∈ (−π, π] is measured from the plane's first axis a to its second b, about n = a × b:
+    φ = atan2(x·b, x·a), φ̇ = n·ω.
+
+    Attributes:
+        plane: "xy", "xz" or "yz", in the axes of `reference`.
+    """
+
+    plane: str = "xy"
+
+    def __post_init__(self) -> None:
+        """Refuse a plane that is none of the three."""
+        one_of("plane", self.plane, ("xy", "xz", "yz"))
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """The two coordinates and φ."""
+        return (*self.plane, "φ")
+
+    @property
+    def row_units(self) -> tuple[str, ...]:
+        """Metres and radians."""
+        return ("m", "m", "rad")
+
+    def g(self, p: Array, R: Array) -> Array:
+        """Return (p·a, p·b, atan2(x·b, x·a)), (3,)."""
+        a, b = (AXES.index(axis) for axis in self.plane)
+        return np.array([p[a], p[b], atan2(R[b, 0], R[a, 0])])
+
+    def S(self, p: Array, R: Array) -> Array:
+        """Return the rows a·v, b·v, n·ω, (3, 6)."""
+        a, b = (np.eye(3)[AXES.index(axis)] for axis in self.plane)
+        zero = np.zeros(3)
+        return np.array([[*a, *zero], [*b, *zero], [*zero, *np.cross(a, b)]])
+
+    def target(self, target: Any) -> Array:
+        """Return the target as (3,) [m, m, rad]."""
+        return real_array("the target", target, (3,), f"({', '.join(self.row_names)}) [m, m, rad]")
+
+    def difference(self, target: Array, value: Array) -> Array:
+        """Return r_d − r, (3,), the angle wrapped into (−π, π]."""
+        e = target - value
+        e[2] = wrapped(e[2])
+        return e
+
+    def check(self, robot: Robot) -> None:
+        """Raise TaskError if the frame leaves the plane, or its x axis stands on it."""
+        _check_planar(robot, self)
+
+
+@lru_cache(maxsize=256)
+def _check_planar(robot: Robot, task: PlanarPoseTask) -> None:
+    """The rows of J that leave the plane vanish, and x is not along n: seen at three configurations."""
+    a, b = (AXES.index(axis) for axis in task.plane)
+    n = 3 - a - b
+    for seed in range(3):
+        step = np.random.default_rng(seed).uniform(-1, 1, robot.nv)
+        q = pin.integrate(robot.model, pin.neutral(robot.model), step)
+        J = frame_jacobian(robot, q, frame=task.frame, reference=task.reference)
+        if np.abs(J[[n, 3 + a, 3 + b]]).max(initial=0.0) > 1e-9 * max(robot.reach, 1.0):
+            raise TaskError(
+                f"robot {robot.name!r} leaves the {task.plane} plane, so it has no planar pose there; "
+                f"use another plane, PositionTask or PoseTask"
+            )
+        x = task._pose(robot, q).rotation[:, 0]
+        if np.hypot(x[a], x[b]) < 1e-9:
+            raise TaskError(f"the frame's x axis is normal to the {task.plane} plane, so φ is not defined")

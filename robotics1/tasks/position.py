@@ -1,0 +1,59 @@
+"""The position of a frame, or some of its coordinates."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from robotics1.errors import InputError
+from robotics1.inputs import Array, real_array
+from robotics1.tasks.task import FrameTask
+
+AXES = "xyz"
+
+
+@dataclass(frozen=True)
+class PositionTask(FrameTask):
+    """r = the chosen coordinates of the frame's origin [m]; ṙ = the same rows of v.
+
+    Attributes:
+        axes: which, such as "xyz", "xy" or "z".
+    """
+
+    axes: str = "xyz"
+
+    def __post_init__(self) -> None:
+        """Refuse axes that are not distinct letters of "xyz"."""
+        letters = self.axes if isinstance(self.axes, str) else ""
+        if not letters or len(set(letters)) != len(letters) or not set(letters) <= set(AXES):
+            raise InputError(f"axes must be distinct letters of 'xyz', such as 'xy'; it is {self.axes!r}")
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """The letters of the axes."""
+        return tuple(self.axes)
+
+    @property
+    def row_units(self) -> tuple[str, ...]:
+        """Metres."""
+        return ("m",) * len(self.axes)
+
+    def g(self, p: Array, R: Array) -> Array:
+        """Return the chosen coordinates of p, (m,)."""
+        return p[self._rows]
+
+    def S(self, p: Array, R: Array) -> Array:
+        """Return the chosen rows of [1 0], (m, 6)."""
+        return np.eye(6)[self._rows]
+
+    def target(self, target: Any) -> Array:
+        """Return the target as (m,) [m]."""
+        return real_array("the target", target, (self.rows,), f"the coordinates {', '.join(self.axes)} [m]")
+
+    def difference(self, target: Array, value: Array) -> Array:
+        """Return r_d − r, (m,)."""
+        return target - value
+
+    @property
+    def _rows(self) -> list[int]:
+        return [AXES.index(axis) for axis in self.axes]

@@ -1,0 +1,1 @@
+"""Motions in time: polynomials of the joints, the target's motion, and meeting it."""

@@ -1,0 +1,1 @@
+"""What the answers look like: animated pages and plots."""

@@ -1,0 +1,128 @@
+"""A motion as an animated page: the robot, the tool's trail, and the target it meets."""
+
+from itertools import pairwise
+from math import ceil
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.inputs import Array
+from robotics1.kinematics import forward_kinematics
+from robotics1.robot.model import Robot
+from robotics1.trajectories.polynomial import PolynomialTrajectory
+from robotics1.trajectories.target_motion import TargetMotion
+from robotics1.viewer.page import write_page
+from robotics1.viewer.scene import Color, Scene
+
+FRAME_RATE = 60.0  # at most; a browser shows no more
+MOST_FRAMES = 1200  # a long motion gets fewer frames a second, so that its page stays small
+HOLD = 0.7  # the end is held before the motion starts again [s]
+THIN = 0.005  # radius of the trail and of the dots, of the arm's reach
+TRAIL: Color = (0.80, 0.15, 0.15)
+TARGET: Color = (0.10, 0.60, 0.25)
+
+
+def animate(
+    robot: Robot,
+    trajectory: PolynomialTrajectory,
+    path: str | Path,
+    *,
+    target: TargetMotion | None = None,
+    title: str | None = None,
+    caption: str = "",
+) -> Path:
+    """Write an animated page of the motion, one offline HTML file, and return its path.
+
+    The robot moves in real time and its tool leaves a trail; the target, if there is one, runs along its dotted path.
+
+    Args:
+        robot: the robot, with a tool.
+        trajectory: q(t).
+        path: the file to write.
+        target: a moving point p(t) with two (x, y) or three coordinates [m].
+        title: by default the robot's name.
+        caption: lines under the title.
+
+    Raises:
+        MissingExtraError: Meshcat is not installed.
+        InputError: the folder does not exist.
+    """
+    T = trajectory.duration
+    count = max(2, min(ceil(T * FRAME_RATE), MOST_FRAMES))
+    times = np.linspace(0.0, T, count + 1)
+    rate = count / T
+    last = count + max(1, round(HOLD * rate))
+    scene = Scene(robot, rate)
+    states = trajectory(times)
+    trail = np.array([forward_kinematics(robot, q).translation for q in states])
+    seen = [trail]
+    for frame, q in [*enumerate(states), (last, states[-1])]:
+        scene.pose(q, frame)
+        seen.append(scene.corners())
+    scene.pose(states[0])
+    for frame, (start, end) in enumerate(pairwise(trail), start=1):
+        scene.rod(f"trail/{frame}", start, end, THIN * robot.reach, TRAIL)
+        scene.appear(f"trail/{frame}", frame, last)
+    if target is not None:
+        course = np.array([_in_space(target(float(t))) for t in times])
+        _show_target(scene, course, last, robot.reach)
+        seen.append(course)
+    scene.animate()
+    camera, look_at = point_of_view(np.vstack(seen))
+    return write_page(
+        path,
+        scene.window.commands,
+        title=title or robot.name,
+        caption=caption,
+        duration=T,
+        camera=camera,
+        look_at=look_at,
+    )
+
+
+def view(robot: Robot, q: npt.ArrayLike, path: str | Path, *, title: str | None = None, caption: str = "") -> Path:
+    """Write a page that shows the robot at q, one offline HTML file, and return its path.
+
+    Raises:
+        MissingExtraError: Meshcat is not installed.
+        InputError: q has the wrong shape, or the folder does not exist.
+    """
+    q = robot.configuration(q)
+    scene = Scene(robot)
+    scene.pose(q)
+    camera, look_at = point_of_view(scene.corners())
+    return write_page(
+        path,
+        scene.window.commands,
+        title=title or robot.name,
+        caption=caption,
+        duration=0.0,
+        camera=camera,
+        look_at=look_at,
+    )
+
+
+def point_of_view(seen: Array) -> tuple[Array, Array]:
+    """Return where to put the camera and what to look at, (3,) each [m], so that the points (k, 3) are seen.
+
+    What happens in a horizontal plane is seen from above, the rest from the side.
+    """
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    centre = (low + high) / 2
+    size = max(float(np.linalg.norm(high - low)), 0.5)
+    flat = high[2] - low[2] < 0.2 * size
+    direction = np.array([0.0, -0.35, 1.0]) if flat else np.array([0.75, -1.0, 0.45])
+    return centre + 0.66 * size * direction / np.linalg.norm(direction), centre
+
+
+def _show_target(scene: Scene, course: Array, last: int, reach: float) -> None:
+    scene.dots("target/path", course[::4], THIN * reach, TARGET)
+    scene.ball("target/ball", 5 * THIN * reach, TARGET)
+    for frame, position in [*enumerate(course), (last, course[-1])]:
+        scene.move("target/ball", position, frame)
+    scene.move("target/ball", course[0])
+
+
+def _in_space(p: npt.ArrayLike) -> Array:
+    return np.pad(np.asarray(p, dtype=float), (0, 3 - len(np.asarray(p))))

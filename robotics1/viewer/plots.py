@@ -1,0 +1,86 @@
+"""Plots of joint motions and of the tool's path, as SVG."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from robotics1.errors import InputError, MissingExtraError
+from robotics1.kinematics import forward_kinematics
+from robotics1.robot.model import Robot
+from robotics1.trajectories.polynomial import PolynomialTrajectory
+from robotics1.trajectories.target_motion import TargetMotion
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+STYLES = ("-", "--", "-.", ":")  # so that the joints can be told apart without colour
+SAMPLES = 201
+
+
+def plot_joint_motion(robot: Robot, trajectory: PolynomialTrajectory, path: str | Path, *, title: str = "") -> Path:
+    """Draw q(t) above q̇(t), write it as SVG and return the path.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: the folder does not exist.
+    """
+    figure = _figure((6.4, 5.6))
+    upper, lower = figure.subplots(2, 1, sharex=True)
+    t = np.linspace(0.0, trajectory.duration, SAMPLES)
+    units = ["rad" if angle else "m" for angle in robot.revolute]
+    for i, (name, q, v) in enumerate(zip(robot.joint_names, trajectory(t).T, trajectory.velocity(t).T, strict=True)):
+        upper.plot(t, q, STYLES[i % 4], label=f"{name} [{units[i]}]")
+        lower.plot(t, v, STYLES[i % 4], label=f"{name} [{units[i]}/s]")
+    upper.set(ylabel="joint position", title=title)
+    lower.set(xlabel="t [s]", ylabel="joint velocity")
+    for axes in (upper, lower):
+        axes.grid(alpha=0.4)
+        axes.legend()
+    return _write(figure, path)
+
+
+def plot_tool_path(
+    robot: Robot,
+    trajectory: PolynomialTrajectory,
+    path: str | Path,
+    *,
+    target: TargetMotion | None = None,
+    title: str = "",
+) -> Path:
+    """Draw the path of the tool in the xy plane, with the target's path dotted, write it as SVG and return the path.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: the folder does not exist.
+    """
+    figure = _figure((6.4, 5.0))
+    axes = figure.subplots()
+    t = np.linspace(0.0, trajectory.duration, SAMPLES)
+    x, y, _ = np.array([forward_kinematics(robot, q).translation for q in trajectory(t)]).T
+    axes.plot(x, y, "-", label="tool")
+    axes.plot(x[0], y[0], "o", color="C0", label="start")
+    axes.plot(x[-1], y[-1], "s", color="C3", label="end")
+    if target is not None:
+        course = np.array([np.asarray(target(float(time)))[:2] for time in t])
+        axes.plot(*course.T, ":", color="green", linewidth=2, label="target")
+    axes.set(xlabel="x [m]", ylabel="y [m]", title=title, aspect="equal")
+    axes.grid(alpha=0.4)
+    axes.legend()
+    return _write(figure, path)
+
+
+def _figure(size: tuple[float, float]) -> "Figure":
+    try:
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise MissingExtraError("matplotlib", "plots") from error
+    return Figure(figsize=size, layout="constrained")
+
+
+def _write(figure: "Figure", path: str | Path) -> Path:
+    path = Path(path)
+    if not path.parent.is_dir():
+        raise InputError(f"there is no folder {path.parent}, so {path.name} cannot be written there")
+    figure.savefig(path, format="svg", metadata={"Date": None})
+    return path
