@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -12,6 +11,7 @@ from robotics1.analysis.singular_points import SingularPoints, generic_rank
 from robotics1.analysis.spaces import Subspaces, subspaces
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, counting_number, one_of
+from robotics1.notation import pi_fraction
 from robotics1.robot.box import joint_box
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -84,11 +84,11 @@ class SingularBranch:
 
     def jacobian(self, q: Array) -> Array:
         """Return the task's J(q), (m, n)."""
-        return np.asarray(self.points.task.jacobian(self.points.robot, q))
+        return self.points.task.jacobian(self.points.robot, q)
 
     def sample(self, rng: np.random.Generator) -> Array:
         """Return a random configuration of the branch, (nq,): one of `samples` with the free joints drawn anew."""
-        q = self.samples[rng.integers(len(self.samples))].copy()
+        q: Array = self.samples[rng.integers(len(self.samples))].copy()
         free = [self.points.robot.joint_names.index(name) for name in self.free_joints]
         q[free] = self.points.box.random(rng, 1)[0, free]
         return q
@@ -170,12 +170,6 @@ def find_singularities(
         raise TaskError("no joint moves the task at all: its Jacobian is zero everywhere")
     points = SingularPoints(robot, task, where, rank)
     return SingularSet(robot, task, rank, branches_of(points, count, rng), method, complete=False)
-
-
-def pi_fraction(value: float) -> Fraction | None:
-    """Return value/π when it is a fraction with a denominator of at most 12, to 1e-9."""
-    fraction = Fraction(value / np.pi).limit_denominator(12)
-    return fraction if abs(float(fraction) * np.pi - value) < 1e-9 else None
 
 
 def _recognised(value: float) -> "sympy.Expr":

@@ -2,9 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
+from robotics1.analysis.spaces import echelon
 from robotics1.inputs import Array
+from robotics1.notation import enumeration, joint_value, vector
 
 if TYPE_CHECKING:
     from robotics1.analysis.singularity import SingularBranch, SingularSet
@@ -23,7 +23,7 @@ def set_sentences(found: "SingularSet") -> str:
         return "\n".join([*lines, "No singular configuration was found."])
     if found.free_joints:
         verb = "matters" if len(found.free_joints) == 1 else "matter"
-        lines.append(f"{_list(found.free_joints)} never {verb}.")
+        lines.append(f"{enumeration(found.free_joints)} never {verb}.")
     lines += [f"{number}. {branch.explain()}" for number, branch in enumerate(found.branches, start=1)]
     if not found.complete:
         lines.append("This was a search: it does not prove that there are no others.")
@@ -32,42 +32,22 @@ def set_sentences(found: "SingularSet") -> str:
 
 def branch_sentences(branch: "SingularBranch") -> str:
     """Return where the branch is, and what the robot cannot do, can do, and holds there."""
-    task = branch.points.task
-    where = [f"{name} = {angle(value)}" for name, value in branch.values.items()]
+    where = [f"{name} = {joint_value(value)}" for name, value in branch.values.items()]
     if branch.tied_joints:
-        where.append(f"{_list(branch.tied_joints)} tied by σ_min = 0")
-    sentences = [f"{', '.join(where)}: the rank is {branch.rank} instead of {branch.points.rank}"]
-    if branch.free_joints:
-        sentences[0] += f", whatever {_list(branch.free_joints, 'and')}"
-    rows = f"({', '.join(task.row_names)})"
-    lost = " and ".join(vector(direction) for direction in branch.left_null.T)
-    still = " and ".join(vector(direction) for direction in branch.null.T)
-    sentences.append(f"For example at q = {vector(branch.q)}:")
+        where.append(f"{enumeration(branch.tied_joints)} tied by σ_min = 0")
+    whatever = f", whatever {enumeration(branch.free_joints)}" if branch.free_joints else ""
+    lines = [f"{', '.join(where)}{whatever}: the rank is {branch.rank} instead of {branch.points.rank}."]
+    rows = ", ".join(branch.points.task.row_names)
+    lost, still = directions(branch.left_null), directions(branch.null)
+    lines.append(f"   For example at q = {vector(branch.q)}:")
     if lost:
-        sentences.append(f"a task velocity {rows} with a part along {lost} cannot be realised;")
-        sentences.append(f"a force along {lost} needs no joint torque;")
+        lines.append(f"   - a task velocity ({rows}) with a part along {lost} cannot be realised;")
+        lines.append(f"   - a force along {lost} needs no joint torque;")
     if still:
-        sentences.append(f"joint velocities along {still} do not move the task;")
-    return f"{sentences[0]}. {' '.join(sentences[1:])[:-1]}."
+        lines.append(f"   - joint velocities along {still} do not move the task;")
+    return "\n".join(lines)[:-1] + "."
 
 
-def angle(value: float) -> str:
-    """Return a joint value as a person writes it: a simple multiple of π, else four decimals."""
-    from robotics1.analysis.singularity import pi_fraction
-
-    fraction = pi_fraction(value)
-    if fraction is None:
-        return f"{value:.4f}"
-    if fraction == 0:
-        return "0"
-    top = {1: "π", -1: "−π"}.get(fraction.numerator, f"{fraction.numerator}π".replace("-", "−"))
-    return top if fraction.denominator == 1 else f"{top}/{fraction.denominator}"
-
-
-def vector(values: Array) -> str:
-    """Return a vector with four decimals."""
-    return "(" + ", ".join(f"{v:.4f}" for v in np.asarray(values) + 0.0) + ")"
-
-
-def _list(names: tuple[str, ...], conjunction: str = "and") -> str:
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} {conjunction} {names[-1]}"
+def directions(basis: Array) -> str:
+    """Return the columns of a basis, as they are written by hand."""
+    return " and ".join(vector(column) for column in echelon(basis).T)

@@ -56,6 +56,24 @@ def subspaces(J: npt.ArrayLike) -> Subspaces:
     return Subspaces(J, sigma, r, U[:, :r], U[:, r:], Vt[:r].T, Vt[r:].T)
 
 
+def echelon(basis: Array) -> Array:
+    """Return another basis of the same span, as it is written by hand: columns with 1 and 0 at the pivot rows,
+    and a single column with its first entry positive.
+
+    The pivots are those of a QR decomposition with pivoting, so that the other entries stay small.
+    """
+    from scipy.linalg import qr
+
+    k = basis.shape[1]
+    if k == 0:
+        return basis
+    pivots = np.sort(qr(basis.T, pivoting=True, mode="r")[1][:k])
+    columns = np.linalg.solve(basis[pivots].T, basis.T).T
+    if k == 1:
+        columns *= np.sign(columns[np.abs(columns) > 1e-12][0])
+    return np.where(np.abs(columns) < 1e-12, 0.0, columns)
+
+
 def numeric_rank(singular_values: Array) -> int:
     """Return the number of σᵢ > 1e-9 σ₁, of singular values in descending order."""
     return int(np.count_nonzero(singular_values > RANK_TOLERANCE * singular_values[:1]))

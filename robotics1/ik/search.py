@@ -5,6 +5,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from scipy.optimize import least_squares
 
 from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
 from robotics1.ik.steps import damped_step
@@ -60,6 +61,19 @@ class SolutionSearch:
             q = self.box.nearest(q + self.robot.units * step)
         return best, least
 
+    def nearest_miss(self, q: Array) -> Array:
+        """Return the configuration near q with the least |e| inside the box."""
+        open_ended = self.box.circular
+        found = least_squares(
+            self.error,
+            np.clip(q, self.box.lower, self.box.upper),
+            jac=lambda x: -unitless_rows(self.robot, self.task)[:, None] * self.task.jacobian(self.robot, x),
+            bounds=(np.where(open_ended, -np.inf, self.box.lower), np.where(open_ended, np.inf, self.box.upper)),
+            x_scale=self.robot.units,
+            xtol=1e-12,
+        )
+        return self.box.nearest(found.x)
+
     def distinct(self, ends: list[End]) -> list[Array]:
         """Return the solutions among the ends, each once, in ascending order."""
         found: list[Array] = []
@@ -69,7 +83,7 @@ class SolutionSearch:
             p = self._at_the_singularity(q)
             if all(np.abs(self.box.difference(p, other)).max() > SAME for other in found):
                 found.append(p)
-        return sorted(found, key=lambda q: tuple(np.round(q, 6).tolist()))
+        return sorted(found, key=lambda q: [round(float(value), 6) for value in q])
 
     def in_a_family(self, q: Array) -> bool:
         """Whether a step along the null space of J leads to a neighbouring solution."""

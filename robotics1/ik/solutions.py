@@ -99,7 +99,7 @@ def ik_solutions(
     found = search.distinct(ends)
     families = any(search.in_a_family(q) for q in found)
     verdict = IKVerdict.INFINITE if families else IKVerdict.FINITE if found else IKVerdict.UNREACHABLE
-    closest = min(ends, key=lambda end: end[1])[0]
+    closest = found[0] if found else search.nearest_miss(min(ends, key=lambda end: end[1])[0])
     return IKSolutions(
         q=np.array(found).reshape(-1, robot.nq),
         singular=np.array([search.points.gap(q) <= ON_THE_SET for q in found], dtype=bool),

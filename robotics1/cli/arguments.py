@@ -1,0 +1,91 @@
+"""What is typed at the command line, turned into robots, tasks and vectors."""
+
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from robotics1.errors import InputError
+from robotics1.inputs import Array
+from robotics1.robot.loading import load_robot
+from robotics1.robot.model import Robot
+from robotics1.tasks.planar_pose import PlanarPoseTask
+from robotics1.tasks.pose import OrientationTask, PoseTask
+from robotics1.tasks.position import PositionTask
+from robotics1.tasks.task import FrameTask
+
+TASKS = ("position[:xyz]", "planar-pose[:xy]", "orientation", "pose")
+NUMBER = re.compile(r"([+-]?)(\d*\.?\d*(?:e[+-]?\d+)?)\s*\*?\s*(pi|π)?(?:/(\d+\.?\d*))?", re.IGNORECASE)
+
+
+def parse_number(text: str) -> float:
+    """Return a number as typed: 1.5, -2e-3, pi, 0.7pi, -3pi/4, 1/2.
+
+    Raises:
+        InputError: it is none of these.
+    """
+    match = NUMBER.fullmatch(text.strip().replace("−", "-"))
+    if match is None or not (match[2] or match[3]):
+        raise InputError(f"{text!r} is not a number; write it like 1.5, 0.7pi or -pi/4")
+    try:
+        value = float(match[2] or 1) * (np.pi if match[3] else 1.0) / float(match[4] or 1)
+    except (ValueError, ZeroDivisionError) as error:
+        raise InputError(f"{text!r} is not a number; write it like 1.5, 0.7pi or -pi/4") from error
+    return -value if match[1] == "-" else value
+
+
+def parse_vector(text: str) -> Array:
+    """Return numbers separated by commas or blanks.
+
+    Raises:
+        InputError: one of them is no number.
+    """
+    parts = [part for part in re.split(r"[,\s]+", text.strip()) if part]
+    return np.array([parse_number(part) for part in parts])
+
+
+def parse_robot(source: str, parameters: Sequence[str], tool: str | None) -> Robot:
+    """Return the robot of a name or path, with parameters typed as l2=0.5.
+
+    Raises:
+        InputError: a parameter is not name=number.
+        Robotics1Error: what `load_robot` raises.
+    """
+    values = {}
+    for text in parameters:
+        name, sign, number = text.partition("=")
+        if not sign:
+            raise InputError(f"{text!r} is not a parameter; write it like l2=0.5")
+        values[name.strip()] = parse_number(number)
+    return load_robot(source if "/" not in source else Path(source), parameters=values, tool=tool)
+
+
+def parse_task(text: str, frame: str | None) -> FrameTask:
+    """Return the task typed as position, position:xy, planar-pose:xz, orientation or pose.
+
+    Raises:
+        InputError: it is none of these.
+    """
+    kind, _, option = text.partition(":")
+    kinds: dict[str, Callable[[], FrameTask]] = {
+        "position": lambda: PositionTask(option or "xyz", frame=frame),
+        "planar-pose": lambda: PlanarPoseTask(option or "xy", frame=frame),
+        "orientation": lambda: OrientationTask(frame=frame),
+        "pose": lambda: PoseTask(frame=frame),
+    }
+    if kind not in kinds or (option and kind in ("orientation", "pose")):
+        raise InputError(f"there is no task {text!r}; there is {', '.join(TASKS)}")
+    return kinds[kind]()
+
+
+def configuration(robot: Robot, text: str | None, degrees: bool) -> Array:
+    """Return q as typed, in degrees where asked; without text, zero moved inside the limits.
+
+    Raises:
+        InputError: the wrong number of values.
+    """
+    if text is None:
+        return np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
+    q = robot.configuration(parse_vector(text))
+    return np.where(robot.revolute, np.radians(q), q) if degrees else q

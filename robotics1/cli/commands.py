@@ -1,0 +1,252 @@
+"""The commands: each reads its arguments, asks the package, and prints."""
+
+import sys
+import webbrowser
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from robotics1.cli import arguments, output
+from robotics1.errors import Robotics1Error
+from robotics1.notation import number, vector
+from robotics1.report.tables import matrix_table
+
+app = typer.Typer(
+    help="Kinematics of robot arms: the number, the formula, the verdict, the picture.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+out, err = Console(), Console(stderr=True)
+
+RobotName = Annotated[str, typer.Argument(help="A robot's name (prr, cylindrical, planar_2r) or a URDF or xacro file.")]
+Parameters = Annotated[list[str] | None, typer.Option("--param", "-p", help="A named length, as in l2=0.5.")]
+Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
+Frame = Annotated[str | None, typer.Option(help="The link that is asked about; by default the tool.")]
+Q = Annotated[str | None, typer.Option("--q", help="Joint values, as in 0.5,pi/2,-0.7pi; by default zero.")]
+TaskName = Annotated[str, typer.Option("--task", help=f"The task: {', '.join(arguments.TASKS)}.")]
+Degrees = Annotated[bool, typer.Option("--degrees", help="Angles are read and printed in degrees.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+
+
+def main() -> None:
+    """Run the command: exit code 0 done, 1 the verdict is negative, 2 misuse."""
+    try:
+        app()
+    except Robotics1Error as error:
+        err.print(f"error: {error}", style="red", markup=False, highlight=False, soft_wrap=True)
+        sys.exit(2)
+
+
+@app.command()
+def exam(
+    folder: Annotated[Path, typer.Option("--out", help="The folder for figures and pages.")] = Path("exam-2025-01-13"),
+    json: AsJson = False,
+) -> None:
+    """Solve the exam of 13 January 2025 and check every published value."""
+    from robotics1.exams.worked_2025_01_13 import work_exam
+
+    with err.status("solving the exam"):
+        worked = work_exam(folder)
+    if json:
+        output.write_json(worked.as_json())
+    else:
+        worked.print(out)
+    raise typer.Exit(0 if worked.all_hold else 1)
+
+
+@app.command()
+def fk(
+    robot: RobotName,
+    q: Q = None,
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    json: AsJson = False,
+) -> None:
+    """Forward kinematics: where a frame is."""
+    from robotics1.kinematics import forward_kinematics
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    values = arguments.configuration(arm, q, degrees)
+    T = forward_kinematics(arm, values, frame=frame)
+    if json:
+        output.write_json({"q": values, "position": T.translation, "rotation": T.rotation})
+        return
+    output.say_outside_limits(out, arm, values)
+    out.print(f"{frame or arm.tool} of {arm.name} at q = {vector(output.in_degrees(arm, values, degrees))}")
+    out.print(f"p = {vector(T.translation)} m")
+    out.print(matrix_table(T.rotation, title="R"))
+
+
+@app.command()
+def jacobian(
+    robot: RobotName,
+    q: Q = None,
+    task: TaskName = "pose",
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    json: AsJson = False,
+) -> None:
+    """The Jacobian of a task, its rank and its subspaces."""
+    import numpy as np
+
+    from robotics1.analysis.singularity_words import directions
+    from robotics1.analysis.spaces import subspaces
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    values = arguments.configuration(arm, q, degrees)
+    what = arguments.parse_task(task, frame)
+    J = what.jacobian(arm, values)
+    spaces = subspaces(J)
+    square = J.shape[0] == J.shape[1]
+    det = float(np.linalg.det(J)) if square else None
+    if json:
+        answer = {"q": values, "jacobian": J, "rank": spaces.rank, "singular_values": spaces.singular_values}
+        output.write_json(answer | {"determinant": det, "null": spaces.null.T, "left_null": spaces.left_null.T})
+        return
+    output.say_outside_limits(out, arm, values)
+    at = vector(output.in_degrees(arm, values, degrees))
+    out.print(matrix_table(J, what.row_names, arm.joint_names, f"J of {task} at q = {at}, world axes"))
+    determinant = "" if det is None else f", det J = {number(det)}"
+    out.print(f"rank {spaces.rank}{determinant}, singular values {vector(spaces.singular_values)}")
+    if spaces.null.size:
+        out.print(f"the task does not move with q̇ along {directions(spaces.null)}")
+    if spaces.left_null.size:
+        out.print(f"velocities along {directions(spaces.left_null)} cannot be realised; forces along it need no torque")
+
+
+@app.command()
+def singularities(
+    robot: RobotName,
+    task: TaskName = "pose",
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    json: AsJson = False,
+) -> None:
+    """All singular configurations of a task, found numerically."""
+    from robotics1.analysis.singularity import find_singularities
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    with err.status("searching"):
+        found = find_singularities(arm, arguments.parse_task(task, frame))
+    if not json:
+        out.print(found.explain(), highlight=False)
+        return
+    branches = [
+        {
+            "conditions": [str(condition) for condition in branch.conditions],
+            "values": dict(branch.values),
+            "free_joints": branch.free_joints,
+            "dimension": branch.dimension,
+            "rank": branch.rank,
+            "q": branch.q,
+            "null": branch.null.T,
+            "left_null": branch.left_null.T,
+        }
+        for branch in found.branches
+    ]
+    output.write_json({"generic_rank": found.generic_rank, "complete": found.complete, "branches": branches})
+
+
+@app.command()
+def ik(
+    robot: RobotName,
+    target: Annotated[str, typer.Option(help="The target: x,y,z or x,y,φ; for a pose, 16 numbers row by row.")],
+    task: TaskName = "position",
+    method: Annotated[
+        str | None, typer.Option(help="newton, pseudoinverse, gradient or damped; without it, all solutions.")
+    ] = None,
+    q0: Annotated[str | None, typer.Option("--q0", help="The start of an iteration; by default zero.")] = None,
+    tolerance: Annotated[float, typer.Option(help="The wanted |e| of an iteration.")] = 1e-4,
+    max_iterations: Annotated[int, typer.Option(help="The most iterations.")] = 50,
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    json: AsJson = False,
+) -> None:
+    """Inverse kinematics: all solutions, or the table of one method's iterations."""
+    from robotics1.cli import inverse
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    what = arguments.parse_task(task, frame)
+    goal = inverse.parse_target(what, target, degrees)
+    if method is None:
+        done = inverse.print_solutions(out, arm, what, goal, degrees=degrees, json=json)
+    else:
+        start = arguments.configuration(arm, q0, degrees)
+        options = {"method": method, "tolerance": tolerance, "max_iterations": max_iterations}
+        done = inverse.print_iteration(out, arm, what, goal, start, options=options, json=json)
+    raise typer.Exit(0 if done else 1)
+
+
+@app.command()
+def statics(
+    robot: RobotName,
+    force: Annotated[str, typer.Option(help="The force on the tool by the environment, one number a task row.")],
+    q: Q = None,
+    task: TaskName = "position",
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    json: AsJson = False,
+) -> None:
+    """The torques that balance a force on the tool, τ = −Jᵀ f."""
+    import numpy as np
+
+    from robotics1.analysis.singularity_words import directions
+    from robotics1.analysis.spaces import subspaces
+    from robotics1.analysis.statics import balancing_torque
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    values = arguments.configuration(arm, q, degrees)
+    what = arguments.parse_task(task, frame)
+    J = what.jacobian(arm, values)
+    torque = balancing_torque(J, arguments.parse_vector(force))
+    free = subspaces(J).left_null
+    within = np.abs(torque) <= arm.max_effort
+    if json:
+        output.write_json({"q": values, "torque": torque, "within_limits": within, "forces_without_torque": free.T})
+        return
+    output.say_outside_limits(out, arm, values)
+    out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(arm.joint_names)}) [N m, for a prismatic joint N]")
+    for name, value, ok, limit in zip(arm.joint_names, torque, within, arm.max_effort, strict=True):
+        if not ok:
+            out.print(f"[yellow]{name} would need {value:.4g}, beyond its effort limit {limit:.4g}[/yellow]")
+    if free.size:
+        out.print(f"forces along {directions(free)} need no torque")
+
+
+@app.command()
+def view(
+    robot: RobotName,
+    q: Q = None,
+    page: Annotated[Path | None, typer.Option("--out", "-o", help="The page to write; by default ROBOT.html.")] = None,
+    show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    json: AsJson = False,
+) -> None:
+    """Write an offline page that shows the robot."""
+    from robotics1.viewer.animation import view as write_view
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    values = arguments.configuration(arm, q, degrees)
+    caption = f"q = {vector(output.in_degrees(arm, values, degrees))}"
+    written = write_view(arm, values, page or Path(f"{arm.name}.html"), caption=caption)
+    if json:
+        output.write_json({"files": [str(written)]})
+    else:
+        output.say_outside_limits(out, arm, values)
+        out.print(f"wrote {written}", highlight=False, soft_wrap=True)
+    if show:
+        webbrowser.open(written.resolve().as_uri())

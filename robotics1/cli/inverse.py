@@ -1,0 +1,93 @@
+"""The two answers of `robotics1 ik`: every solution, or one method's iterations."""
+
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+
+from robotics1.cli.arguments import parse_vector
+from robotics1.cli.output import in_degrees, say_outside_limits, write_json
+from robotics1.errors import InputError
+from robotics1.ik.iterate import iterate_ik
+from robotics1.ik.solutions import ik_solutions
+from robotics1.inputs import Array
+from robotics1.notation import count, vector
+from robotics1.report.tables import iteration_table, matrix_table
+from robotics1.robot.model import Robot
+from robotics1.tasks.pose import OrientationTask, PoseTask
+from robotics1.tasks.task import FrameTask
+
+MATRICES = {OrientationTask: (3, 3), PoseTask: (4, 4)}
+SHOWN = 16  # solutions of an infinite family that are printed
+
+
+def parse_target(task: FrameTask, text: str, degrees: bool) -> Any:
+    """Return the target as the task takes it: a vector, or a matrix typed row by row.
+
+    Raises:
+        InputError: the wrong number of values.
+    """
+    values = parse_vector(text)
+    shape = MATRICES.get(type(task))
+    if shape is not None:
+        if values.size != shape[0] * shape[1]:
+            raise InputError(f"the target is {shape[0]} × {shape[1]}, row by row; it has {values.size} numbers")
+        return values.reshape(shape)
+    if degrees and values.size == task.rows:
+        values = np.where(np.array(task.row_units) == "rad", np.radians(values), values)
+    return values
+
+
+def print_solutions(console: Console, robot: Robot, task: FrameTask, target: Any, *, degrees: bool, json: bool) -> bool:
+    """Print every solution, and return whether there is one."""
+    found = ik_solutions(robot, task, target)
+    if json:
+        write_json(
+            {
+                "verdict": found.verdict.name,
+                "complete": found.complete,
+                "solutions": found.q,
+                "singular": found.singular,
+                "least_error": found.least_error,
+            }
+        )
+        return len(found) > 0
+    console.print(f"{found.verdict.value} ({len(found)} found by search)", highlight=False)
+    if not len(found):
+        nearest = vector(in_degrees(robot, found.closest, degrees))
+        console.print(f"the nearest miss is |e| = {found.least_error:.4g} at q = {nearest}")
+        return False
+    rows = tuple(f"{i + 1}{' singular' if flag else ''}" for i, flag in enumerate(found.singular[:SHOWN]))
+    console.print(matrix_table(in_degrees(robot, found.q[:SHOWN], degrees), rows, robot.joint_names))
+    if len(found) > SHOWN:
+        console.print(f"and {len(found) - SHOWN} more")
+    return True
+
+
+def print_iteration(
+    console: Console,
+    robot: Robot,
+    task: FrameTask,
+    target: Any,
+    q0: Array,
+    *,
+    options: dict[str, Any],
+    json: bool,
+) -> bool:
+    """Print the table of an iteration, and return whether it converged."""
+    run = iterate_ik(robot, task, target, q0, **options)
+    if json:
+        write_json(
+            {
+                "status": run.status.name,
+                "iterations": run.iterations,
+                "q": run.q,
+                "within_limits": run.within_limits,
+                "table": [row._asdict() for row in run.table],
+            }
+        )
+        return run.converged
+    console.print(iteration_table(run, f"{run.method}, angles in radians"))
+    console.print(f"{run.status.name} after {count(run.iterations, 'iteration')}: {run.status.value}", highlight=False)
+    say_outside_limits(console, robot, run.q)
+    return run.converged

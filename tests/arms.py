@@ -1,0 +1,38 @@
+"""The robots of the tests, each loaded once, and configurations of them."""
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from hypothesis import strategies as st
+
+from robotics1 import load_robot
+
+ROBOTS = Path(__file__).parent / "robots"
+NAMED = ("prr", "cylindrical", "planar_2r")
+ARMS = (*NAMED, *sorted(path.name.split(".")[0] for path in ROBOTS.glob("*.urdf*")))
+SINGLE_TIP = tuple(name for name in ARMS if name not in ("two_tips", "free_body"))
+
+
+@cache
+def arm(name, **parameters):
+    """A named robot, or the one of tests/robots, with named lengths."""
+    source = name if name in NAMED else next(ROBOTS.glob(f"{name}.urdf*"))
+    return load_robot(source, parameters=parameters or None)
+
+
+def span(robot):
+    """Lower and upper ends of the values to try: the limits, at most ±π."""
+    return np.maximum(robot.lower, -np.pi), np.minimum(robot.upper, np.pi)
+
+
+def random_q(robot, seed):
+    return np.random.default_rng(seed).uniform(*span(robot))
+
+
+def configurations(robot):
+    """A strategy of configurations inside the limits; it shrinks to zeros."""
+    return st.tuples(*[st.floats(float(a), float(b)) for a, b in zip(*span(robot), strict=True)]).map(np.array)
+
+
+lengths = st.floats(0.05, 3.0)
