@@ -97,8 +97,9 @@ def test_a_parameter_that_is_no_finite_number_is_an_input_error(value):
         load_robot("prr", parameters={"l2": value})
 
 
-def test_a_parameter_without_default_must_be_given(tmp_path):
-    text = (ROBOTS / "planar_3r.urdf.xacro").read_text(encoding="utf-8").replace(' default="0.4"', "")
+@pytest.mark.parametrize("default", ["", ' default=""'])
+def test_a_parameter_without_default_must_be_given_and_then_serves(tmp_path, default):
+    text = (ROBOTS / "planar_3r.urdf.xacro").read_text(encoding="utf-8").replace(' default="0.4"', default)
     path = written(tmp_path, text, "arm.urdf.xacro")
     with pytest.raises(RobotFileError, match="parameter 'l2' has no default") as caught:
         load_robot(path)

@@ -1,0 +1,155 @@
+import json
+from math import pi
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from robotics1.cli import main
+from robotics1.cli.arguments import parse_number, parse_vector
+from robotics1.cli.commands import app
+from robotics1.errors import InputError
+
+
+def answer(*words, code=0):
+    """Run the command with --json and return what it answers."""
+    result = CliRunner().invoke(app, [*words, "--json"])
+    assert result.exit_code == code, result.output
+    return json.loads(result.stdout)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1.5", 1.5),
+        ("-2e-3", -2e-3),
+        ("pi", pi),
+        ("-pi/4", -pi / 4),
+        ("0.7pi", 0.7 * pi),
+        ("3*π/4", 3 * pi / 4),
+        ("1/2", 0.5),
+        ("−1", -1.0),
+    ],
+)
+def test_a_number_may_be_a_multiple_of_pi(text, value):
+    assert parse_number(text) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize("text", ["", "x", "1,5,", "--1", "1/0", "nan", "inf", "pipi", "e5"])
+def test_what_is_no_number_is_refused(text):
+    with pytest.raises(InputError, match="write it like"):
+        parse_number(text)
+
+
+def test_a_vector_is_separated_by_commas_or_blanks():
+    assert parse_vector("1, pi 3").tolist() == [1, pi, 3]
+
+
+def test_fk_of_the_2r_is_l1_c1_plus_l2_c12():
+    found = answer("fk", "planar_2r", "--q", "30,60", "--degrees", "-p", "l1=1", "-p", "l2=2")
+    assert found["position"] == pytest.approx([np.cos(pi / 6), 0.5 + 2, 0])
+
+
+def test_jacobian_of_the_prr_has_det_l2_c2_and_loses_rank_at_pi_half():
+    assert answer("jacobian", "prr", "--task", "planar-pose", "--q", "0,1,2")["determinant"] == pytest.approx(
+        0.6 * np.cos(1)
+    )
+    found = answer("jacobian", "prr", "--task", "planar-pose", "--q", "0,pi/2,2")
+    assert found["rank"] == 2
+    assert np.cross(found["null"][0], [0.6, 1, -1]) == pytest.approx(np.zeros(3), abs=1e-12)
+
+
+def test_statics_balances_minus_J_transposed_f():
+    found = answer("statics", "prr", "--task", "position:xy", "--q", "0.5,pi/2,pi", "--force", "3,1")
+    assert found["torque"] == pytest.approx([-3, 0.6, -1.2])
+    assert found["within_limits"] == [True, True, True]
+
+
+def test_singularities_of_the_2r_are_q2_zero_and_pi():
+    found = answer("singularities", "planar_2r", "--task", "position:xy")
+    assert [branch["values"]["q2"] for branch in found["branches"]] == [0, pi]
+    assert [branch["conditions"] for branch in found["branches"]] == [["Eq(q2, 0)"], ["Eq(q2, pi)"]]
+
+
+def test_ik_gives_all_solutions_or_the_table_of_a_method():
+    found = answer("ik", "cylindrical", "--target", "1,-1,3")
+    assert np.array(found["solutions"]) == pytest.approx(
+        np.array([[3, -pi / 4, 2**0.5], [3, 3 * pi / 4, -(2**0.5)]]), abs=1e-9
+    )
+    newton = ["--method", "newton", "--q0", "-2,0.7pi,1.4142135623730951"]
+    found = answer("ik", "cylindrical", "--target", "1,-1,3", *newton)
+    assert (found["status"], found["iterations"]) == ("CONVERGED", 3)
+    assert len(found["table"]) == 4
+
+
+def test_ik_exits_with_1_when_there_is_no_solution_or_no_convergence():
+    found = answer("ik", "planar_2r", "--task", "position:xy", "--target", "3,0", code=1)
+    assert found["verdict"] == "UNREACHABLE"
+    assert found["least_error"] == pytest.approx(1.0, abs=1e-6)
+    found = answer("ik", "cylindrical", "--target", "1,-1,3", "--method", "newton", "--q0", "2,pi/4,0", code=1)
+    assert found["status"] == "SINGULAR"
+
+
+def test_ik_of_a_pose_takes_the_matrix_row_by_row():
+    eye = "1,0,0,2, 0,1,0,0, 0,0,1,0, 0,0,0,1"
+    found = answer("ik", "planar_2r", "--task", "pose", "--target", eye)
+    assert found["solutions"][0] == pytest.approx([0, 0], abs=1e-6)
+
+
+def test_view_writes_a_page(tmp_path):
+    page = tmp_path / "prr.html"
+    assert answer("view", "prr", "--q", "0.1,0.2,0.3", "--out", str(page))["files"] == [str(page)]
+    assert "<title>prr</title>" in page.read_text(encoding="utf-8")
+
+
+def test_a_configuration_outside_the_limits_is_said_and_answered():
+    result = CliRunner().invoke(app, ["fk", "prr", "--q", "5,0,0"])
+    assert result.exit_code == 0
+    assert "q1 = 5 is outside its limits [-2, 2]" in result.stdout
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["fk", "prr", "--q", "0.5,1,2"],
+        ["jacobian", "prr", "--task", "position:xy", "--q", "0,pi/2,0"],
+        ["statics", "prr", "--task", "position:xy", "--q", "0,pi/2,0", "--force", "900,1"],
+        ["singularities", "planar_2r", "--task", "position:xy"],
+        ["ik", "prr", "--task", "position:xy", "--target", "0.4,0.5"],
+        ["ik", "planar_2r", "--task", "position:xy", "--target", "1,1", "--method", "gradient", "--q0", "1,1"],
+        ["view", "cylindrical", "--out", "page.html"],
+    ],
+)
+def test_every_command_prints_for_people(words, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result = CliRunner().invoke(app, words)
+    assert result.exit_code == 0, result.output
+    assert result.stdout.strip()
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["fk", "prrr"], "no robot named 'prrr'; did you mean 'prr'?"),
+        (["fk", "prr", "--frame", "tol"], "no frame of robot 'prr' named 'tol'; did you mean 'tool'?"),
+        (["fk", "prr", "--q", "1,2"], "q must have shape (3,), one number for each of q1, q2, q3; it has shape (2,)"),
+        (["fk", "prr", "-p", "l9=3"], "no parameter of prr.urdf.xacro named 'l9'; did you mean"),
+        (["fk", "prr", "-p", "l2"], "'l2' is not a parameter; write it like l2=0.5"),
+        (["fk", "nowhere/arm.urdf"], "nowhere/arm.urdf: there is no such file"),
+        (["jacobian", "prr", "--task", "poze"], "there is no task 'poze'; there is position"),
+        (["jacobian", "cylindrical", "--task", "planar-pose"], "robot 'cylindrical' leaves the xy plane"),
+        (["ik", "prr", "--target", "1,2"], "the target must have shape (3,)"),
+        (["ik", "prr", "--task", "pose", "--target", "1,2"], "the target is 4 × 4, row by row; it has 2 numbers"),
+        (["view", "prr", "--out", "nowhere/page.html"], "there is no folder nowhere"),
+    ],
+)
+def test_misuse_is_one_line_on_stderr_and_exit_code_2(words, sentence, monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["robotics1", *words])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    captured = capsys.readouterr()
+    assert ended.value.code == 2
+    assert captured.err.startswith("error: ")
+    assert sentence in captured.err
+    assert captured.err.count("\n") == 1
+    assert captured.out == ""

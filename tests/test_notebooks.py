@@ -1,0 +1,24 @@
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_the_notebook_is_thin_stripped_and_runs(path):
+    notebook = nbformat.read(path, as_version=4)
+    cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    assert cells
+    for cell in cells:
+        assert len(cell.source.splitlines()) <= 12
+        assert "def " not in cell.source
+        assert cell.outputs == []
+        assert cell.execution_count is None
+    NotebookClient(notebook, timeout=120, resources={"metadata": {"path": path.parent}}).execute()
+
+
+def test_there_is_one_notebook_an_exercise():
+    assert [path.stem[:10] for path in NOTEBOOKS] == ["exercise_1", "exercise_2", "exercise_3"]

@@ -1,0 +1,98 @@
+"""The project as a whole: the wheel, the README, the pinned versions, the house."""
+
+import ast
+import re
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+SOURCES = sorted((ROOT / "robotics1").rglob("*.py"))
+
+
+def test_the_wheel_brings_its_robots_to_an_empty_environment(tmp_path):
+    from hatchling.builders.wheel import WheelBuilder
+
+    wheel = next(iter(WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])))
+    venv.create(tmp_path / "env", with_pip=True)
+    python = tmp_path / "env" / "bin" / "python"
+    install = [str(python), "-m", "pip", "install", "--quiet", "--constraint", str(ROOT / "constraints.txt"), wheel]
+    subprocess.run(install, check=True, cwd=tmp_path, timeout=600)
+    program = "import robotics1; r = robotics1.load_robot('prr'); print(r.parameters['l2'], r.path)"
+    run = subprocess.run(
+        [str(python), "-I", "-c", program], check=True, cwd=tmp_path, capture_output=True, text=True, timeout=120
+    )
+    length, path = run.stdout.split(maxsplit=1)
+    assert length == "0.6"
+    assert Path(path.strip()).is_relative_to(tmp_path / "env")
+
+
+def test_the_code_of_the_readme_runs_and_says_what_it_says(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), flags=re.DOTALL)
+    assert len(blocks) >= 5
+    scope = {}
+    for block in blocks:
+        exec(compile(block, "README.md", "exec"), scope)
+    assert scope["spaces"].rank == 2
+    assert scope["spaces"].contains([1, 0, 0])
+    assert scope["run"].status.name == "CONVERGED"
+    assert scope["run"].iterations == 3
+    assert len(scope["every"].q) == 2
+    assert scope["meeting"].time == pytest.approx(1.380, abs=5e-4)
+    assert scope["choice"].verdict.name == "FEEDBACK"
+    assert (tmp_path / "meeting.html").is_file()
+
+
+def test_the_commands_of_the_readme_run(tmp_path, monkeypatch):
+    from typer.testing import CliRunner
+
+    from robotics1.cli.commands import app
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("webbrowser.open", lambda url: True)
+    blocks = re.findall(r"```sh\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), flags=re.DOTALL)
+    commands = [line.split() for block in blocks for line in block.splitlines() if line.startswith("robotics1 ")]
+    assert len(commands) == 7
+    for command in commands:
+        result = CliRunner().invoke(app, command[1:])
+        assert result.exit_code == 0, (command, result.output)
+
+
+def test_constraints_are_plain_pins():
+    lines = (ROOT / "constraints.txt").read_text().splitlines()
+    assert all(re.fullmatch(r"[A-Za-z0-9_.-]+==[A-Za-z0-9.+!-]+", line) for line in lines)
+    assert any(line.startswith("pin==") for line in lines)
+
+
+def test_no_file_is_longer_than_300_lines_and_no_function_than_40_lines_of_code():
+    for path in SOURCES:
+        text = path.read_text(encoding="utf-8")
+        assert len(text.splitlines()) <= 300, path
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.FunctionDef):
+                body = node.body[1:] if ast.get_docstring(node) else node.body
+                lines = body[-1].end_lineno - body[0].lineno + 1 if body else 0
+                assert lines <= 40, (path.name, node.name, lines)
+
+
+def test_the_package_neither_prints_nor_asserts_on_arguments():
+    for path in SOURCES:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        assert not any(isinstance(node, ast.Assert) for node in ast.walk(tree)), path
+
+
+def test_the_version_is_the_same_everywhere():
+    from importlib.metadata import version
+
+    assert f"version: {version('robotics1')}" in (ROOT / "CITATION.cff").read_text()
+    assert f"## {version('robotics1')}" in (ROOT / "CHANGELOG.md").read_text()
+
+
+def test_import_is_light():
+    program = "import sys, robotics1; print([m for m in ('pinocchio', 'scipy', 'sympy', 'numpy') if m in sys.modules])"
+    run = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
+    assert run.stdout.strip() == "[]"

@@ -1,0 +1,306 @@
+from math import inf, pi
+
+import closed_forms as cf
+import numpy as np
+import pytest
+import sympy
+from arms import arm
+from differences import outside
+
+from robotics1 import (
+    FunctionTask,
+    InputError,
+    OrientationTask,
+    PlanarPoseTask,
+    PoseTask,
+    PositionTask,
+    TaskError,
+    UnknownNameError,
+    find_singularities,
+)
+
+PRR = ({"q2": -pi / 2}, {"q2": pi / 2})
+PRR_POINT = tuple({"q2": q2, "q3": q3} for q2, q3 in cf.PRR_POSITION_SINGULAR)
+STRETCHED = ({"q2": 0.0}, {"q2": pi})
+IN_LINE = tuple({"q2": a, "q3": b} for a in (0.0, pi) for b in (0.0, pi))
+SRS = (
+    {"q4": 0.0},
+    *({"q2": 0.0, "q3": sign * pi / 2} for sign in (-1, 1)),
+    {"q2": 0.0, "q6": 0.0},
+    *({"q5": sign * pi / 2, "q6": 0.0} for sign in (-1, 1)),
+)
+POINT, POSE, SPACE = PositionTask("xy"), PlanarPoseTask("xy"), PositionTask("xyz")
+
+# Sets whose branches are constant joint values: robot, task, lengths, generic rank, (values), free joints in all.
+CONSTANT = [
+    ("prr", POSE, {}, 3, PRR, {"q1", "q3"}),
+    ("prr", POSE, {"l2": 0.5, "l3": 0.5}, 3, PRR, {"q1", "q3"}),
+    ("prr", POINT, {}, 2, PRR_POINT, {"q1"}),
+    ("prr", POINT, {"l2": 0.5, "l3": 0.5}, 2, PRR_POINT, {"q1"}),
+    ("prr", POINT, {"l2": 0.5, "l3": 0.5005}, 2, PRR_POINT, {"q1"}),
+    ("prr", POINT, {"l2": 0.2, "l3": 1.1}, 2, PRR_POINT, {"q1"}),
+    ("cylindrical", SPACE, {}, 3, ({"q3": 0.0},), {"q1", "q2"}),
+    ("planar_2r", POINT, {}, 2, STRETCHED, {"q1"}),
+    ("planar_2r", POINT, {"l1": 0.7, "l2": 0.7}, 2, STRETCHED, {"q1"}),
+    ("planar_3r", POINT, {}, 2, IN_LINE, {"q1"}),
+    ("planar_3r", POINT, {"l1": 0.7, "l2": 0.4, "l3": 0.3}, 2, IN_LINE, {"q1"}),
+    ("planar_3r", POSE, {}, 3, STRETCHED, {"q1", "q3"}),
+    ("vertical_2r", PositionTask("zx"), {}, 2, STRETCHED, {"q1"}),
+    ("redundant", PoseTask(), {}, 6, SRS, {"q1", "q7"}),
+]
+WORDS = [f"{name}-{'-'.join(task.row_names)}-{lengths}" for name, task, lengths, *_ in CONSTANT]
+
+
+def key(values):
+    return tuple(sorted((name, round(value, 9)) for name, value in values.items()))
+
+
+def sigma(task, robot, q):
+    """σ_ρ/σ₁ of the task's Jacobian, the last singular value over the first, lengths in units of the reach."""
+    rows = [1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units]
+    columns = np.where(robot.revolute, 1.0, robot.reach)
+    values = np.linalg.svd(np.array(rows)[:, None] * task.jacobian(robot, q) * columns, compute_uv=False)
+    return values[-1] / values[0]
+
+
+def assert_samples_are_singular(found, least=50):
+    robot = found.robot
+    for branch in found.branches:
+        assert branch.samples.shape == (max(len(branch.samples), least if branch.dimension else 1), robot.nq)
+        for q in branch.samples:
+            assert sigma(found.task, robot, q) <= 1e-10
+            assert robot.within_limits(q)
+            for name, value in branch.values.items():
+                assert q[robot.joint_names.index(name)] == pytest.approx(value, abs=1e-12)
+        values = np.linalg.svd(found.task.jacobian(robot, branch.q), compute_uv=False)
+        assert (values > 1e-9 * values[0]).sum() == branch.rank < found.generic_rank
+        assert branch.dimension == robot.nv - len(branch.values) - (1 if branch.tied_joints else 0)
+
+
+@pytest.mark.parametrize(("name", "task", "lengths", "rank", "values", "free"), CONSTANT, ids=WORDS)
+def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task, lengths, rank, values, free):
+    robot = arm(name, **lengths)
+    found = find_singularities(robot, task)
+    assert found.generic_rank == rank
+    assert sorted(key(branch.values) for branch in found.branches) == sorted(map(key, values))
+    assert set(found.free_joints) == free
+    for branch in found.branches:
+        assert set(branch.free_joints) == set(robot.joint_names) - set(branch.values)
+        assert branch.tied_joints == ()
+    assert_samples_are_singular(found)
+    assert not found.complete
+
+
+# --- curved branches
+
+
+@pytest.mark.parametrize(("a2", "a3"), [(0.35, 0.5), (0.5, 0.35), (0.5, 0.2)])
+def test_anthropomorphic_singularities_are_the_elbow_and_the_two_shoulder_loops(a2, a3):
+    found = find_singularities(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
+    elbow = [branch for branch in found.branches if branch.values]
+    loops = [branch for branch in found.branches if not branch.values]
+    assert [key(branch.values) for branch in elbow] == [(("q3", 0.0),), (("q3", round(pi, 9)),)]
+    assert len(loops) == 2
+    for branch in loops:
+        assert branch.dimension == 2
+        assert branch.free_joints == ("q1",)
+        assert branch.tied_joints == ("q2", "q3")
+        for q in branch.samples:
+            assert cf.shoulder(q, a2, a3) == pytest.approx(0, abs=1e-9)
+    assert found.free_joints == ("q1",)
+    assert_samples_are_singular(found)
+
+
+@pytest.mark.parametrize(("a2", "a3"), [(0.35, 0.5), (0.5, 0.35)])
+def test_the_two_shoulder_loops_are_apart_from_each_other(a2, a3):
+    """For a2 < a3 the upper arm angle q2 goes round and q2 + q3 stays near ±π/2, for a2 > a3 the other way round."""
+    found = find_singularities(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
+    loops = [branch.samples for branch in found.branches if branch.tied_joints == ("q2", "q3")]
+    sides = [np.sign(np.sin(q[:, 1] + (q[:, 2] if a2 < a3 else 0))) for q in loops]
+    assert sorted(side[0] for side in sides) == [-1, 1]
+    assert all((side == side[0]).all() for side in sides)
+
+
+def test_six_r_singularities_are_shoulder_elbow_and_wrist():
+    found = find_singularities(arm("six_r"), PoseTask())
+    constant = sorted(key(branch.values) for branch in found.branches if branch.values)
+    assert constant == sorted(key({name: value}) for name in ("q3", "q5") for value in (0.0, pi))
+    loops = [branch for branch in found.branches if not branch.values]
+    assert [branch.tied_joints for branch in loops] == [("q2", "q3")] * 2
+    assert max(abs(cf.shoulder(q, 0.5, 0.35)) for branch in loops for q in branch.samples) < 1e-9
+    assert set(found.free_joints) == {"q1", "q4", "q6"}
+    assert_samples_are_singular(found)
+
+
+# --- limits and boxes
+
+
+def test_an_arm_whose_limits_exclude_every_singularity_has_none():
+    found = find_singularities(arm("elbow_limited"), POINT, samples=30)
+    assert found.generic_rank == 2
+    assert found.branches == ()
+    assert "No singular configuration was found." in found.explain()
+
+
+@pytest.mark.parametrize(
+    ("interval", "values"), [((-0.5, 2.0), [0.0]), ((0.5, pi), [pi]), ((-pi, -0.5), [-pi]), ((-4, 4), None)]
+)
+def test_a_box_keeps_the_branches_inside_it(planar_2r, interval, values):
+    if values is None:
+        with pytest.raises(InputError, match="must lie in its limits"):
+            find_singularities(planar_2r, POINT, box={"q2": interval})
+        return
+    found = find_singularities(planar_2r, POINT, box={"q2": interval}, samples=60)
+    assert [branch.values["q2"] for branch in found.branches] == pytest.approx(values, abs=1e-9)
+    lower, upper = interval
+    assert all(lower - 1e-9 <= q[1] <= upper + 1e-9 for branch in found.branches for q in branch.samples)
+
+
+def test_limits_exclude_two_of_the_four_prr_points(prr):
+    found = find_singularities(prr, POINT, box={"q3": (-1, 1)})
+    wanted = [key({"q2": sign * pi / 2, "q3": 0.0}) for sign in (-1, 1)]
+    assert sorted(key(branch.values) for branch in found.branches) == wanted
+
+
+# --- what a branch says
+
+
+@pytest.fixture(scope="module")
+def pose_set(prr):
+    return find_singularities(prr, POSE)
+
+
+@pytest.fixture(scope="module")
+def point_set(prr):
+    return find_singularities(prr, POINT)
+
+
+def test_prr_branches_carry_the_exams_null_spaces(pose_set):
+    for branch, sign in zip(pose_set.branches, (-1, 1), strict=True):
+        assert branch.rank == 2
+        assert outside(branch.null, cf.prr_null(sign, 0.6)) == pytest.approx(np.zeros(3), abs=1e-12)
+        left = cf.prr_left_null(sign, branch.q[2], 0.4)
+        assert outside(branch.left_null, left) == pytest.approx(np.zeros(3), abs=1e-12)
+        assert branch.range.shape == (3, 2)
+        assert branch.range.T @ left == pytest.approx(np.zeros(2), abs=1e-12)
+
+
+def test_conditions_are_exact_equations(pose_set, point_set):
+    q2, q3 = sympy.symbols("q2 q3", real=True)
+    assert pose_set.branches[0].conditions == (sympy.Eq(q2, -sympy.pi / 2),)
+    assert point_set.branches[3].conditions == (sympy.Eq(q2, sympy.pi / 2), sympy.Eq(q3, sympy.pi))
+    assert point_set.branches[2].conditions == (sympy.Eq(q2, sympy.pi / 2), sympy.Eq(q3, 0))
+
+
+def test_conditions_of_a_curved_branch_name_the_tied_joints():
+    found = find_singularities(arm("anthropomorphic", a2=0.35, a3=0.5), SPACE)
+    q2, q3 = sympy.symbols("q2 q3", real=True)
+    assert found.branches[0].conditions == (sympy.Eq(sympy.Function("sigma_min")(q2, q3), 0),)
+
+
+def test_sample_draws_the_free_joints_anew(pose_set):
+    rng = np.random.default_rng(1)
+    for branch in pose_set.branches:
+        drawn = np.array([branch.sample(rng) for _ in range(40)])
+        assert (drawn[:, 1] == branch.values["q2"]).all()
+        assert np.ptp(drawn[:, 0]) > 2
+        assert np.ptp(drawn[:, 2]) > 3
+        assert max(sigma(POSE, pose_set.robot, q) for q in drawn) <= 1e-10
+
+
+def test_explain_says_where_what_is_lost_and_what_does_not_matter(pose_set, point_set):
+    text = pose_set.explain()
+    assert "q1 and q3 never matter." in text
+    assert "1. q2 = −π/2: the rank is 2 instead of 3, whatever q1 and q3." in text
+    assert "2. q2 = π/2: the rank is 2 instead of 3" in text
+    assert "a task velocity (x, y, φ) with a part along" in text
+    assert "cannot be realised; a force along" in text
+    assert "does not prove that there are no others" in text
+    text = point_set.explain()
+    assert "q1 never matters." in text
+    assert "4. q2 = π/2, q3 = π: the rank is 1 instead of 2, whatever q1." in text
+    assert "a task velocity (x, y) with a part along (0.0000, 1.0000)" in text.replace("-1.0000", "1.0000")
+
+
+@pytest.mark.parametrize(("name", "task"), [("prr", POINT), ("anthropomorphic", SPACE)])
+def test_the_same_seed_gives_the_same_branches(name, task):
+    a, b = (find_singularities(arm(name), task, seed=3, samples=60) for _ in range(2))
+    assert [branch.values for branch in a.branches] == [branch.values for branch in b.branches]
+    assert all(np.array_equal(x.samples, y.samples) for x, y in zip(a.branches, b.branches, strict=True))
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_another_seed_gives_the_same_set(prr, seed):
+    found = find_singularities(prr, POINT, seed=seed)
+    assert sorted(key(branch.values) for branch in found.branches) == sorted(map(key, PRR_POINT))
+
+
+def test_global_random_state_is_untouched(prr):
+    before = np.random.get_state()[1].copy()  # noqa: NPY002
+    find_singularities(prr, POSE, samples=10)
+    assert np.array_equal(before, np.random.get_state()[1])  # noqa: NPY002
+
+
+# --- degenerate tasks
+
+
+def test_a_task_with_more_rows_than_its_rank_says_so(planar_2r):
+    """z of a planar arm never moves: the rank of the position is 2 everywhere."""
+    found = find_singularities(planar_2r, SPACE)
+    assert found.generic_rank == 2
+    assert [key(branch.values) for branch in found.branches] == [key(values) for values in STRETCHED]
+    assert "The task has 3 rows, but the rank of its Jacobian is 2 everywhere" not in found.explain()
+
+
+def test_a_task_that_cannot_use_all_its_rows_and_joints_says_so():
+    """Three parallel axes: the orientation has rank 1 everywhere, and never loses it."""
+    found = find_singularities(arm("planar_3r"), OrientationTask(), samples=20)
+    assert (found.generic_rank, found.branches) == (1, ())
+    assert "The task has 3 rows, but the rank of its Jacobian is 1 everywhere" in found.explain()
+
+
+def test_an_arm_with_one_joint_is_nowhere_singular(one_joint):
+    found = find_singularities(one_joint, PoseTask(), samples=10)
+    assert (found.generic_rank, found.branches) == (1, ())
+
+
+def test_a_task_that_no_joint_moves_is_a_task_error(planar_2r):
+    with pytest.raises(TaskError, match="zero everywhere"):
+        find_singularities(planar_2r, PositionTask("z"))
+
+
+def test_function_tasks_have_the_singularities_of_what_they_compute(planar_2r):
+    """r = |p|²: its gradient vanishes where l1 l2 sin q2 = 0."""
+    found = find_singularities(planar_2r, FunctionTask(lambda p, R, q: [p @ p], 1), samples=40)
+    assert [round(branch.values["q2"], 6) for branch in found.branches] == [0.0, round(pi, 6)]
+
+
+# --- misuse
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"method": "guess"},
+        {"samples": 0},
+        {"samples": 1.5},
+        {"seed": -1},
+        {"box": {"q2": (1, 0)}},
+        {"box": {"q2": 3}},
+        {"box": {"q1": (-inf, inf)}},
+    ],
+)
+def test_bad_options_are_input_errors(prr, options):
+    with pytest.raises(InputError):
+        find_singularities(prr, POSE, **options)
+
+
+def test_a_box_of_an_unknown_joint_lists_the_joints(prr):
+    with pytest.raises(UnknownNameError) as caught:
+        find_singularities(prr, POSE, box={"q9": (0, 1)})
+    assert caught.value.candidates == ("q1", "q2", "q3")
+
+
+def test_a_planar_pose_of_a_spatial_arm_is_a_task_error(spatial):
+    with pytest.raises(TaskError):
+        find_singularities(spatial, POSE)
