@@ -8,7 +8,7 @@ import numpy.typing as npt
 from scipy.integrate import solve_ivp
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, per_joint, real_array, real_number
+from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
 from robotics1.trajectories.polynomial import PolynomialTrajectory
 
 
@@ -63,7 +63,8 @@ def simulate_tracking(
     n = trajectory.coefficients.shape[1]
     q0 = real_array("q0", q0, (n,), "one number for each joint")
     k = _non_negative("gain", gain, n)
-    limits = np.full(n, np.inf) if rate_limits is None else _non_negative("rate_limits", rate_limits, n)
+    limits = _limits(rate_limits, n)
+    count = counting_number("samples", samples, least=2)
 
     def wanted(t: float, q: Array) -> Array:
         time = min(max(t, 0.0), trajectory.duration)
@@ -72,7 +73,7 @@ def simulate_tracking(
     def rate(t: float, q: Array) -> Array:
         return np.clip(wanted(t, q), -limits, limits)
 
-    t = np.linspace(0.0, trajectory.duration, samples)
+    t = np.linspace(0.0, trajectory.duration, count)
     run = solve_ivp(
         rate, (0.0, t[-1]), q0, t_eval=t, rtol=1e-10, atol=1e-12, method="LSODA", max_step=trajectory.duration / 50
     )
@@ -140,6 +141,15 @@ def smallest_gain(
     else:
         verdict = GainVerdict.REPLAN
     return GainChoice(np.full(n, k), verdict, run)
+
+
+def _limits(rate_limits: npt.ArrayLike | None, n: int) -> Array:
+    """Return the largest |q̇| of each joint; infinity, as a robot says it, and None are no limit."""
+    if rate_limits is None:
+        return np.full(n, np.inf)
+    unlimited = np.equal(rate_limits, np.inf)
+    finite = _non_negative("rate_limits", np.where(unlimited, 0.0, rate_limits), n)
+    return np.where(unlimited, np.inf, finite)
 
 
 def _non_negative(name: str, value: npt.ArrayLike, n: int) -> Array:

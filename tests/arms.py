@@ -11,7 +11,6 @@ from robotics1 import load_robot
 ROBOTS = Path(__file__).parent / "robots"
 NAMED = ("prr", "cylindrical", "planar_2r")
 ARMS = (*NAMED, *sorted(path.name.split(".")[0] for path in ROBOTS.glob("*.urdf*")))
-SINGLE_TIP = tuple(name for name in ARMS if name not in ("two_tips", "free_body"))
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Helpers of the tests: differences, angles, spans."""
+"""Helpers of the tests: differences, angles, spans, singular values."""
 
 import numpy as np
 
@@ -43,3 +43,16 @@ def same_rows(found, wanted, revolute, atol):
     for q in wanted:
         apart = np.where(revolute, turned(found - q), found - q)
         assert np.abs(apart).max(axis=1).min() <= atol, f"{q} is not among {found}"
+
+
+def key(values):
+    """The constant joint values of a branch, as something to sort and compare."""
+    return tuple(sorted((name, round(value, 9)) for name, value in values.items()))
+
+
+def sigma(task, robot, q):
+    """σ_ρ/σ₁ of the task's Jacobian, the last singular value over the first, lengths in units of the reach."""
+    rows = [1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units]
+    columns = np.where(robot.revolute, 1.0, robot.reach)
+    values = np.linalg.svd(np.array(rows)[:, None] * task.jacobian(robot, q) * columns, compute_uv=False)
+    return values[-1] / values[0]

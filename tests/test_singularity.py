@@ -3,9 +3,8 @@ from math import inf, pi
 import closed_forms as cf
 import numpy as np
 import pytest
-import sympy
 from arms import arm
-from differences import outside
+from differences import key, sigma
 
 from robotics1 import (
     FunctionTask,
@@ -49,18 +48,6 @@ CONSTANT = [
     ("redundant", PoseTask(), {}, 6, SRS, {"q1", "q7"}),
 ]
 WORDS = [f"{name}-{'-'.join(task.row_names)}-{lengths}" for name, task, lengths, *_ in CONSTANT]
-
-
-def key(values):
-    return tuple(sorted((name, round(value, 9)) for name, value in values.items()))
-
-
-def sigma(task, robot, q):
-    """σ_ρ/σ₁ of the task's Jacobian, the last singular value over the first, lengths in units of the reach."""
-    rows = [1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units]
-    columns = np.where(robot.revolute, 1.0, robot.reach)
-    values = np.linalg.svd(np.array(rows)[:, None] * task.jacobian(robot, q) * columns, compute_uv=False)
-    return values[-1] / values[0]
 
 
 def assert_samples_are_singular(found, least=50):
@@ -162,85 +149,6 @@ def test_limits_exclude_two_of_the_four_prr_points(prr):
     assert sorted(key(branch.values) for branch in found.branches) == wanted
 
 
-# --- what a branch says
-
-
-@pytest.fixture(scope="module")
-def pose_set(prr):
-    return find_singularities(prr, POSE)
-
-
-@pytest.fixture(scope="module")
-def point_set(prr):
-    return find_singularities(prr, POINT)
-
-
-def test_prr_branches_carry_the_exams_null_spaces(pose_set):
-    for branch, sign in zip(pose_set.branches, (-1, 1), strict=True):
-        assert branch.rank == 2
-        assert outside(branch.null, cf.prr_null(sign, 0.6)) == pytest.approx(np.zeros(3), abs=1e-12)
-        left = cf.prr_left_null(sign, branch.q[2], 0.4)
-        assert outside(branch.left_null, left) == pytest.approx(np.zeros(3), abs=1e-12)
-        assert branch.range.shape == (3, 2)
-        assert branch.range.T @ left == pytest.approx(np.zeros(2), abs=1e-12)
-
-
-def test_conditions_are_exact_equations(pose_set, point_set):
-    q2, q3 = sympy.symbols("q2 q3", real=True)
-    assert pose_set.branches[0].conditions == (sympy.Eq(q2, -sympy.pi / 2),)
-    assert point_set.branches[3].conditions == (sympy.Eq(q2, sympy.pi / 2), sympy.Eq(q3, sympy.pi))
-    assert point_set.branches[2].conditions == (sympy.Eq(q2, sympy.pi / 2), sympy.Eq(q3, 0))
-
-
-def test_conditions_of_a_curved_branch_name_the_tied_joints():
-    found = find_singularities(arm("anthropomorphic", a2=0.35, a3=0.5), SPACE)
-    q2, q3 = sympy.symbols("q2 q3", real=True)
-    assert found.branches[0].conditions == (sympy.Eq(sympy.Function("sigma_min")(q2, q3), 0),)
-
-
-def test_sample_draws_the_free_joints_anew(pose_set):
-    rng = np.random.default_rng(1)
-    for branch in pose_set.branches:
-        drawn = np.array([branch.sample(rng) for _ in range(40)])
-        assert (drawn[:, 1] == branch.values["q2"]).all()
-        assert np.ptp(drawn[:, 0]) > 2
-        assert np.ptp(drawn[:, 2]) > 3
-        assert max(sigma(POSE, pose_set.robot, q) for q in drawn) <= 1e-10
-
-
-def test_explain_says_where_what_is_lost_and_what_does_not_matter(pose_set, point_set):
-    text = pose_set.explain()
-    assert "q1 and q3 never matter." in text
-    assert "1. q2 = −π/2: the rank is 2 instead of 3, whatever q1 and q3." in text
-    assert "2. q2 = π/2: the rank is 2 instead of 3" in text
-    assert "a task velocity (x, y, φ) with a part along" in text
-    assert "cannot be realised; a force along" in text
-    assert "does not prove that there are no others" in text
-    text = point_set.explain()
-    assert "q1 never matters." in text
-    assert "4. q2 = π/2, q3 = π: the rank is 1 instead of 2, whatever q1." in text
-    assert "a task velocity (x, y) with a part along (0.0000, 1.0000)" in text.replace("-1.0000", "1.0000")
-
-
-@pytest.mark.parametrize(("name", "task"), [("prr", POINT), ("anthropomorphic", SPACE)])
-def test_the_same_seed_gives_the_same_branches(name, task):
-    a, b = (find_singularities(arm(name), task, seed=3, samples=60) for _ in range(2))
-    assert [branch.values for branch in a.branches] == [branch.values for branch in b.branches]
-    assert all(np.array_equal(x.samples, y.samples) for x, y in zip(a.branches, b.branches, strict=True))
-
-
-@pytest.mark.parametrize("seed", [1, 2])
-def test_another_seed_gives_the_same_set(prr, seed):
-    found = find_singularities(prr, POINT, seed=seed)
-    assert sorted(key(branch.values) for branch in found.branches) == sorted(map(key, PRR_POINT))
-
-
-def test_global_random_state_is_untouched(prr):
-    before = np.random.get_state()[1].copy()  # noqa: NPY002
-    find_singularities(prr, POSE, samples=10)
-    assert np.array_equal(before, np.random.get_state()[1])  # noqa: NPY002
-
-
 # --- degenerate tasks
 
 
@@ -270,9 +178,17 @@ def test_a_task_that_no_joint_moves_is_a_task_error(planar_2r):
 
 
 def test_function_tasks_have_the_singularities_of_what_they_compute(planar_2r):
-    """r = |p|²: its gradient vanishes where l1 l2 sin q2 = 0."""
-    found = find_singularities(planar_2r, FunctionTask(lambda p, R, q: [p @ p], 1), samples=40)
-    assert [round(branch.values["q2"], 6) for branch in found.branches] == [0.0, round(pi, 6)]
+    """(x + y, x − y) is the position turned and stretched; its Jacobian comes from differences."""
+    found = find_singularities(planar_2r, FunctionTask(lambda p, R, q: [p[0] + p[1], p[0] - p[1]], 2), samples=30)
+    assert sorted(round(abs(branch.values["q2"]), 6) for branch in found.branches) == [0.0, round(pi, 6)]
+
+
+def test_a_task_of_one_row_is_singular_where_its_gradient_vanishes():
+    """z = −l1 s1 − l2 s12: l2 c12 = 0 and l1 c1 = 0, four points, where J = 0 has rank 0."""
+    found = find_singularities(arm("vertical_2r"), PositionTask("z"), samples=30)
+    wanted = [{"q1": q1, "q2": q2} for q1 in (-pi / 2, pi / 2) for q2 in (0.0, pi)]
+    assert sorted(key(branch.values) for branch in found.branches) == sorted(map(key, wanted))
+    assert {branch.rank for branch in found.branches} == {0}
 
 
 # --- misuse

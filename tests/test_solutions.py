@@ -174,12 +174,10 @@ def test_a_stretched_redundant_arm_has_one_solution():
 # --- laws
 
 
-@pytest.mark.parametrize("name", [name for name in ARMS if name != "two_tips"])
+@pytest.mark.parametrize("name", [name for name in ARMS if name not in ("two_tips", "redundant")])
 @pytest.mark.parametrize("seed", range(2))
 def test_the_configuration_that_made_the_target_is_among_finitely_many_solutions(name, seed):
     robot = arm(name)
-    if robot.nv > 6:
-        pytest.skip("a redundant arm has a continuum of solutions")
     q = 0.95 * random_q(robot, seed)
     target = PoseTask().value(robot, q)
     found = ik_solutions(robot, PoseTask(), target, starts=60).require()
@@ -202,7 +200,7 @@ def test_a_target_beyond_a_slide_is_unreachable(cylindrical):
     found = ik_solutions(cylindrical, SPACE, [1, 0, 5])
     assert found.verdict is IKVerdict.UNREACHABLE
     assert found.least_error == pytest.approx(1, abs=1e-9)
-    assert found.closest[0] == 4
+    assert found.closest[0] == pytest.approx(4, abs=1e-9)
 
 
 def test_a_box_narrows_the_search(planar_2r):

@@ -157,7 +157,7 @@ def test_orientation_error_is_angle_times_axis_in_world_axes(spatial):
     target = cf.rotation(axis, angle) @ R
     assert OrientationTask().error(spatial, q, target) == pytest.approx(angle * axis, abs=1e-13)
     T = PoseTask().value(spatial, q)
-    moved = pin.SE3(target, T.translation + [0.1, -0.2, 0.3])
+    moved = pin.SE3(target, T.translation + np.array([0.1, -0.2, 0.3]))
     assert PoseTask().error(spatial, q, moved) == pytest.approx([0.1, -0.2, 0.3, *(angle * axis)], abs=1e-13)
 
 

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
 from robotics1.analysis.singularity import SingularBranch
-from robotics1.analysis.spaces import subspaces
 from robotics1.inputs import Array
 
 ENOUGH = 50  # samples of a branch
@@ -38,7 +38,7 @@ def branches_of(points: SingularPoints, count: int, rng: np.random.Generator) ->
         if any(_is_part_of(points, sheet, larger) for larger in flat):
             continue  # where the set is degenerate inside a larger sheet its dimension is measured too low
         pieces += _connected_pieces(points, sheet, flat) if sheet.tied else [sheet]
-    branches = [_branch(points, piece, rng) for piece in pieces]
+    branches = [_branch(points, piece, flat, rng) for piece in pieces]
     return tuple(sorted(branches, key=lambda branch: (-branch.dimension, list(branch.values.items()))))
 
 
@@ -65,14 +65,29 @@ def _sheet_at(points: SingularPoints, q: Array, rng: np.random.Generator) -> She
     """Measure the set at q: its dimension, the joints that stand still on it, and those that do not matter."""
     tangent = points.tangent(q, rng)
     still = np.linalg.norm(tangent, axis=1) < 1e-2
-    trials = points.box.random(rng, 4)
-    free = []
-    for i in np.flatnonzero(~still):
-        moved = np.repeat(q[None], len(trials), axis=0)
-        moved[:, i] = trials[:, i]
-        if all(points.gap(p) < 1e-9 for p in moved):
-            free.append(int(i))
+    free = [int(i) for i in np.flatnonzero(~still) if _never_matters(points, q, int(i), rng)]
+    if len(free) < np.count_nonzero(~still):
+        still &= ~_moves_further_on(points, q, tangent, rng)
     return Sheet(tangent.shape[1], tuple(map(int, np.flatnonzero(still))), tuple(free), [q])
+
+
+def _never_matters(points: SingularPoints, q: Array, i: int, rng: np.random.Generator) -> bool:
+    moved = np.repeat(q[None], 4, axis=0)
+    moved[:, i] = points.box.random(rng, 4)[:, i]
+    return all(points.gap(p) < 1e-9 for p in moved)
+
+
+def _moves_further_on(
+    points: SingularPoints, q: Array, tangent: Array, rng: np.random.Generator
+) -> npt.NDArray[np.bool_]:
+    """Which joints change a little further along a curved sheet: at an extreme they only seem to stand still."""
+    moved = np.zeros(len(q), dtype=bool)
+    for direction in rng.standard_normal((6, tangent.shape[1])):
+        aside = q + points.box.unit * (0.5 * STRIDE * tangent @ direction)
+        p = points.project(points.box.nearest(aside), iterations=12)
+        if p is not None:
+            moved |= np.abs(points.box.difference(p, q)) > SAME_VALUE
+    return moved
 
 
 def _lies_on(points: SingularPoints, q: Array, sheet: Sheet) -> bool:
@@ -130,7 +145,7 @@ def _walk(points: SingularPoints, start: Array, goal: Array, flat: list[Sheet]) 
     return False
 
 
-def _branch(points: SingularPoints, piece: Sheet, rng: np.random.Generator) -> SingularBranch:
+def _branch(points: SingularPoints, piece: Sheet, flat: list[Sheet], rng: np.random.Generator) -> SingularBranch:
     """Complete the samples of a piece and choose the configuration at which its bases are told."""
     samples = [points.box.nearest(q) for q in piece.points]
     values = _constant_values(points, piece, samples)
@@ -139,13 +154,15 @@ def _branch(points: SingularPoints, piece: Sheet, rng: np.random.Generator) -> S
         q = samples[rng.integers(len(samples))].copy()
         if piece.tied:
             q = _neighbour(points, piece, q, rng)
+            if any(_lies_on(points, q, sheet) for sheet in flat):
+                continue  # it has changed to another piece, where the two cross
         q[free] = points.box.random(rng, 1)[0, free]
         samples.append(q)
     if piece.dimension == 0:
         samples = samples[:1]
     for q in samples:
         q[list(piece.constant)] = values
-    ranks = [subspaces(points.jacobian(q)).rank for q in samples]
+    ranks = [points.rank_at(q) for q in samples]
     best = int(np.argmax(ranks))
     names = points.robot.joint_names
     return SingularBranch(

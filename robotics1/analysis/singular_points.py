@@ -12,7 +12,7 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.tasks.units import unitless_jacobian
 
-ON_THE_SET = 1e-10  # σ_ρ/σ₁ of a configuration that is called singular
+ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
 LONGEST_STEP = 0.5  # of one iteration, in the box's units
 
 
@@ -24,7 +24,7 @@ class SingularPoints:
     the block U₂ᵀ J V₂ vanishes; to first order it changes by U₂ᵀ dJ V₂, which gives a Newton step for q. Its
     solution of least norm moves q straight to the set and hardly along it, so the step is a projection.
 
-    J is taken without units: lengths are divided by the arm's reach.
+    J is taken without units: lengths are divided by the arm's reach. `scale` is the usual σ₁.
 
     Source of the Newton step: the Schur complement of a rank-revealing block, Golub, Van Loan, Matrix
     Computations, 2013, chapter 5.
@@ -34,15 +34,19 @@ class SingularPoints:
     task: Task
     box: JointBox
     rank: int
+    scale: float
 
     def jacobian(self, q: Array) -> Array:
         """Return J(q), (m, n), without units."""
         return unitless_jacobian(self.robot, self.task, q)
 
     def gap(self, q: Array) -> float:
-        """Return σ_ρ/σ₁, which is zero on the set."""
-        sigma = np.linalg.svd(self.jacobian(q), compute_uv=False)
-        return float(sigma[self.rank - 1] / sigma[0]) if sigma[0] > 0 else 0.0
+        """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set."""
+        return float(np.linalg.svd(self.jacobian(q), compute_uv=False)[self.rank - 1] / self.scale)
+
+    def rank_at(self, q: Array) -> int:
+        """Return the rank of J(q); singular values that are rounding beside the usual σ₁ count as zero."""
+        return numeric_rank(np.append(self.scale, np.linalg.svd(self.jacobian(q), compute_uv=False))) - 1
 
     def project(self, q: Array, iterations: int = 60) -> Array | None:
         """Return a configuration on the set near q, or None when Newton's method finds none inside the box."""
@@ -88,7 +92,8 @@ class SingularPoints:
         return A, block.ravel()
 
 
-def generic_rank(robot: Robot, task: Task, box: JointBox, rng: np.random.Generator) -> int:
-    """Return ρ, the rank of J almost everywhere: the largest at 16 random configurations."""
-    points = box.random(rng, 16)
-    return max(numeric_rank(np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False)) for q in points)
+def singular_points(robot: Robot, task: Task, box: JointBox, rng: np.random.Generator) -> SingularPoints:
+    """Return the singular set of a task: ρ and the usual σ₁ are the largest at 16 random configurations."""
+    sigmas = [np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False) for q in box.random(rng, 16)]
+    rank = max(numeric_rank(sigma) for sigma in sigmas)
+    return SingularPoints(robot, task, box, rank, max(float(sigma[0]) for sigma in sigmas))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from robotics1.analysis.singular_points import SingularPoints, generic_rank
+from robotics1.analysis.singular_points import SingularPoints, singular_points
 from robotics1.analysis.spaces import Subspaces, subspaces
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, counting_number, one_of
@@ -64,8 +64,9 @@ class SingularBranch:
 
     @cached_property
     def spaces(self) -> Subspaces:
-        """The subspaces of J at `q`."""
-        return subspaces(self.jacobian(self.q))
+        """The subspaces of J at `q`, where entries that are rounding count as zero."""
+        J = self.jacobian(self.q)
+        return subspaces(np.where(np.abs(J) > 1e-14 * self.points.scale * self.points.robot.reach, J, 0.0))
 
     @property
     def null(self) -> Array:
@@ -165,11 +166,10 @@ def find_singularities(
     task.check(robot)
     where = joint_box(robot, box)
     rng = np.random.default_rng(counting_number("seed", seed))
-    rank = generic_rank(robot, task, where, rng)
-    if rank == 0:
+    points = singular_points(robot, task, where, rng)
+    if points.rank == 0:
         raise TaskError("no joint moves the task at all: its Jacobian is zero everywhere")
-    points = SingularPoints(robot, task, where, rank)
-    return SingularSet(robot, task, rank, branches_of(points, count, rng), method, complete=False)
+    return SingularSet(robot, task, points.rank, branches_of(points, count, rng), method, complete=False)
 
 
 def _recognised(value: float) -> "sympy.Expr":

@@ -1,7 +1,6 @@
 """The search for inverse kinematics solutions: descents from random starts, and what they have found."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,7 @@ from robotics1.tasks.units import unitless_jacobian, unitless_rows
 
 REACHED = 1e-9  # |e| of a solution, lengths in units of the reach
 SAME = 1e-6  # distance of two solutions that are one
-NEARLY_SINGULAR = 1e-3  # σ_ρ/σ₁ below which a solution may really be a singular one
+NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one
 ASIDE = 0.05  # step along the null space that looks for a neighbouring solution, in units
 
 End = tuple[Array, float]
@@ -25,18 +24,13 @@ End = tuple[Array, float]
 
 @dataclass(frozen=True, eq=False)
 class SolutionSearch:
-    """The search for the q in a box with f(q) = target; ρ is the rank of J almost everywhere."""
+    """The search for the q in a box with f(q) = target; `points` is the singular set of the task."""
 
     robot: Robot
     task: Task
     target: Any
     box: JointBox
-    rank: int
-
-    @cached_property
-    def points(self) -> SingularPoints:
-        """The singular set of the task."""
-        return SingularPoints(self.robot, self.task, self.box, self.rank)
+    points: SingularPoints
 
     def error(self, q: Array) -> Array:
         """Return e(q), (m,), lengths in units of the reach."""

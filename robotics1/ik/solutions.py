@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.singular_points import ON_THE_SET, generic_rank
+from robotics1.analysis.singular_points import ON_THE_SET, singular_points
 from robotics1.errors import NotConverged
 from robotics1.ik.search import SolutionSearch
 from robotics1.inputs import Array, counting_number, one_of
@@ -94,7 +94,7 @@ def ik_solutions(
     target = task.target(target)
     where = joint_box(robot, box)
     rng = np.random.default_rng(counting_number("seed", seed))
-    search = SolutionSearch(robot, task, target, where, generic_rank(robot, task, where, rng))
+    search = SolutionSearch(robot, task, target, where, singular_points(robot, task, where, rng))
     ends = [search.descend(q) for q in where.random(rng, counting_number("starts", starts, least=1))]
     found = search.distinct(ends)
     families = any(search.in_a_family(q) for q in found)

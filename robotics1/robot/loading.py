@@ -1,8 +1,7 @@
-"""From a file to a `Robot`: the text is read once, and Pinocchio makes the model of it."""
+"""From a file to a `Robot`: the text is expanded, checked and cleaned, and Pinocchio makes the model of it."""
 
-import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
@@ -10,84 +9,154 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import InputError, RobotFileError, UnknownNameError
-from robotics1.robot.expansion import XACRO, expand_xacro, not_well_formed
-from robotics1.robot.model import Robot, tips
+from robotics1.robot.checking import check_urdf
+from robotics1.robot.expansion import expand_xacro
+from robotics1.robot.markup import parse_xml
+from robotics1.robot.meshes import find_meshes
+from robotics1.robot.model import Robot, frame_number, tips
+from robotics1.robot.ordering import leaders_first, numbered, unnumbered
+from robotics1.robot.rewriting import WITHOUT_LIMIT, clean, lock, rebase
+from robotics1.robot.silence import stderr_kept
 from robotics1.robot.sources import robot_file
 
+USUAL_TOOLS = ("tool0", "tool")
 
-def load_robot(source: str | Path, *, parameters: Mapping[str, float] | None = None, tool: str | None = None) -> Robot:
+
+def load_robot(
+    source: str | Path,
+    *,
+    parameters: Mapping[str, float] | None = None,
+    base: str | None = None,
+    tool: str | None = None,
+    locked: Mapping[str, float] | None = None,
+    packages: Iterable[str | Path] = (),
+    trusted: bool = False,
+) -> Robot:
     """Load a robot from a URDF or xacro file, or one of the named robots.
 
-    A source with a suffix or a separator is a path; any other is a name: "prr", "cylindrical", "planar_2r".
-    A `continuous` joint becomes a revolute joint without limits, so that q has one number a joint.
+    A source with a suffix or a separator is a path; any other is a name: "prr", "cylindrical", "planar_2r", or a
+    robot of example-robot-data such as "ur5". A `continuous` joint is a revolute joint without limits, so that q
+    has one number a joint; a mimicking joint has no number of its own.
 
     Args:
         source: a path or a name.
         parameters: values for the named lengths of a xacro file, such as {"l2": 0.5} [m].
-        tool: the link meant when no frame is named; without it the only tip, else the one called
-            `tool0` or `tool`, else none.
+        base: the link that is the world; by default the root. Of a link that moves, only its subtree is kept.
+        tool: the link meant when no frame is named; without it the only tip, else the one called `tool0` or
+            `tool`, else none.
+        locked: joint name → value at which it is fixed [rad or m].
+        packages: folders in which `package://` and `$(find pkg)` look, beside those above the file.
+        trusted: whether a xacro may read YAML files and the environment.
 
     Raises:
-        RobotFileError: the file is missing, or is no robot.
-        UnknownNameError: no robot, parameter or tool of that name.
-        InputError: a parameter is not a finite number, or the file has no parameters.
+        RobotFileError: the file is missing, or is no robot; with the line.
+        UnknownNameError: no robot, parameter, link or joint of that name.
+        InputError: a value is not a finite number, or the file has no parameters.
     """
     path = robot_file(source)
-    text, values = _read(path, parameters or {})
-    text, unlimited = _continuous_as_revolute(text, path)
     try:
-        model = pin.buildModelFromXML(text)
-    except Exception as error:
-        raise RobotFileError(f"Pinocchio cannot read it: {error}", path=path) from error
-    for joint in unlimited:
-        index = model.joints[model.getJointId(joint)].idx_q
-        model.lowerPositionLimit[index], model.upperPositionLimit[index] = -np.inf, np.inf
-    return Robot(model.name, model, _tool(model, tool), MappingProxyType(values), text, path)
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise RobotFileError(f"it cannot be read: {error.strerror}", path=path) from error
+    return robot_from_text(
+        text,
+        path=path,
+        parameters=parameters,
+        base=base,
+        tool=tool,
+        locked=locked,
+        packages=packages,
+        trusted=trusted,
+    )
 
 
-def _read(path: Path, parameters: Mapping[str, float]) -> tuple[str, dict[str, float]]:
-    """Return the URDF text and the values of its parameters."""
-    text = path.read_text(encoding="utf-8", errors="replace")
-    if path.suffix == ".xacro" or XACRO.strip("{}") in text:
-        return expand_xacro(path, parameters)
+def robot_from_text(
+    text: str,
+    *,
+    path: Path,
+    parameters: Mapping[str, float] | None = None,
+    base: str | None = None,
+    tool: str | None = None,
+    locked: Mapping[str, float] | None = None,
+    packages: Iterable[str | Path] = (),
+    trusted: bool = False,
+) -> Robot:
+    """Return the robot of a URDF text, or of a xacro text when the path ends in `.xacro`.
+
+    The path says where the text comes from, for messages and for the files it names. The other arguments and the
+    errors are those of `load_robot`.
+    """
+    folders = [Path(folder) for folder in packages]
+    text, values = urdf_text(text, path, parameters or {}, folders, trusted=trusted)
+    root = parse_xml(text, path)
+    findings = check_urdf(root)
+    findings.stop(path)
+    warnings = [str(finding) for finding in findings.warnings]
+    warnings += [f"mesh {name!r} was not found" for name in find_meshes(root, path, folders)]
+    lock(root, locked or {})
+    unlimited = clean(root)
+    if base is not None:
+        rebase(root, base, tool)
+    text = ET.tostring(root, encoding="unicode")
+    model = _model(root, path)
+    _open_limits(model, unlimited)
+    return Robot(model.name, model, _tool(model, tool), MappingProxyType(values), text, path, tuple(warnings))
+
+
+def urdf_text(
+    text: str, path: Path, parameters: Mapping[str, float], packages: list[Path], *, trusted: bool
+) -> tuple[str, dict[str, float]]:
+    """Return the URDF text, expanded if it is xacro, and the values of its parameters.
+
+    Raises:
+        InputError: parameters are given to a plain URDF.
+    """
+    if path.suffix == ".xacro":
+        return expand_xacro(text, path, parameters, packages, trusted=trusted)
     if parameters:
         raise InputError(f"{path.name} is a plain URDF and has no parameters; {', '.join(parameters)} cannot be set")
     return text, {}
 
 
-def _continuous_as_revolute(text: str, path: Path) -> tuple[str, list[str]]:
-    """Return the text with `continuous` joints as revolute ones, and their names.
+def _model(root: ET.Element, path: Path) -> pin.Model:
+    order = leaders_first(root)
+    if order is not None:
+        numbered(root, order)
+    text = ET.tostring(root, encoding="unicode")
+    with stderr_kept() as said:
+        try:
+            model = pin.buildModelFromXML(text, True)  # True: mimicking joints follow their leader
+            problem = None
+        except Exception as error:
+            problem = error
+    if problem is not None:
+        why = " ".join(said[0].split()) or str(problem)
+        raise RobotFileError(f"Pinocchio cannot read it: {why}", path=path) from problem
+    unnumbered(model)
+    return model
 
-    Pinocchio gives a continuous joint two numbers, (cos q, sin q). urdfdom refuses infinite limits, so the
-    text gets (−π, π) and the model's limits are opened afterwards.
-    """
-    try:
-        root = ET.fromstring(text.encode())
-    except ET.ParseError as error:
-        raise not_well_formed(path, error) from error
-    names = []
-    for joint in root.iter("joint"):
-        if joint.get("type") == "continuous":
-            joint.set("type", "revolute")
-            limit = joint.find("limit")
-            if limit is None:
-                limit = ET.SubElement(joint, "limit", effort="inf", velocity="inf")
-                limit.set("effort", "1e308")
-                limit.set("velocity", "1e308")
-            limit.set("lower", repr(-math.pi))
-            limit.set("upper", repr(math.pi))
-            names.append(joint.get("name", ""))
-    return (ET.tostring(root, encoding="unicode"), names) if names else (text, names)
+
+def _open_limits(model: pin.Model, unlimited: list[str]) -> None:
+    """Let what a file leaves without limit have none: urdfdom takes no infinity."""
+    for name in unlimited:
+        if model.existJointName(name):
+            index = model.joints[model.getJointId(name)].idx_q
+            model.lowerPositionLimit[index], model.upperPositionLimit[index] = -np.inf, np.inf
+    none = float(WITHOUT_LIMIT)
+    for name in ("upperVelocityLimit", "upperEffortLimit"):
+        limits = np.array(getattr(model, name))
+        limits[limits >= none] = np.inf
+        setattr(model, name, limits)
 
 
 def _tool(model: pin.Model, named: str | None) -> str | None:
     """Return the tool frame: the named one, the only tip, or the tip with a usual name."""
     if named is not None:
-        if not model.existFrame(named):
+        if frame_number(model, named) is None:
             links = [frame.name for frame in model.frames if frame.type == pin.FrameType.BODY]
             raise UnknownNameError(f"frame of robot {model.name!r} named", named, links)
         return named
     candidates = tips(model)
     if len(candidates) == 1:
         return candidates[0]
-    return next((name for name in ("tool0", "tool") if name in candidates), None)
+    return next((name for name in USUAL_TOOLS if name in candidates), None)

@@ -52,10 +52,15 @@ class Robot:
         """The length of q̇: the degrees of freedom."""
         return int(self.model.nv)
 
+    @cached_property
+    def _own_joints(self) -> tuple[int, ...]:
+        """The numbers of the joints that have a coordinate of their own: not the world, and no mimicking joint."""
+        return tuple(i for i in range(1, self.model.njoints) if self.model.joints[i].nq > 0)
+
     @property
     def joint_names(self) -> tuple[str, ...]:
         """The moving joints, in the order of q."""
-        return tuple(self.model.names)[1:]
+        return tuple(self.model.names[i] for i in self._own_joints)
 
     @cached_property
     def frame_names(self) -> tuple[str, ...]:
@@ -85,8 +90,8 @@ class Robot:
     @cached_property
     def revolute(self) -> npt.NDArray[np.bool_]:
         """(nv,) True where q is an angle, False where it is a length."""
-        kinds = [joint.shortname().removeprefix("JointModel") for joint in self.model.joints]
-        return np.array([kind.startswith("R") for kind in kinds[1:]])
+        kinds = [self.model.joints[i].shortname().removeprefix("JointModel") for i in self._own_joints]
+        return np.array([kind.startswith("R") for kind in kinds])
 
     @cached_property
     def reach(self) -> float:
@@ -132,14 +137,26 @@ class Robot:
                     f"robot {self.name!r} has several tips: name the tool, as in load_robot(..., tool='...'); "
                     f"the tips are {', '.join(map(repr, tips(self.model)))}"
                 )
-        if not isinstance(frame, str) or not self.model.existFrame(frame):
+        number = frame_number(self.model, frame)
+        if number is None:
             raise UnknownNameError(f"frame of robot {self.name!r} named", frame, self.frame_names)
-        return int(self.model.getFrameId(frame))
+        return number
 
     def within_limits(self, q: npt.ArrayLike, tolerance: float = 1e-9) -> bool:
         """Return whether lower − tolerance ≤ q ≤ upper + tolerance for every joint."""
         q = self.configuration(q)
         return bool(np.all(q >= self.lower - tolerance) and np.all(q <= self.upper + tolerance))
+
+
+def frame_number(model: pin.Model, name: object) -> int | None:
+    """Return Pinocchio's number of the link of a name, else of the joint of that name, or None.
+
+    A link and a joint may share a name, and Pinocchio then wants to know which is meant.
+    """
+    for kind in (pin.FrameType.BODY, pin.FrameType.JOINT, pin.FrameType.FIXED_JOINT):
+        if isinstance(name, str) and model.existFrame(name, kind):
+            return int(model.getFrameId(name, kind))
+    return None
 
 
 def tips(model: pin.Model) -> tuple[str, ...]:

@@ -1,0 +1,149 @@
+"""A URDF checked before Pinocchio sees it.
+
+Pinocchio takes in silence a zero axis, a link with two parents, limits the wrong way round and a negative mass; it
+gives no reason for what it refuses, and a very long chain crashes it. So all of that is found here, with the line.
+"""
+
+import xml.etree.ElementTree as ET
+from typing import cast
+
+from robotics1.robot.checking_parts import check_joint, check_link
+from robotics1.robot.findings import Findings
+from robotics1.robot.markup import Element
+
+MOST_LINKS = 1000  # Pinocchio's parser recurses: 5000 links in a row crash it
+MOST_DEGREES = 128  # its memory grows with the cube: 200 degrees of freedom take 513 MB
+RESERVED = {"universe": "Pinocchio's name for the world"}
+FREEDOM = {"fixed": 0, "revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
+
+
+def check_urdf(root: Element) -> Findings:
+    """Return everything that is wrong with a URDF: its structure first, then joints and links in order."""
+    findings = Findings()
+    if not _is_a_robot(findings, root):
+        return findings
+    links, joints = children(root, "link"), children(root, "joint")
+    _check_size(findings, root, links, joints)
+    if findings.errors:
+        return findings
+    _check_names(findings, links)
+    _check_names(findings, joints)
+    _check_tree(findings, root, links, joints)
+    for joint in joints:
+        check_joint(findings, joint, joints)
+    _check_mimic_loops(findings, joints)
+    for link in links:
+        check_link(findings, link)
+    _warn_of_missing_inertia(findings, root, links, joints)
+    return findings
+
+
+def children(parent: ET.Element, tag: str) -> list[Element]:
+    """Return the children of a tag."""
+    return cast("list[Element]", parent.findall(tag))
+
+
+def linked(joint: ET.Element, end: str) -> str | None:
+    """Return the link at an end of a joint, "parent" or "child", or None when it is not said."""
+    element = joint.find(end)
+    return None if element is None else element.get("link")
+
+
+def _is_a_robot(findings: Findings, root: Element) -> bool:
+    for element in root.iter():
+        marked = cast("Element", element)
+        texts = [value for value in element.attrib.values() if "${" in value or "$(" in value]
+        if element.tag.startswith("xacro:") or texts:
+            findings.error(marked, "is unprocessed xacro; expand the file, or give its name the suffix .xacro")
+            return False
+    if root.tag != "robot":
+        findings.error(root, "is not the root of a URDF, which is <robot name='...'>")
+        return False
+    if not (root.get("name") or "").strip():
+        findings.error(root, "has no name; write <robot name='...'>")
+    return True
+
+
+def _check_size(findings: Findings, root: Element, links: list[Element], joints: list[Element]) -> None:
+    if not links:
+        findings.error(root, "has no <link>")
+    if max(len(links), len(joints)) > MOST_LINKS:
+        count = max(len(links), len(joints))
+        findings.error(root, f"has {count} links or joints; at most {MOST_LINKS} can be read")
+    freedom = sum(FREEDOM.get(joint.get("type", ""), 0) for joint in joints if joint.find("mimic") is None)
+    if freedom > MOST_DEGREES:
+        findings.error(root, f"has {freedom} degrees of freedom; at most {MOST_DEGREES} can be computed with")
+
+
+def _check_names(findings: Findings, elements: list[Element]) -> None:
+    seen: set[str] = set()
+    for element in elements:
+        name = element.get("name") or ""
+        if not name.strip():
+            findings.error(element, "has no name")
+        elif name in seen:
+            findings.error(element, f"is there twice; names among {element.tag}s must differ")
+        elif name in RESERVED:
+            findings.error(element, f"has a reserved name: {RESERVED[name]}")
+        seen.add(name)
+
+
+def _check_tree(findings: Findings, root: Element, links: list[Element], joints: list[Element]) -> None:
+    """One root, no second parent, no cycle, and links that exist."""
+    before = len(findings.errors)
+    parent_of: dict[str, str] = {}
+    for joint in joints:
+        _check_ends(findings, joint, {link.get("name") for link in links})
+        parent, child = str(linked(joint, "parent")), str(linked(joint, "child"))
+        if child in parent_of:
+            findings.error(joint, f"is a second parent of link {child!r}; a link hangs on one joint")
+        parent_of[child] = parent
+    if len(findings.errors) > before:
+        return  # what follows would only repeat it in other words
+    roots = [link for link in links if link.get("name") not in parent_of]
+    if len(roots) > 1:
+        listed = ", ".join(repr(link.get("name")) for link in roots[:5])
+        findings.error(roots[1], f"hangs on nothing, so there are {len(roots)} roots: {listed}; a robot has one")
+    for joint in joints:
+        if _in_a_cycle(linked(joint, "child") or "", parent_of):
+            findings.error(joint, "closes a loop of links; a URDF is a tree")
+            return
+
+
+def _check_ends(findings: Findings, joint: Element, names: set[str | None]) -> None:
+    for end in ("parent", "child"):
+        name = linked(joint, end)
+        if name is None:
+            findings.error(joint, f"has no <{end} link='...'/>")
+        elif name not in names:
+            findings.error(joint, f"has the {end} {name!r}, and there is no such link")
+
+
+def _in_a_cycle(start: str, parent_of: dict[str, str]) -> bool:
+    seen = {start}
+    link = start
+    while link in parent_of:
+        link = parent_of[link]
+        if link == start:
+            return True
+        if link in seen:
+            return False
+        seen.add(link)
+    return False
+
+
+def _check_mimic_loops(findings: Findings, joints: list[Element]) -> None:
+    leader = {joint.get("name", ""): mimic.get("joint", "") for joint in joints for mimic in joint.findall("mimic")}
+    for joint in joints:
+        if joint.get("name") in leader and _in_a_cycle(joint.get("name", ""), leader):
+            findings.error(joint, "mimics itself, through a loop of <mimic> elements")
+            return
+
+
+def _warn_of_missing_inertia(findings: Findings, root: Element, links: list[Element], joints: list[Element]) -> None:
+    """One sentence for all links that move and have no mass."""
+    moved = {linked(joint, "child") for joint in joints if joint.get("type") != "fixed"}
+    light = [str(link.get("name")) for link in links if link.get("name") in moved and link.find("inertial") is None]
+    if light:
+        listed = ", ".join(light[:5]) + (f" and {len(light) - 5} more" if len(light) > 5 else "")
+        findings.warn(root, f"has links without inertia, which kinematics does not need: {listed}")

@@ -1,0 +1,168 @@
+"""The checks of one joint and of one link."""
+
+import math
+from typing import cast
+
+import numpy as np
+
+from robotics1.robot.findings import Findings
+from robotics1.robot.markup import Element
+
+JOINT_TYPES = ("revolute", "prismatic", "continuous", "fixed", "floating", "planar")
+ON_AN_AXIS = ("revolute", "prismatic", "continuous", "planar")
+SHAPES = {
+    "box": ("size", 3),
+    "cylinder": ("radius", 1),
+    "capsule": ("radius", 1),
+    "sphere": ("radius", 1),
+    "mesh": ("scale", 3),
+}
+MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+def check_joint(findings: Findings, joint: Element, joints: list[Element]) -> None:
+    """Check the type, placement, axis, limits and mimicry of a joint."""
+    kind = joint.get("type")
+    if kind not in JOINT_TYPES:
+        said = "has no type" if kind is None else f"has the unknown type {kind!r}"
+        findings.error(joint, f"{said}; it can be {', '.join(JOINT_TYPES)}")
+    _check_origin(findings, joint, joint)
+    if kind in ON_AN_AXIS:
+        _check_axis(findings, joint)
+    if kind in ("revolute", "prismatic", "continuous"):
+        _check_limit(findings, joint, kind)
+    _check_mimic(findings, joint, joints)
+
+
+def check_link(findings: Findings, link: Element) -> None:
+    """Check the inertia and the shapes of a link."""
+    inertial = _child(link, "inertial")
+    if inertial is not None:
+        _check_inertial(findings, link, inertial)
+    for kind in ("visual", "collision"):
+        for shape in link.findall(kind):
+            _check_origin(findings, link, cast("Element", shape))
+            _check_geometry(findings, link, cast("Element", shape))
+
+
+def _child(parent: Element, tag: str) -> Element | None:
+    return cast("Element | None", parent.find(tag))
+
+
+def _check_origin(findings: Findings, owner: Element, parent: Element) -> None:
+    origin = _child(parent, "origin")
+    if origin is not None:
+        findings.numbers(owner, origin, "xyz", 3)
+        findings.numbers(owner, origin, "rpy", 3)
+
+
+def _check_axis(findings: Findings, joint: Element) -> None:
+    axis = _child(joint, "axis")
+    if axis is None:
+        return
+    if axis.get("xyz") is None:
+        findings.error(joint, "has an <axis> without xyz; leave it out for the x axis")
+    values = findings.numbers(joint, axis, "xyz", 3)
+    if values is not None:
+        length = math.hypot(*values)
+        if not 1e-9 < length < 1e9:
+            findings.error(joint, f"has the axis {axis.get('xyz')!r}, which gives no direction")
+        elif abs(length - 1) > 1e-6:
+            findings.warn(joint, f"has an axis of length {length:.6g}; it is taken as a direction")
+
+
+def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
+    limit = _child(joint, "limit")
+    if limit is None:
+        if kind != "continuous":
+            findings.error(joint, f"is {kind} and has no <limit>; write <limit lower upper velocity effort>")
+        return
+    for attribute in ("effort", "velocity"):
+        if limit.get(attribute) is None:
+            findings.error(joint, f"has a <limit> without {attribute}")
+            continue
+        value = findings.numbers(joint, limit, attribute)
+        if value is not None and value[0] < 0:
+            findings.error(joint, f"has a negative {attribute} limit, {value[0]:g}")
+    lower, upper = (findings.numbers(joint, limit, name) for name in ("lower", "upper"))
+    if kind == "continuous":
+        return
+    if limit.get("lower") is None and limit.get("upper") is None:
+        findings.warn(joint, "has a <limit> without lower and upper, which means [0, 0]: it cannot move")
+    low = 0.0 if lower is None else lower[0]
+    high = 0.0 if upper is None else upper[0]
+    said = (lower is not None or limit.get("lower") is None) and (upper is not None or limit.get("upper") is None)
+    if said and low > high:
+        findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}")
+
+
+def _check_mimic(findings: Findings, joint: Element, joints: list[Element]) -> None:
+    mimic = _child(joint, "mimic")
+    if mimic is None:
+        return
+    if joint.get("type") == "fixed":
+        findings.warn(joint, "is fixed and has a <mimic>, which is left out")
+        return
+    name = mimic.get("joint")
+    leader = next((other for other in joints if other.get("name") == name), None)
+    if name is None:
+        findings.error(joint, "has a <mimic> without the joint it follows")
+    elif leader is None:
+        findings.error(joint, f"mimics joint {name!r}, and there is no such joint")
+    elif leader.get("type") not in ("revolute", "prismatic", "continuous"):
+        findings.error(joint, f"mimics joint {name!r}, which is {leader.get('type')} and has not one coordinate")
+    if joint.get("type") not in ("revolute", "prismatic", "continuous"):
+        findings.error(joint, f"is {joint.get('type')} and cannot mimic; only joints of one coordinate can")
+    for attribute in ("multiplier", "offset"):
+        findings.numbers(joint, mimic, attribute)
+
+
+def _check_inertial(findings: Findings, link: Element, inertial: Element) -> None:
+    _check_origin(findings, link, inertial)
+    mass, inertia = _child(inertial, "mass"), _child(inertial, "inertia")
+    if mass is None or inertia is None:
+        findings.warn(link, "has an <inertial> without mass or inertia; it is left out")
+        return
+    missing = [name for name in MOMENTS if inertia.get(name) is None]
+    if missing or mass.get("value") is None:
+        findings.warn(
+            link, f"has an <inertial> that lacks {', '.join(missing) or 'the value of its mass'}; it is left out"
+        )
+        return
+    weight = findings.numbers(link, mass, "value")
+    moments = [findings.numbers(link, inertia, name) for name in MOMENTS]
+    if weight is None or any(moment is None for moment in moments):
+        return
+    if weight[0] <= 0:
+        findings.warn(link, f"has the mass {weight[0]:g}; nothing physical has")
+    xx, xy, xz, yy, yz, zz = (cast("list[float]", moment)[0] for moment in moments)
+    principal = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    slack = 1e-6 * max(abs(principal).max(), 1e-300)
+    if principal[0] < -slack or principal[0] + principal[1] < principal[2] - slack:
+        findings.warn(link, "has an inertia that no body can have: a principal moment exceeds the sum of the others")
+
+
+def _check_geometry(findings: Findings, link: Element, shape: Element) -> None:
+    geometry = _child(shape, "geometry")
+    if geometry is None or not len(geometry):
+        findings.error(link, f"has a <{shape.tag}> without a shape in its <geometry>")
+        return
+    form = cast("Element", geometry[0])
+    if form.tag not in SHAPES:
+        findings.error(link, f"has the unknown shape <{form.tag}>; it can be {', '.join(SHAPES)}")
+        return
+    attribute, count = SHAPES[form.tag]
+    needed = [(attribute, count)] if form.tag != "mesh" else []
+    if form.tag in ("cylinder", "capsule"):
+        needed.append(("length", 1))
+    for name, size in needed:
+        if form.get(name) is None:
+            findings.error(link, f"has a {form.tag} without {name}")
+            continue
+        values = findings.numbers(link, form, name, size)
+        if values is not None and min(values) < 0:
+            findings.error(link, f"has a {form.tag} with a negative {name}, {form.get(name)!r}")
+    if form.tag == "mesh":
+        findings.numbers(link, form, "scale", 3)
+        if not (form.get("filename") or "").strip():
+            findings.error(link, "has a mesh without filename")

@@ -1,0 +1,87 @@
+"""What a check of a robot file finds, and the small readings that all checks share."""
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from robotics1.errors import RobotFileError
+from robotics1.robot.markup import Element
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that is wrong.
+
+    Attributes:
+        severe: whether the file cannot be read as a robot; otherwise it is a warning.
+        message: what is wrong, and what would be right.
+        line: where.
+        element: whose name is meant, such as the joint's.
+    """
+
+    severe: bool
+    message: str
+    line: int | None = None
+    element: str | None = None
+
+    def __str__(self) -> str:
+        return self.message if self.line is None else f"line {self.line}: {self.message}"
+
+
+@dataclass
+class Findings:
+    """What has been found so far."""
+
+    found: list[Finding] = field(default_factory=list)
+
+    def error(self, element: Element, message: str) -> None:
+        """Add what makes the file unusable."""
+        self.found.append(Finding(True, f"{element.label} {message}", element.line, element.get("name")))
+
+    def warn(self, element: Element, message: str) -> None:
+        """Add what is odd but harmless."""
+        self.found.append(Finding(False, f"{element.label} {message}", element.line, element.get("name")))
+
+    def numbers(self, owner: Element, element: Element, attribute: str, count: int = 1) -> list[float] | None:
+        """Return the numbers of an attribute, or None when it is absent or wrong, which is then said."""
+        text = element.get(attribute)
+        if text is None:
+            return None
+        try:
+            values = [float(part) for part in text.split()]
+        except ValueError:
+            values = []
+        where = "" if element is owner else f" of its <{element.tag}>"
+        if len(values) != count:
+            wanted = "a number" if count == 1 else f"{count} numbers"
+            self._at(owner, element, f"needs {wanted} in {attribute}{where}, not {text!r}")
+            return None
+        if not all(math.isfinite(value) for value in values):
+            self._at(owner, element, f"has {text!r} in {attribute}{where}; numbers must be finite")
+            return None
+        return values
+
+    def _at(self, owner: Element, element: Element, message: str) -> None:
+        self.found.append(Finding(True, f"{owner.label} {message}", element.line, owner.get("name")))
+
+    @property
+    def errors(self) -> list[Finding]:
+        """What makes the file unusable."""
+        return [finding for finding in self.found if finding.severe]
+
+    @property
+    def warnings(self) -> list[Finding]:
+        """What is odd but harmless."""
+        return [finding for finding in self.found if not finding.severe]
+
+    def stop(self, path: Path) -> None:
+        """Raise the first error, if there is one.
+
+        Raises:
+            RobotFileError: with the number of the others.
+        """
+        errors = self.errors
+        if errors:
+            first, others = errors[0], len(errors) - 1
+            more = f" (and {others} more error{'s' if others > 1 else ''})" if others else ""
+            raise RobotFileError(first.message + more, path=path, line=first.line, element=first.element)
