@@ -107,6 +107,12 @@ def test_a_parameter_without_default_must_be_given_and_then_serves(tmp_path, def
     assert load_robot(path, parameters={"l2": 1}).parameters["l2"] == 1.0
 
 
+@pytest.mark.parametrize("source", [None, 3, b"prr", ["prr"]])
+def test_what_is_neither_a_name_nor_a_path_is_an_input_error(source):
+    with pytest.raises(InputError, match="by a name or a path"):
+        load_robot(source)
+
+
 def test_a_plain_urdf_has_no_parameters():
     with pytest.raises(InputError, match="has no parameters"):
         load_robot("cylindrical", parameters={"l2": 1.0})

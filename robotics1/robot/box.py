@@ -35,7 +35,7 @@ class JointBox:
     def nearest(self, q: Array) -> Array:
         """Return q with circular joints turned into (−π, π] and the others moved to their nearest limit."""
         turned = np.pi - (np.pi - q) % TURN
-        turned[turned < 1e-12 - np.pi] = np.pi  # −π, but for rounding, is π
+        turned[turned < 1e-9 - np.pi] = np.pi  # −π, but for rounding, is π
         return np.where(self.circular, turned, np.clip(q, self.lower, self.upper))
 
     def difference(self, a: Array, b: Array) -> Array:

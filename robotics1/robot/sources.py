@@ -3,7 +3,7 @@
 from importlib.resources import files
 from pathlib import Path
 
-from robotics1.errors import RobotFileError, UnknownNameError
+from robotics1.errors import InputError, RobotFileError, UnknownNameError
 
 
 def urdf_folder() -> Path:
@@ -23,7 +23,10 @@ def robot_file(source: str | Path) -> Path:
     Raises:
         RobotFileError: there is no such file.
         UnknownNameError: there is no robot of that name.
+        InputError: the source is neither a name nor a path.
     """
+    if not isinstance(source, str | Path):
+        raise InputError(f"a robot is named by a name or a path, not by {source!r}")
     path = Path(source)
     if isinstance(source, Path) or path.suffix or "/" in source or "\\" in source:
         if not path.is_file():
