@@ -41,7 +41,7 @@ class RobotFileError(Robotics1Error, ValueError):
 class UnknownNameError(Robotics1Error, LookupError):
     """A name that is not among those that exist; the message lists them, or the nearest."""
 
-    def __init__(self, kind: str, name: object, candidates: Iterable[str]):
+    def __init__(self, kind: str, name: object, candidates: Iterable[str], note: str = ""):
         self.candidates = tuple(candidates)
         close = get_close_matches(str(name), self.candidates, n=3, cutoff=0.5)
         if close:
@@ -50,7 +50,7 @@ class UnknownNameError(Robotics1Error, LookupError):
             hint = f"there is {', '.join(map(repr, self.candidates))}"
         else:
             hint = "there is none"
-        super().__init__(f"no {kind} {name!r}; {hint}")
+        super().__init__(f"no {kind} {name!r}; {hint}{note}")
 
 
 class InputError(Robotics1Error, ValueError):

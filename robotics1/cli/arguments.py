@@ -49,16 +49,24 @@ def parse_robot(source: str, parameters: Sequence[str], tool: str | None) -> Rob
     """Return the robot of a name or path, with parameters typed as l2=0.5.
 
     Raises:
-        InputError: a parameter is not name=number.
-        Robotics1Error: what `load_robot` raises.
+        Robotics1Error: what `parse_parameters` and `load_robot` raise.
+    """
+    return load_robot(source if "/" not in source else Path(source), parameters=parse_parameters(parameters), tool=tool)
+
+
+def parse_parameters(texts: Sequence[str]) -> dict[str, float]:
+    """Return the parameters typed as l2=0.5.
+
+    Raises:
+        InputError: one is not name=number.
     """
     values = {}
-    for text in parameters:
+    for text in texts:
         name, sign, number = text.partition("=")
         if not sign:
             raise InputError(f"{text!r} is not a parameter; write it like l2=0.5")
         values[name.strip()] = parse_number(number)
-    return load_robot(source if "/" not in source else Path(source), parameters=values, tool=tool)
+    return values
 
 
 def parse_task(text: str, frame: str | None) -> FrameTask:

@@ -250,3 +250,32 @@ def view(
         out.print(f"wrote {written}", highlight=False, soft_wrap=True)
     if show:
         webbrowser.open(written.resolve().as_uri())
+
+
+@app.command()
+def check(
+    robot: RobotName,
+    dh: Annotated[Path | None, typer.Option("--dh", help="A CSV file type,a,alpha,d,theta to compare with.")] = None,
+    convention: Annotated[str, typer.Option(help="Of the DH table: standard or modified.")] = "standard",
+    packages: Annotated[list[Path] | None, typer.Option(help="A folder in which package:// looks.")] = None,
+    trusted: Annotated[bool, typer.Option("--trusted", help="Let a xacro read YAML and the environment.")] = False,
+    param: Parameters = None,
+    tool: Tool = None,
+    json: AsJson = False,
+) -> None:
+    """The verdict on a robot file, and what was understood of it."""
+    from robotics1.cli import check as checking
+    from robotics1.robot.dh import robot_from_dh
+    from robotics1.robot.examination import AGREES, examine
+
+    values = arguments.parse_parameters(param or [])
+    found = examine(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
+    difference = None
+    if dh is not None and found.robot is not None:
+        table = robot_from_dh(checking.read_dh_table(dh), convention=convention)
+        difference = checking.difference_from(found.robot, table)
+    if json:
+        output.write_json(checking.as_json(found, difference))
+    else:
+        checking.print_examination(out, found, difference)
+    raise typer.Exit(0 if found.sound and (difference is None or difference <= AGREES) else 1)

@@ -116,9 +116,17 @@ class Robot:
         """Return q as a float array (nq,).
 
         Raises:
-            InputError: wrong shape, not numeric, or not finite.
+            InputError: wrong shape, not numeric, not finite, or a quaternion that is not of length 1.
         """
-        return real_array("q", q, (self.nq,), f"one number for each of {', '.join(self.joint_names)}")
+        meaning = (
+            f"one number for each of {', '.join(self.joint_names)}" if self.nq == self.nv else "in Pinocchio's order"
+        )
+        values = real_array("q", q, (self.nq,), meaning)
+        if self.nq != self.nv and not pin.isNormalized(self.model, values, 1e-6):
+            raise InputError(
+                "q holds a quaternion or a (cos, sin) that is not of length 1; start from pin.neutral(model)"
+            )
+        return values
 
     def frame_id(self, frame: str | None) -> int:
         """Return Pinocchio's number of a frame; None means the tool.

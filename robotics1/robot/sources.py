@@ -1,9 +1,12 @@
 """Where robot files are: the named ones, and those given by path."""
 
+from importlib.metadata import PackageNotFoundError, distribution
 from importlib.resources import files
 from pathlib import Path
 
 from robotics1.errors import InputError, RobotFileError, UnknownNameError
+
+EXAMPLES = "cmeel.prefix/share/example-robot-data/robots"
 
 
 def urdf_folder() -> Path:
@@ -13,8 +16,30 @@ def urdf_folder() -> Path:
 
 
 def named_robots() -> dict[str, Path]:
-    """Return name → file of the robots in `urdf/`: `prr.urdf.xacro` has the name `prr`."""
-    return {path.name.split(".")[0]: path for path in sorted(urdf_folder().glob("*.urdf*"))}
+    """Return name → file of the robots in `urdf/` (`prr.urdf.xacro` has the name `prr`) and of example-robot-data."""
+    own = {path.name.split(".")[0]: path for path in sorted(urdf_folder().glob("*.urdf*"))}
+    return example_robots() | own
+
+
+def example_robots() -> dict[str, Path]:
+    """Return name → file of the robots of the package example-robot-data, if it is installed.
+
+    The name is the file's, without "_robot"; where two have the same, it is their folder's.
+    """
+    try:
+        folder = Path(str(distribution("example-robot-data").locate_file(EXAMPLES)))
+    except PackageNotFoundError:
+        return {}
+    files: dict[str, list[Path]] = {}
+    for path in sorted(folder.glob("*/*/*.urdf"), key=lambda path: (not path.stem.endswith("_robot"), path)):
+        files.setdefault(path.stem.removesuffix("_robot"), []).append(path)
+    robots: dict[str, Path] = {}
+    for name, paths in files.items():
+        for path in paths:
+            same_folder = paths[0].parts[-3] == path.parts[-3]
+            unique = name if len(paths) == 1 or (same_folder and path is paths[0]) else None
+            robots.setdefault(unique or path.parts[-3].removesuffix("_description"), path)
+    return robots
 
 
 def robot_file(source: str | Path) -> Path:
@@ -34,5 +59,6 @@ def robot_file(source: str | Path) -> Path:
         return path
     robots = named_robots()
     if source not in robots:
-        raise UnknownNameError("robot named", source, robots)
+        note = "" if example_robots() else "; more have names with pip install 'robotics1[robots]'"
+        raise UnknownNameError("robot named", source, robots, note)
     return robots[source]

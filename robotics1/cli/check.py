@@ -1,0 +1,157 @@
+"""The answer of `robotics1 check`: the verdict on a robot file, and what was understood of it."""
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+from rich.tree import Tree
+
+from robotics1.cli.arguments import parse_number
+from robotics1.errors import InputError
+from robotics1.kinematics import forward_kinematics
+from robotics1.notation import count, joint_value
+from robotics1.robot.examination import AGREES, Examination, random_configurations
+from robotics1.robot.model import Robot, tips
+
+COLUMNS = ["type", "a", "alpha", "d", "theta"]
+
+
+def read_dh_table(path: Path) -> list[tuple[str, float, float, float, float]]:
+    """Return the rows of a DH table from a CSV file with the columns type, a, alpha, d, theta.
+
+    Raises:
+        InputError: there is no such file, or it has other columns.
+    """
+    if not path.is_file():
+        raise InputError(f"there is no file {path}")
+    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
+    rows = [[cell.strip() for cell in row] for row in csv.reader(lines)]
+    if not rows or [cell.lower() for cell in rows[0]] != COLUMNS:
+        raise InputError(f"{path} must begin with the line {','.join(COLUMNS)}")
+    wrong = next((row for row in rows[1:] if len(row) != len(COLUMNS)), None)
+    if wrong is not None:
+        raise InputError(f"a row of {path} has {len(wrong)} values instead of 5: {','.join(wrong)}")
+    return [(row[0], *(parse_number(cell) for cell in row[1:])) for row in rows[1:]]  # type: ignore[misc]
+
+
+def difference_from(robot: Robot, other: Robot) -> float:
+    """Return the largest difference of the tools' poses of two robots with the same number of joints.
+
+    Raises:
+        InputError: the numbers of joints differ.
+    """
+    if robot.nq != other.nq:
+        raise InputError(f"the DH table has {other.nq} joints, and the tool of the robot hangs on {robot.nq}")
+    worst = 0.0
+    for q in random_configurations(robot, 20, np.random.default_rng(0)):
+        difference = forward_kinematics(robot, q).homogeneous - forward_kinematics(other, q).homogeneous
+        worst = max(worst, float(np.abs(difference).max()))
+    return worst
+
+
+def as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
+    """Return the examination as plain data."""
+    answer: dict[str, Any] = {
+        "path": str(found.path),
+        "sound": found.sound and (dh_difference is None or dh_difference <= AGREES),
+        "errors": [{"line": e.line, "element": e.element, "message": e.message} for e in found.errors],
+        "warnings": [{"line": w.line, "element": w.element, "message": w.message} for w in found.warnings],
+        "fk_difference": found.fk_difference,
+        "dh_difference": dh_difference,
+    }
+    robot = found.robot
+    if robot is not None:
+        answer |= {
+            "name": robot.name,
+            "nq": robot.nq,
+            "nv": robot.nv,
+            "joints": list(robot.joint_names),
+            "lower": robot.lower,
+            "upper": robot.upper,
+            "tool": robot.tool,
+            "tips": list(tips(robot.model)),
+            "parameters": dict(robot.parameters),
+        }
+    return answer
+
+
+def print_examination(console: Console, found: Examination, dh_difference: float | None) -> None:
+    """Print the verdict, and the robot as it was understood."""
+    for finding in found.errors:
+        console.print(f"[red]error[/red] {escape(str(finding))}", highlight=False, soft_wrap=True)
+    for finding in found.warnings:
+        console.print(f"[yellow]warning[/yellow] {escape(str(finding))}", highlight=False, soft_wrap=True)
+    robot = found.robot
+    if robot is None:
+        console.print(f"{found.path} is no robot: {count(len(found.errors), 'error')}.", soft_wrap=True)
+        return
+    console.print(link_tree(robot))
+    console.print(joint_table(robot))
+    listed = ", ".join(tips(robot.model))
+    console.print(f"tips: {listed}; tool: {robot.tool or 'open, name it with --tool'}", highlight=False)
+    console.print(_agreement("yourdfpy's parser", found.fk_difference), highlight=False)
+    if dh_difference is not None:
+        console.print(_agreement("the DH table", dh_difference), highlight=False)
+    console.print(f"{found.path} is a robot with {count(robot.nv, 'degree')} of freedom.", soft_wrap=True)
+
+
+def link_tree(robot: Robot) -> Tree:
+    """Return the links as a tree, each with the joint it hangs on."""
+    model = robot.model
+    nodes: dict[int, Tree] = {}
+    tree = Tree(robot.name)
+    for i, frame in enumerate(model.frames):
+        parent = nodes.get(frame.parentFrame, tree)
+        if frame.name in robot.frame_names and frame.type.name == "BODY":
+            joint = model.frames[frame.parentFrame]
+            above = {"JOINT": f" ({joint.name})", "FIXED_JOINT": f" (fixed: {joint.name})"}.get(joint.type.name, "")
+            label = "" if joint.name == "universe" else above
+            nodes[i] = parent.add(escape(frame.name) + f"[dim]{escape(label)}[/dim]")
+        else:
+            nodes[i] = parent
+    return tree
+
+
+def joint_table(robot: Robot) -> Table:
+    """Return the moving joints with their kind and limits."""
+    table = Table()
+    for heading in ("joint", "kind", "lower", "upper", "velocity", "effort"):
+        table.add_column(heading, justify="left" if heading in ("joint", "kind") else "right")
+    for name in robot.joint_names:
+        joint = robot.model.joints[robot.model.getJointId(name)]
+        kind = joint.shortname().removeprefix("JointModel")
+        if joint.nq == joint.nv == 1:
+            i, j = joint.idx_q, joint.idx_v
+            limits = [_limit(robot.lower[i], kind), _limit(robot.upper[i], kind)]
+            rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
+        else:
+            limits, rates = ["", ""], ["", ""]
+        table.add_row(escape(name), _kind(kind), *limits, *rates)
+    return table
+
+
+def _kind(shortname: str) -> str:
+    """Return Pinocchio's name of a joint in words, such as RZ or PrismaticUnaligned."""
+    if shortname in ("RX", "RY", "RZ", "PX", "PY", "PZ"):
+        return f"{'revolute' if shortname[0] == 'R' else 'prismatic'} about {shortname[1].lower()}".replace(
+            "prismatic about", "prismatic along"
+        )
+    words = {"RevoluteUnaligned": "revolute, skew axis", "PrismaticUnaligned": "prismatic, skew axis"}
+    return words.get(shortname, shortname.lower())
+
+
+def _limit(value: float, kind: str) -> str:
+    if not np.isfinite(value):
+        return "none"
+    return joint_value(float(value)) if kind.startswith("R") else f"{value:g}"
+
+
+def _agreement(other: str, difference: float | None) -> str:
+    if difference is None:
+        return f"forward kinematics was not compared with {other}"
+    verdict = "agrees with" if difference <= AGREES else "[red]differs from[/red]"
+    return f"forward kinematics {verdict} {other}: largest difference {difference:.1e}"
