@@ -47,7 +47,8 @@ class UnknownNameError(Robotics1Error, LookupError):
         if close:
             hint = f"did you mean {' or '.join(map(repr, close))}?"
         elif self.candidates:
-            hint = f"there is {', '.join(map(repr, self.candidates))}"
+            more = f" and {len(self.candidates) - 12} more" if len(self.candidates) > 12 else ""
+            hint = f"there is {', '.join(map(repr, self.candidates[:12]))}{more}"
         else:
             hint = "there is none"
         super().__init__(f"no {kind} {name!r}; {hint}{note}")

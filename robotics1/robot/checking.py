@@ -113,10 +113,11 @@ def _check_tree(findings: Findings, root: Element, links: list[Element], joints:
 def _check_ends(findings: Findings, joint: Element, names: set[str | None]) -> None:
     for end in ("parent", "child"):
         name = linked(joint, end)
+        at = cast("Element | None", joint.find(end))
         if name is None:
-            findings.error(joint, f"has no <{end} link='...'/>")
+            findings.error(joint, f"has no <{end} link='...'/>", at)
         elif name not in names:
-            findings.error(joint, f"has the {end} {name!r}, and there is no such link")
+            findings.error(joint, f"has the {end} {name!r}, and there is no such link", at)
 
 
 def _in_a_cycle(start: str, parent_of: dict[str, str]) -> bool:

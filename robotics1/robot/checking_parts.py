@@ -61,14 +61,14 @@ def _check_axis(findings: Findings, joint: Element) -> None:
     if axis is None:
         return
     if axis.get("xyz") is None:
-        findings.error(joint, "has an <axis> without xyz; leave it out for the x axis")
+        findings.error(joint, "has an <axis> without xyz; leave it out for the x axis", axis)
     values = findings.numbers(joint, axis, "xyz", 3)
     if values is not None:
         length = math.hypot(*values)
         if not 1e-9 < length < 1e9:
-            findings.error(joint, f"has the axis {axis.get('xyz')!r}, which gives no direction")
+            findings.error(joint, f"has the axis {axis.get('xyz')!r}, which gives no direction", axis)
         elif abs(length - 1) > 1e-6:
-            findings.warn(joint, f"has an axis of length {length:.6g}; it is taken as a direction")
+            findings.warn(joint, f"has an axis of length {length:.6g}; it is taken as a direction", axis)
 
 
 def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
@@ -79,21 +79,21 @@ def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
         return
     for attribute in ("effort", "velocity"):
         if limit.get(attribute) is None:
-            findings.error(joint, f"has a <limit> without {attribute}")
+            findings.error(joint, f"has a <limit> without {attribute}", limit)
             continue
         value = findings.numbers(joint, limit, attribute)
         if value is not None and value[0] < 0:
-            findings.error(joint, f"has a negative {attribute} limit, {value[0]:g}")
+            findings.error(joint, f"has a negative {attribute} limit, {value[0]:g}", limit)
     lower, upper = (findings.numbers(joint, limit, name) for name in ("lower", "upper"))
     if kind == "continuous":
         return
     if limit.get("lower") is None and limit.get("upper") is None:
-        findings.warn(joint, "has a <limit> without lower and upper, which means [0, 0]: it cannot move")
+        findings.warn(joint, "has a <limit> without lower and upper, which means [0, 0]: it cannot move", limit)
     low = 0.0 if lower is None else lower[0]
     high = 0.0 if upper is None else upper[0]
     said = (lower is not None or limit.get("lower") is None) and (upper is not None or limit.get("upper") is None)
     if said and low > high:
-        findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}")
+        findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}", limit)
 
 
 def _check_mimic(findings: Findings, joint: Element, joints: list[Element]) -> None:
@@ -101,18 +101,18 @@ def _check_mimic(findings: Findings, joint: Element, joints: list[Element]) -> N
     if mimic is None:
         return
     if joint.get("type") == "fixed":
-        findings.warn(joint, "is fixed and has a <mimic>, which is left out")
+        findings.warn(joint, "is fixed and has a <mimic>, which is left out", mimic)
         return
     name = mimic.get("joint")
     leader = next((other for other in joints if other.get("name") == name), None)
     if name is None:
-        findings.error(joint, "has a <mimic> without the joint it follows")
+        findings.error(joint, "has a <mimic> without the joint it follows", mimic)
     elif leader is None:
-        findings.error(joint, f"mimics joint {name!r}, and there is no such joint")
+        findings.error(joint, f"mimics joint {name!r}, and there is no such joint", mimic)
     elif leader.get("type") not in ("revolute", "prismatic", "continuous"):
-        findings.error(joint, f"mimics joint {name!r}, which is {leader.get('type')} and has not one coordinate")
+        findings.error(joint, f"mimics joint {name!r}, which is {leader.get('type')} and has not one coordinate", mimic)
     if joint.get("type") not in ("revolute", "prismatic", "continuous"):
-        findings.error(joint, f"is {joint.get('type')} and cannot mimic; only joints of one coordinate can")
+        findings.error(joint, f"is {joint.get('type')} and cannot mimic; only joints of one coordinate can", mimic)
     for attribute in ("multiplier", "offset"):
         findings.numbers(joint, mimic, attribute)
 
@@ -121,12 +121,14 @@ def _check_inertial(findings: Findings, link: Element, inertial: Element) -> Non
     _check_origin(findings, link, inertial)
     mass, inertia = _child(inertial, "mass"), _child(inertial, "inertia")
     if mass is None or inertia is None:
-        findings.warn(link, "has an <inertial> without mass or inertia; it is left out")
+        findings.warn(link, "has an <inertial> without mass or inertia; it is left out", inertial)
         return
     missing = [name for name in MOMENTS if inertia.get(name) is None]
     if missing or mass.get("value") is None:
         findings.warn(
-            link, f"has an <inertial> that lacks {', '.join(missing) or 'the value of its mass'}; it is left out"
+            link,
+            f"has an <inertial> that lacks {', '.join(missing) or 'the value of its mass'}; it is left out",
+            inertial,
         )
         return
     weight = findings.numbers(link, mass, "value")
@@ -134,22 +136,24 @@ def _check_inertial(findings: Findings, link: Element, inertial: Element) -> Non
     if weight is None or any(moment is None for moment in moments):
         return
     if weight[0] <= 0:
-        findings.warn(link, f"has the mass {weight[0]:g}; nothing physical has")
+        findings.warn(link, f"has the mass {weight[0]:g}; nothing physical has", inertial)
     xx, xy, xz, yy, yz, zz = (cast("list[float]", moment)[0] for moment in moments)
     principal = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     slack = 1e-6 * max(abs(principal).max(), 1e-300)
     if principal[0] < -slack or principal[0] + principal[1] < principal[2] - slack:
-        findings.warn(link, "has an inertia that no body can have: a principal moment exceeds the sum of the others")
+        findings.warn(
+            link, "has an inertia that no body can have: a principal moment exceeds the sum of the others", inertial
+        )
 
 
 def _check_geometry(findings: Findings, link: Element, shape: Element) -> None:
     geometry = _child(shape, "geometry")
     if geometry is None or not len(geometry):
-        findings.error(link, f"has a <{shape.tag}> without a shape in its <geometry>")
+        findings.error(link, f"has a <{shape.tag}> without a shape in its <geometry>", shape)
         return
     form = cast("Element", geometry[0])
     if form.tag not in SHAPES:
-        findings.error(link, f"has the unknown shape <{form.tag}>; it can be {', '.join(SHAPES)}")
+        findings.error(link, f"has the unknown shape <{form.tag}>; it can be {', '.join(SHAPES)}", form)
         return
     attribute, count = SHAPES[form.tag]
     needed = [(attribute, count)] if form.tag != "mesh" else []
@@ -157,12 +161,12 @@ def _check_geometry(findings: Findings, link: Element, shape: Element) -> None:
         needed.append(("length", 1))
     for name, size in needed:
         if form.get(name) is None:
-            findings.error(link, f"has a {form.tag} without {name}")
+            findings.error(link, f"has a {form.tag} without {name}", form)
             continue
         values = findings.numbers(link, form, name, size)
         if values is not None and min(values) < 0:
-            findings.error(link, f"has a {form.tag} with a negative {name}, {form.get(name)!r}")
+            findings.error(link, f"has a {form.tag} with a negative {name}, {form.get(name)!r}", form)
     if form.tag == "mesh":
         findings.numbers(link, form, "scale", 3)
         if not (form.get("filename") or "").strip():
-            findings.error(link, "has a mesh without filename")
+            findings.error(link, "has a mesh without filename", form)

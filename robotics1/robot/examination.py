@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
-from robotics1.errors import MissingExtraError, RobotFileError, Robotics1Error
+from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
 from robotics1.robot.checking import check_urdf
 from robotics1.robot.findings import Finding
@@ -66,13 +66,15 @@ def examine(
     path = robot_file(source)
     folders = [Path(folder) for folder in packages]
     try:
-        text = path.read_text(encoding="utf-8", errors="replace")
-        text, _ = urdf_text(text, path, parameters or {}, folders, trusted=trusted)
+        source_text = path.read_text(encoding="utf-8", errors="replace")
+        text, _ = urdf_text(source_text, path, parameters or {}, folders, trusted=trusted)
         findings = check_urdf(parse_xml(text, path))
         errors, warnings = tuple(findings.errors), tuple(findings.warnings)
         if errors:
             return Examination(path, errors, warnings, None, None)
-        robot = robot_from_text(text, path=path.with_suffix(".urdf"), tool=tool, packages=folders)
+        robot = robot_from_text(
+            source_text, path=path, parameters=parameters, tool=tool, packages=folders, trusted=trusted
+        )
     except RobotFileError as error:
         return Examination(path, (_finding(error),), (), None, None)
     known = {str(warning) for warning in warnings}
@@ -93,7 +95,7 @@ def _difference(robot: Robot, text: str) -> float | None:
         return None
 
 
-class NotComparable(Robotics1Error):  # noqa: N818 (an outcome of this module alone)
+class NotComparable(Exception):  # noqa: N818 (an outcome of this module alone)
     """The other parser does not know joints of this kind."""
 
 

@@ -34,13 +34,17 @@ class Findings:
 
     found: list[Finding] = field(default_factory=list)
 
-    def error(self, element: Element, message: str) -> None:
-        """Add what makes the file unusable."""
-        self.found.append(Finding(True, f"{element.label} {message}", element.line, element.get("name")))
+    def error(self, owner: Element, message: str, at: Element | None = None) -> None:
+        """Add what makes the file unusable: of a named element, at a part of it."""
+        self._add(True, owner, message, at)
 
-    def warn(self, element: Element, message: str) -> None:
-        """Add what is odd but harmless."""
-        self.found.append(Finding(False, f"{element.label} {message}", element.line, element.get("name")))
+    def warn(self, owner: Element, message: str, at: Element | None = None) -> None:
+        """Add what is odd but harmless: of a named element, at a part of it."""
+        self._add(False, owner, message, at)
+
+    def _add(self, severe: bool, owner: Element, message: str, at: Element | None) -> None:
+        line = (owner if at is None else at).line
+        self.found.append(Finding(severe, f"{owner.label} {message}", line, owner.get("name")))
 
     def numbers(self, owner: Element, element: Element, attribute: str, count: int = 1) -> list[float] | None:
         """Return the numbers of an attribute, or None when it is absent or wrong, which is then said."""
@@ -54,15 +58,12 @@ class Findings:
         where = "" if element is owner else f" of its <{element.tag}>"
         if len(values) != count:
             wanted = "a number" if count == 1 else f"{count} numbers"
-            self._at(owner, element, f"needs {wanted} in {attribute}{where}, not {text!r}")
+            self.error(owner, f"needs {wanted} in {attribute}{where}, not {text!r}", element)
             return None
         if not all(math.isfinite(value) for value in values):
-            self._at(owner, element, f"has {text!r} in {attribute}{where}; numbers must be finite")
+            self.error(owner, f"has {text!r} in {attribute}{where}; numbers must be finite", element)
             return None
         return values
-
-    def _at(self, owner: Element, element: Element, message: str) -> None:
-        self.found.append(Finding(True, f"{owner.label} {message}", element.line, owner.get("name")))
 
     @property
     def errors(self) -> list[Finding]:

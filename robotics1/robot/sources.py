@@ -18,7 +18,7 @@ def urdf_folder() -> Path:
 def named_robots() -> dict[str, Path]:
     """Return name → file of the robots in `urdf/` (`prr.urdf.xacro` has the name `prr`) and of example-robot-data."""
     own = {path.name.split(".")[0]: path for path in sorted(urdf_folder().glob("*.urdf*"))}
-    return example_robots() | own
+    return own | {name: path for name, path in example_robots().items() if name not in own}
 
 
 def example_robots() -> dict[str, Path]:
