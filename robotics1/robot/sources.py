@@ -4,7 +4,7 @@ from importlib.metadata import PackageNotFoundError, distribution
 from importlib.resources import files
 from pathlib import Path
 
-from robotics1.errors import InputError, RobotFileError, UnknownNameError
+from robotics1.errors import InputError, MissingExtraError, RobotFileError, UnknownNameError
 
 EXAMPLES = "cmeel.prefix/share/example-robot-data/robots"
 
@@ -24,15 +24,15 @@ def named_robots() -> dict[str, Path]:
 def example_robots() -> dict[str, Path]:
     """Return name → file of the robots of the package example-robot-data, if it is installed.
 
-    The name is the file's, without "_robot"; where two have the same, it is their folder's.
+    The name is the file's, without "_robot" and with "_" for a dot; where two have the same, it is their folder's.
     """
     try:
-        folder = Path(str(distribution("example-robot-data").locate_file(EXAMPLES)))
-    except PackageNotFoundError:
+        folder = example_folder()
+    except MissingExtraError:
         return {}
     files: dict[str, list[Path]] = {}
     for path in sorted(folder.glob("*/*/*.urdf"), key=lambda path: (not path.stem.endswith("_robot"), path)):
-        files.setdefault(path.stem.removesuffix("_robot"), []).append(path)
+        files.setdefault(path.stem.removesuffix("_robot").replace(".", "_"), []).append(path)
     robots: dict[str, Path] = {}
     for name, paths in files.items():
         for path in paths:
@@ -40,6 +40,18 @@ def example_robots() -> dict[str, Path]:
             unique = name if len(paths) == 1 or (same_folder and path is paths[0]) else None
             robots.setdefault(unique or path.parts[-3].removesuffix("_description"), path)
     return robots
+
+
+def example_folder() -> Path:
+    """Return the folder of the package example-robot-data.
+
+    Raises:
+        MissingExtraError: it is not installed.
+    """
+    try:
+        return Path(str(distribution("example-robot-data").locate_file(EXAMPLES)))
+    except PackageNotFoundError as error:
+        raise MissingExtraError("example-robot-data", "robots") from error
 
 
 def robot_file(source: str | Path) -> Path:

@@ -1,0 +1,103 @@
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from robotics1 import InputError
+from robotics1.cli.check import read_dh_table
+from robotics1.cli.commands import app
+from robotics1.robot.examination import examine
+
+BAD = """<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <joint name="q1" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 0"/>
+    <limit lower="1" upper="0" velocity="1" effort="1"/>
+  </joint>
+</robot>
+"""
+
+
+@pytest.fixture
+def bad(tmp_path):
+    path = tmp_path / "bad.urdf"
+    path.write_text(BAD)
+    return path
+
+
+def run(*words):
+    return CliRunner().invoke(app, ["check", *map(str, words)])
+
+
+def test_every_error_is_told_with_its_line_and_the_exit_code_is_1(bad):
+    result = run(bad)
+    assert result.exit_code == 1
+    assert "error line 7: joint 'q1' has the axis '0 0 0', which gives no direction" in result.stdout
+    assert "error line 8: joint 'q1' has its limits the wrong way round: lower 1 is above upper 0" in result.stdout
+    assert "is no robot: 2 errors." in result.stdout
+    answer = json.loads(run(bad, "--json").stdout)
+    assert answer["sound"] is False
+    assert [(error["line"], error["element"]) for error in answer["errors"]] == [(7, "q1"), (8, "q1")]
+
+
+def test_a_robot_is_told_as_it_was_understood_and_agrees_with_the_other_parser():
+    result = run("prr")
+    assert result.exit_code == 0
+    for piece in (
+        "link3 (q3)",
+        "prismatic along x",
+        "revolute about z",
+        "tips: tool; tool: tool",
+        "3 degrees of freedom",
+    ):
+        assert piece in result.stdout
+    answer = json.loads(run("prr", "--json", "-p", "l2=0.5").stdout)
+    assert answer["sound"] is True
+    assert answer["fk_difference"] < 1e-14
+    assert answer["joints"] == ["q1", "q2", "q3"]
+    assert answer["parameters"] == {"l2": 0.5, "l3": 0.4}
+
+
+def test_a_dh_table_that_is_the_robots_agrees_and_another_one_does_not(tmp_path):
+    table = tmp_path / "table.csv"
+    table.write_text("type,a,alpha,d,theta\nR,1.2,0,0,0\nR,0.8,0,0,0\n")
+    answer = json.loads(run("planar_2r", "--dh", table, "--json").stdout)
+    assert answer["dh_difference"] < 1e-14
+    table.write_text("type,a,alpha,d,theta\nR,1.2,pi/2,0,0\nR,0.8,0,0,0\n")
+    result = run("planar_2r", "--dh", table)
+    assert result.exit_code == 1
+    assert "differs from the DH table" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("a,alpha\n", "must begin with the line type,a,alpha,d,theta"),
+        ("type,a,alpha,d,theta\nR,1,0\n", "has 3 values instead of 5: R,1,0"),
+        ("type,a,alpha,d,theta\nR,1,0,x,0\n", "'x' is not a number"),
+        (None, "there is no file"),
+    ],
+)
+def test_a_dh_file_of_another_form_is_an_input_error(tmp_path, text, sentence):
+    path = tmp_path / "table.csv"
+    if text is not None:
+        path.write_text(text)
+    with pytest.raises(InputError, match=sentence):
+        read_dh_table(path)
+
+
+def test_a_difference_of_the_parsers_makes_a_file_unsound(monkeypatch):
+    monkeypatch.setattr("robotics1.robot.examination.difference_from_yourdfpy", lambda robot, text: 1e-3)
+    found = examine("prr")
+    assert found.fk_difference == 1e-3
+    assert not found.sound
+
+
+def test_ill_formed_xml_is_one_error_with_its_line(tmp_path):
+    path = tmp_path / "arm.urdf"
+    path.write_text("<robot name='a'>\n<link name='b'>\n</robot>")
+    (error,) = examine(path).errors
+    assert (error.line, error.message) == (3, "it is not well-formed XML: mismatched tag")
