@@ -93,6 +93,27 @@ from .kinematics import (
 from .kinematics import (
     frame_jacobian as frame_jacobian,
 )
+from .robot.dh import (
+    dh_to_urdf as dh_to_urdf,
+)
+from .robot.dh import (
+    robot_from_dh as robot_from_dh,
+)
+from .robot.dh_from_urdf import (
+    urdf_to_dh as urdf_to_dh,
+)
+from .robot.dh_table import (
+    DHRow as DHRow,
+)
+from .robot.dh_table import (
+    DHTable as DHTable,
+)
+from .robot.examination import (
+    Examination as Examination,
+)
+from .robot.examination import (
+    examine as examine,
+)
 from .robot.loading import (
     load_robot as load_robot,
 )
@@ -165,6 +186,9 @@ from .viewer.plots import (
 
 __all__ = [
     "RANK_TOLERANCE",
+    "DHRow",
+    "DHTable",
+    "Examination",
     "FormulaError",
     "FunctionMotion",
     "FunctionTask",
@@ -203,6 +227,8 @@ __all__ = [
     "animate",
     "balancing_torque",
     "cubic",
+    "dh_to_urdf",
+    "examine",
     "exerting_torque",
     "find_singularities",
     "forward_kinematics",
@@ -214,8 +240,10 @@ __all__ = [
     "plot_joint_motion",
     "plot_tool_path",
     "rendezvous",
+    "robot_from_dh",
     "simulate_tracking",
     "smallest_gain",
     "subspaces",
+    "urdf_to_dh",
     "view",
 ]

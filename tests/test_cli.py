@@ -130,7 +130,7 @@ def test_every_command_prints_for_people(words, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["fk", "prrr"], "no robot named 'prrr'; did you mean 'prr'?"),
+        (["fk", "prrr"], "no robot named 'prrr'; did you mean 'prr'"),
         (["fk", "prr", "--frame", "tol"], "no frame of robot 'prr' named 'tol'; did you mean 'tool'?"),
         (["fk", "prr", "--q", "1,2"], "q must have shape (3,), one number for each of q1, q2, q3; it has shape (2,)"),
         (["fk", "prr", "-p", "l9=3"], "no parameter of prr.urdf.xacro named 'l9'; did you mean"),

@@ -134,7 +134,8 @@ def _in_a_cycle(start: str, parent_of: dict[str, str]) -> bool:
 
 
 def _check_mimic_loops(findings: Findings, joints: list[Element]) -> None:
-    leader = {joint.get("name", ""): mimic.get("joint", "") for joint in joints for mimic in joint.findall("mimic")}
+    mimics = {joint.get("name", ""): joint.find("mimic") for joint in joints}
+    leader = {name: mimic.get("joint", "") for name, mimic in mimics.items() if mimic is not None}
     for joint in joints:
         if joint.get("name") in leader and _in_a_cycle(joint.get("name", ""), leader):
             findings.error(joint, "mimics itself, through a loop of <mimic> elements")

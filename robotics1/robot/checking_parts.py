@@ -58,7 +58,10 @@ def _check_origin(findings: Findings, owner: Element, parent: Element) -> None:
 
 def _check_axis(findings: Findings, joint: Element) -> None:
     axis = _child(joint, "axis")
+    planar = joint.get("type") == "planar"
     if axis is None:
+        if planar:
+            findings.warn(joint, "is planar and has no <axis>; it is taken to move in its xy plane")
         return
     if axis.get("xyz") is None:
         findings.error(joint, "has an <axis> without xyz; leave it out for the x axis", axis)
@@ -67,6 +70,8 @@ def _check_axis(findings: Findings, joint: Element) -> None:
         length = math.hypot(*values)
         if not 1e-9 < length < 1e9:
             findings.error(joint, f"has the axis {axis.get('xyz')!r}, which gives no direction", axis)
+        elif planar and values[2] < (1 - 1e-9) * length:
+            findings.error(joint, f"is planar about {axis.get('xyz')!r}; only '0 0 1' can be read, the xy plane", axis)
         elif abs(length - 1) > 1e-6:
             findings.warn(joint, f"has an axis of length {length:.6g}; it is taken as a direction", axis)
 

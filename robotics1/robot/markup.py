@@ -8,6 +8,7 @@ from xml.parsers import expat
 from robotics1.errors import RobotFileError
 
 LARGEST_FILE = 20_000_000  # characters
+DEEPEST = 100  # elements inside each other: writing them out again recurses
 
 
 class Element(ET.Element):
@@ -28,12 +29,12 @@ def parse_xml(text: str, path: Path) -> Element:
     No DOCTYPE is taken, so no entity is expanded and nothing is read from elsewhere. Prefixes stay in the tags.
 
     Raises:
-        RobotFileError: it is not well-formed, has a DOCTYPE, or is too large.
+        RobotFileError: it is not well-formed, has a DOCTYPE, or is too large or too deep.
     """
     if len(text) > LARGEST_FILE:
         raise RobotFileError(f"it has {len(text)} characters; at most {LARGEST_FILE} are read", path=path)
     builder = ET.TreeBuilder(element_factory=Element)
-    parser = expat.ParserCreate()
+    parser = expat.ParserCreate("utf-8")  # whatever the file declares, this is what it is now
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         element = cast("Element", builder.start(tag, attributes))
@@ -51,4 +52,14 @@ def parse_xml(text: str, path: Path) -> Element:
     except expat.ExpatError as error:
         message = f"it is not well-formed XML: {expat.errors.messages[error.code]}"
         raise RobotFileError(message, path=path, line=error.lineno) from error
-    return cast("Element", builder.close())
+    root = cast("Element", builder.close())
+    _check_depth(root, path)
+    return root
+
+
+def _check_depth(root: Element, path: Path) -> None:
+    level = [root]
+    for _ in range(DEEPEST):
+        level = [cast("Element", child) for element in level for child in element]
+    if level:
+        raise RobotFileError(f"its elements are nested more than {DEEPEST} deep", path=path, line=level[0].line)

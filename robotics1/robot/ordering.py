@@ -5,6 +5,7 @@ not met yet. Where that happens the joints are numbered, and get their names bac
 """
 
 import xml.etree.ElementTree as ET
+from graphlib import CycleError, TopologicalSorter
 
 import pinocchio as pin
 
@@ -24,14 +25,17 @@ def leaders_first(root: ET.Element) -> list[ET.Element] | None:
     if not _early_followers(order):
         return None
     for siblings in below.values():
-        siblings.sort(key=lambda joint: _needs(below, joint))
+        siblings[:] = _in_turn(below, siblings)
     return _walk(below, top)
 
 
 def _walk(below: dict[str, list[ET.Element]], link: str) -> list[ET.Element]:
     order: list[ET.Element] = []
-    for joint in below.get(link, []):
-        order += [joint, *_walk(below, str(linked(joint, "child")))]
+    ahead = below.get(link, [])[::-1]
+    while ahead:  # no recursion: a robot can be a thousand links long
+        joint = ahead.pop()
+        order.append(joint)
+        ahead += below.get(str(linked(joint, "child")), [])[::-1]
     return order
 
 
@@ -40,11 +44,18 @@ def _early_followers(order: list[ET.Element]) -> list[ET.Element]:
     return [joint for i, joint in enumerate(order) for mimic in joint.findall("mimic") if place[mimic.get("joint")] > i]
 
 
-def _needs(below: dict[str, list[ET.Element]], joint: ET.Element) -> int:
-    """Return how many leaders outside its own branch the branch of a joint needs."""
-    branch = [joint, *_walk(below, str(linked(joint, "child")))]
-    own = {member.get("name") for member in branch}
-    return sum(mimic.get("joint") not in own for member in branch for mimic in member.findall("mimic"))
+def _in_turn(below: dict[str, list[ET.Element]], siblings: list[ET.Element]) -> list[ET.Element]:
+    """Return the joints below a link so that each branch comes after those in which its leaders are."""
+    branches = [[joint, *_walk(below, str(linked(joint, "child")))] for joint in siblings]
+    place = {member.get("name"): i for i, branch in enumerate(branches) for member in branch}
+    needs: dict[int, list[int]] = {}
+    for i, branch in enumerate(branches):
+        leaders = [place.get(mimic.get("joint"), i) for member in branch for mimic in member.findall("mimic")]
+        needs[i] = [leader for leader in leaders if leader != i]
+    try:
+        return [siblings[i] for i in TopologicalSorter(needs).static_order()]
+    except CycleError:  # two branches that follow each other: Pinocchio says so
+        return siblings
 
 
 def numbered(root: ET.Element, order: list[ET.Element]) -> None:

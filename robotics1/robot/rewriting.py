@@ -10,7 +10,7 @@ import pinocchio as pin
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_number
 from robotics1.robot.checking import linked
-from robotics1.robot.checking_parts import MOMENTS
+from robotics1.robot.checking_parts import MOMENTS, ON_AN_AXIS
 
 WITHOUT_LIMIT = "1e308"  # urdfdom refuses infinity
 
@@ -21,17 +21,7 @@ def clean(root: ET.Element) -> list[str]:
     Axes become unit vectors, inertias that lack a part are left out, a joint that mimics a mimicking joint follows
     the leader itself, and a continuous joint, for which Pinocchio would take two numbers, becomes revolute.
     """
-    for axis in root.iter("axis"):
-        direction = np.array([float(value) for value in (axis.get("xyz") or "").split()])
-        axis.set("xyz", written(direction / np.linalg.norm(direction)))
-    for link in root.findall("link"):
-        inertial = link.find("inertial")
-        if inertial is not None and not _is_whole(inertial):
-            link.remove(inertial)
-    for joint in root.findall("joint"):
-        if joint.get("type") == "fixed":
-            _remove(joint, "mimic")
-    _follow_leaders(root)
+    _tidy(root)
     return [_as_revolute(joint) for joint in root.findall("joint") if joint.get("type") == "continuous"]
 
 
@@ -42,6 +32,8 @@ def lock(root: ET.Element, locked: Mapping[str, float]) -> None:
         UnknownNameError: there is no such joint.
         InputError: a value is not finite, or the joint has not one coordinate.
     """
+    if locked:
+        _tidy(root)
     joints = {joint.get("name", ""): joint for joint in root.findall("joint")}
     moving = [name for name, joint in joints.items() if joint.get("type") in ("revolute", "prismatic", "continuous")]
     for name, value in locked.items():
@@ -64,7 +56,7 @@ def rebase(root: ET.Element, base: str, tool: str | None) -> None:
 
     Raises:
         UnknownNameError: there is no such link.
-        InputError: the tool does not hang from the base.
+        InputError: the tool, or the leader of a joint that mimics, does not hang from the base.
     """
     joints = root.findall("joint")
     above = {linked(joint, "child"): joint for joint in joints}
@@ -78,18 +70,34 @@ def rebase(root: ET.Element, base: str, tool: str | None) -> None:
     if link not in above:
         _put_world_at(root, str(link), T)
         return
-    kept = {base}
-    while True:
-        more = {linked(joint, "child") for joint in joints if linked(joint, "parent") in kept} - kept
-        if not more:
-            break
-        kept |= {str(name) for name in more}
+    kept = _hanging_from(base, joints)
     if tool is not None and tool not in kept:
         raise InputError(f"the tool {tool!r} does not hang from the base {base!r}; name a base that carries it")
+    moving = {joint.get("name"): joint for joint in joints if linked(joint, "parent") in kept}
+    for name, joint in moving.items():
+        if _leader(joint) is not None and _leader(joint) not in moving:
+            raise InputError(f"joint {name!r} mimics {_leader(joint)!r}, which does not hang from the base {base!r}")
     for element in [*root.findall("link"), *joints]:
         name = element.get("name") if element.tag == "link" else linked(element, "parent")
         if name not in kept:
             root.remove(element)
+
+
+def _tidy(root: ET.Element) -> None:
+    for link in root.findall("link"):
+        for i, inertial in enumerate(link.findall("inertial")):
+            if i > 0 or not _is_whole(inertial):
+                link.remove(inertial)
+    for joint in root.findall("joint"):
+        for extra in joint.findall("mimic")[1:]:
+            joint.remove(extra)
+        if joint.get("type") == "fixed":
+            _remove(joint, "mimic")
+        if joint.get("type") in ON_AN_AXIS:
+            _make_unit(joint.find("axis"))
+        else:
+            _remove(joint, "axis")
+    _follow_leaders(root)
 
 
 def placement(joint: ET.Element) -> pin.SE3:
@@ -105,12 +113,25 @@ def written(values: np.ndarray) -> str:
     return " ".join(repr(float(value)) for value in values)
 
 
+def _make_unit(axis: ET.Element | None) -> None:
+    if axis is not None:
+        direction = np.array([float(value) for value in axis.get("xyz", "").split()])
+        axis.set("xyz", written(direction / np.linalg.norm(direction)))
+
+
 def _set_placement(joint: ET.Element, T: pin.SE3) -> None:
     origin = joint.find("origin")
     if origin is None:
         origin = ET.SubElement(joint, "origin")
     origin.set("xyz", written(T.translation))
     origin.set("rpy", written(pin.rpy.matrixToRpy(T.rotation)))
+
+
+def _hanging_from(base: str, joints: list[ET.Element]) -> set[str]:
+    kept = {base}
+    while more := {str(linked(joint, "child")) for joint in joints if linked(joint, "parent") in kept} - kept:
+        kept |= more
+    return kept
 
 
 def _put_world_at(root: ET.Element, old: str, T: pin.SE3) -> None:

@@ -7,10 +7,9 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array
+from robotics1.robot.placements import homogeneous, rotation_matrix
 from robotics1.tasks.task import FrameTask
-
-ROTATION_TOLERANCE = 1e-6  # |RᵀR − 1| of a matrix that is taken for a rotation
 
 
 @dataclass(frozen=True)
@@ -68,26 +67,11 @@ class PoseTask(FrameTask):
 
     def target(self, target: Any) -> pin.SE3:
         """Return the target as a `pin.SE3`; a homogeneous (4, 4) matrix serves too."""
-        matrix = target.homogeneous if isinstance(target, pin.SE3) else target
-        T = real_array("the target", matrix, (4, 4), "a pin.SE3 or a homogeneous matrix")
-        if not np.allclose(T[3], [0, 0, 0, 1], atol=ROTATION_TOLERANCE):
-            raise InputError(f"the last row of a homogeneous matrix must be (0, 0, 0, 1); it is {T[3].tolist()}")
-        return pin.SE3(rotation_matrix("the target's rotation", T[:3, :3]), T[:3, 3])
+        if target is None:
+            raise InputError("the target must be a pin.SE3 or a homogeneous (4, 4) matrix, not None")
+        return homogeneous("the target", target)
 
     def difference(self, target: pin.SE3, value: pin.SE3) -> Array:
         """Return (p_d − p, log3(R_d Rᵀ)), (6,) [m, rad]."""
         turn = pin.log3(target.rotation @ value.rotation.T)
         return np.concatenate([target.translation - value.translation, turn])
-
-
-def rotation_matrix(name: str, value: Any) -> Array:
-    """Return `value` as a rotation matrix (3, 3).
-
-    Raises:
-        InputError: its columns are not orthonormal and right-handed to within 1e-6.
-    """
-    R = real_array(name, value, (3, 3), "a rotation matrix")
-    defect = float(np.abs(R.T @ R - np.eye(3)).max())
-    if defect > ROTATION_TOLERANCE or np.linalg.det(R) < 0:
-        raise InputError(f"{name} is no rotation: |RᵀR − 1| is {defect:.1e} and det R is {np.linalg.det(R):.3g}")
-    return R
