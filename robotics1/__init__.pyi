@@ -120,6 +120,12 @@ from .robot.loading import (
 from .robot.model import (
     Robot as Robot,
 )
+from .symbolic.formula import (
+    Formulas as Formulas,
+)
+from .symbolic.formula import (
+    formulas as formulas,
+)
 from .tasks.function import (
     FunctionTask as FunctionTask,
 )
@@ -190,6 +196,7 @@ __all__ = [
     "DHTable",
     "Examination",
     "FormulaError",
+    "Formulas",
     "FunctionMotion",
     "FunctionTask",
     "GainChoice",
@@ -231,6 +238,7 @@ __all__ = [
     "examine",
     "exerting_torque",
     "find_singularities",
+    "formulas",
     "forward_kinematics",
     "frame_jacobian",
     "ik_solutions",

@@ -59,6 +59,16 @@ def test_jacobian_of_the_prr_has_det_l2_c2_and_loses_rank_at_pi_half():
     assert np.cross(found["null"][0], [0.6, 1, -1]) == pytest.approx(np.zeros(3), abs=1e-12)
 
 
+def test_symbolic_jacobian_of_the_prr_has_its_minors_in_formulas():
+    found = answer("jacobian", "prr", "--task", "position:xy", "--symbolic")
+    assert found["value"] == ["l2*cos(q2) + l3*cos(q2 + q3) + q1", "l2*sin(q2) + l3*sin(q2 + q3)"]
+    assert found["minors"]["det J without q1"] == "l2*l3*sin(q3)"
+    latex = CliRunner().invoke(app, ["jacobian", "cylindrical", "--task", "position", "--latex"])
+    assert "\\cos{\\left(q_{2} \\right)}" in latex.stdout
+    text = CliRunner().invoke(app, ["jacobian", "cylindrical", "--task", "position", "--symbolic"])
+    assert "det J =\n-q₃" in text.stdout
+
+
 def test_statics_balances_minus_J_transposed_f():
     found = answer("statics", "prr", "--task", "position:xy", "--q", "0.5,pi/2,pi", "--force", "3,1")
     assert found["torque"] == pytest.approx([-3, 0.6, -1.2])

@@ -39,6 +39,7 @@ def test_the_code_of_the_readme_runs_and_says_what_it_says(tmp_path, monkeypatch
         exec(compile(block, "README.md", "exec"), scope)
     assert scope["spaces"].rank == 2
     assert scope["spaces"].contains([1, 0, 0])
+    assert str(scope["f"].determinant) == "l2*cos(q2)"
     assert scope["run"].status.name == "CONVERGED"
     assert scope["run"].iterations == 3
     assert len(scope["every"].q) == 2
@@ -56,7 +57,7 @@ def test_the_commands_of_the_readme_run(tmp_path, monkeypatch):
     monkeypatch.setattr("webbrowser.open", lambda url: True)
     blocks = re.findall(r"```sh\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), flags=re.DOTALL)
     commands = [line.split() for block in blocks for line in block.splitlines() if line.startswith("robotics1 ")]
-    assert len(commands) == 8
+    assert len(commands) == 9
     for command in commands:
         words = [str(ROOT / word) if word.startswith("urdf/") else word for word in command[1:]]
         result = CliRunner().invoke(app, words)

@@ -91,17 +91,24 @@ def jacobian(
     param: Parameters = None,
     tool: Tool = None,
     degrees: Degrees = False,
+    symbolic: Annotated[bool, typer.Option("--symbolic", help="Formulas instead of numbers; --q is not used.")] = False,
+    latex: Annotated[bool, typer.Option("--latex", help="Formulas in LaTeX.")] = False,
     json: AsJson = False,
 ) -> None:
-    """The Jacobian of a task, its rank and its subspaces."""
+    """The Jacobian of a task, its rank and its subspaces; or its formulas, with determinant or minors."""
     import numpy as np
 
     from robotics1.analysis.singularity_words import directions
     from robotics1.analysis.spaces import subspaces
 
     arm = arguments.parse_robot(robot, param or [], tool)
-    values = arguments.configuration(arm, q, degrees)
     what = arguments.parse_task(task, frame)
+    if symbolic or latex:
+        from robotics1.cli.symbolic import print_formulas
+
+        print_formulas(out, arm, what, latex=latex, json=json)
+        return
+    values = arguments.configuration(arm, q, degrees)
     J = what.jacobian(arm, values)
     spaces = subspaces(J)
     square = J.shape[0] == J.shape[1]

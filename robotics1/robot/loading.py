@@ -87,6 +87,13 @@ def robot_from_text(
     errors are those of `load_robot`.
     """
     folders = [Path(folder) for folder in packages]
+
+    def variant(other: Mapping[str, float]) -> Robot:
+        return robot_from_text(
+            source, path=path, parameters=other, base=base, tool=tool, locked=locked, packages=folders, trusted=trusted
+        )
+
+    source = text
     text, values = urdf_text(text, path, parameters or {}, folders, trusted=trusted)
     root = parse_xml(text, path)
     findings = check_urdf(root)
@@ -100,7 +107,16 @@ def robot_from_text(
     text = ET.tostring(root, encoding="unicode")
     model = _model(root, path)
     _open_limits(model, unlimited)
-    return Robot(model.name, model, _tool(model, tool), MappingProxyType(values), text, path, tuple(warnings))
+    return Robot(
+        model.name,
+        model,
+        _tool(model, tool),
+        MappingProxyType(values),
+        text,
+        path,
+        tuple(warnings),
+        variant if values else None,
+    )
 
 
 def urdf_text(

@@ -1,6 +1,6 @@
 """The robot: a Pinocchio model with a name, a tool and its named parameters."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -27,6 +27,7 @@ class Robot:
         urdf: the URDF text the model was made from.
         path: the file it came from.
         warnings: what is odd about the file, one sentence each.
+        variant: the same robot with other values of its parameters; None when it has none.
     """
 
     name: str
@@ -36,6 +37,7 @@ class Robot:
     urdf: str = field(repr=False)
     path: Path
     warnings: tuple[str, ...] = ()
+    variant: Callable[[Mapping[str, float]], "Robot"] | None = field(default=None, repr=False)
 
     @cached_property
     def data(self) -> pin.Data:

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import atan2
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from robotics1.inputs import Array, one_of, real_array
 from robotics1.kinematics import frame_jacobian
 from robotics1.robot.model import Robot
 from robotics1.tasks.position import AXES
-from robotics1.tasks.task import FrameTask, wrapped
+from robotics1.tasks.task import FrameTask, angle_of, wrapped
 
 
 @dataclass(frozen=True)
@@ -46,7 +45,7 @@ class PlanarPoseTask(FrameTask):
     def g(self, p: Array, R: Array) -> Array:
         """Return (p·a, p·b, atan2(x·b, x·a)), (3,)."""
         a, b = (AXES.index(axis) for axis in self.plane)
-        return np.array([p[a], p[b], atan2(R[b, 0], R[a, 0])])
+        return np.array([p[a], p[b], angle_of(R[b, 0], R[a, 0])])
 
     def S(self, p: Array, R: Array) -> Array:
         """Return the rows a·v, b·v, n·ω, (3, 6)."""

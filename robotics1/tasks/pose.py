@@ -58,7 +58,9 @@ class PoseTask(FrameTask):
         return ("m",) * 3 + ("rad",) * 3
 
     def g(self, p: Array, R: Array) -> pin.SE3:
-        """Return T."""
+        """Return T; of formulas, its homogeneous matrix (4, 4)."""
+        if R.dtype == object:
+            return np.vstack([np.column_stack([R, p]), [0, 0, 0, 1]])
         return pin.SE3(R, p)
 
     def S(self, p: Array, R: Array) -> Array:
