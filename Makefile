@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 INSTALLED := .venv/installed
 
-.PHONY: exam test check notebooks coverage clean
+.PHONY: exam test check notebooks coverage fuzz clean
 
 exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every published value
 	$(BIN)/robotics1 exam
@@ -27,6 +27,9 @@ $(INSTALLED): pyproject.toml constraints.txt
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev]'
 	touch $@
+
+fuzz: $(INSTALLED)  ## 100 000 mutants of robot files, in child processes
+	$(BIN)/python tests/mutations.py --count 100000 --seed 1
 
 clean:
 	rm -rf .venv build dist exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -147,8 +148,11 @@ def _limits(rate_limits: npt.ArrayLike | None, n: int) -> Array:
     """Return the largest |q̇| of each joint; infinity, as a robot says it, and None are no limit."""
     if rate_limits is None:
         return np.full(n, np.inf)
-    unlimited = np.equal(rate_limits, np.inf)
-    finite = _non_negative("rate_limits", np.where(unlimited, 0.0, rate_limits), n)
+    several = np.iterable(rate_limits) and not isinstance(rate_limits, str)
+    listed: list[Any] = list(rate_limits) if several else [rate_limits] * n  # type: ignore[arg-type]
+    unlimited = np.array([isinstance(value, float) and value == np.inf for value in listed], dtype=bool)
+    bounded = [0.0 if none else value for value, none in zip(listed, unlimited, strict=True)]
+    finite = _non_negative("rate_limits", bounded, n)
     return np.where(unlimited, np.inf, finite)
 
 

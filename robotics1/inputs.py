@@ -1,7 +1,7 @@
 """What a caller hands in, checked once at the door: arrays of the right size, numbers that are numbers."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,7 @@ def real_array(name: str, value: npt.ArrayLike, shape: tuple[int | None, ...], m
         if np.iscomplexobj(raw) or raw.dtype.kind in "USMm":
             raise TypeError
         array = np.array(raw, dtype=float)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InputError(f"{name} must be an array of real numbers of shape {wanted}, not {value!r}") from error
     if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape, strict=True)):
         raise InputError(f"{name} must have shape {wanted}; it has shape {array.shape}")
@@ -43,7 +43,7 @@ def real_number(name: str, value: Any, *, positive: bool = False, non_negative: 
     kind = "a positive" if positive else "a non-negative" if non_negative else "a finite"
     try:
         number = float(value)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InputError(f"{name} must be {kind} number, not {value!r}") from error
     if not math.isfinite(number) or (positive and number <= 0) or (non_negative and number < 0):
         raise InputError(f"{name} must be {kind} number; it is {number}")
@@ -61,13 +61,51 @@ def counting_number(name: str, value: Any, *, least: int = 0) -> int:
     return int(value)
 
 
+def by_name(name: str, value: Any, example: str) -> dict[str, Any]:
+    """Return a mapping from names as a dict; None is an empty one.
+
+    Raises:
+        InputError: it is no mapping.
+    """
+    if value is None:
+        return {}
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name} must be a mapping such as {example}; it is {value!r}")
+    for key in value:
+        text(f"a name in {name}", key)
+    return dict(value)
+
+
+def text(name: str, value: Any) -> str:
+    """Return `value` if it is a text.
+
+    Raises:
+        InputError: it is none.
+    """
+    if not isinstance(value, str):
+        raise InputError(f"{name} must be a text, not {value!r}")
+    return value
+
+
+def dimensions(name: str, value: npt.ArrayLike) -> int:
+    """Return the number of dimensions of an array.
+
+    Raises:
+        InputError: its rows differ in length, so that it is no array.
+    """
+    try:
+        return np.ndim(value)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} must be an array of numbers; it is {value!r}") from error
+
+
 def per_joint(name: str, value: npt.ArrayLike, n: int) -> Array:
     """Return `value` as (n,): one number for all joints, or one for each.
 
     Raises:
         InputError: it is neither.
     """
-    if np.ndim(value) == 0:
+    if dimensions(name, value) == 0:
         return np.full(n, real_number(name, value))
     return real_array(name, value, (n,), "one number for each joint")
 
@@ -78,6 +116,6 @@ def one_of(name: str, value: str, choices: Sequence[str]) -> str:
     Raises:
         InputError: it is not.
     """
-    if value not in choices:
+    if not isinstance(value, str) or value not in choices:
         raise InputError(f"{name} must be one of {', '.join(map(repr, choices))}; it is {value!r}")
     return value

@@ -51,7 +51,7 @@ def frame_jacobian(robot: Robot, q: npt.ArrayLike, *, frame: str | None = None, 
     number = robot.frame_id(frame)
     J = pin.computeFrameJacobian(robot.model, robot.data, q, number, pin.LOCAL_WORLD_ALIGNED)
     J = J.reshape(6, robot.nv)  # Pinocchio drops the second axis of a single column
-    if reference != "world":
+    if not _is(reference, "world"):
         R = reference_axes(robot, q, reference)
         J = np.vstack([R.T @ J[:3], R.T @ J[3:]])
     return np.asarray(J)
@@ -63,9 +63,9 @@ def reference_axes(robot: Robot, q: npt.ArrayLike, reference: str) -> Array:
     Raises:
         UnknownNameError: there is no such frame.
     """
-    if reference == "world":
+    if _is(reference, "world"):
         return np.eye(3)
-    frame = None if reference == "tool" else reference
+    frame = None if _is(reference, "tool") else reference
     return np.array(forward_kinematics(robot, q, frame=frame).rotation)
 
 
@@ -79,3 +79,8 @@ def configuration_derivative(f: Callable[[Array], Array], robot: Robot, q: npt.A
     ahead = [f(pin.integrate(robot.model, q, step)) for step in steps]
     back = [f(pin.integrate(robot.model, q, -step)) for step in steps]
     return np.stack([(a - b) / (2 * STEP) for a, b in zip(ahead, back, strict=True)], axis=-1)
+
+
+def _is(reference: str, name: str) -> bool:
+    """Whether a reference is this name; what is no text at all is none, and is refused with the unknown frames."""
+    return isinstance(reference, str) and reference == name

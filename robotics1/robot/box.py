@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, by_name, real_array
 from robotics1.robot.model import Robot
 
 TURN = 2 * np.pi
@@ -59,7 +59,7 @@ def joint_box(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None
     lower, upper = robot.lower, robot.upper
     circular = robot.revolute & (upper - lower >= TURN - 1e-9)
     lower[circular], upper[circular] = -np.pi, np.pi
-    for name, interval in (box or {}).items():
+    for name, interval in by_name("box", box, "{'q1': (-1, 1)}").items():
         if name not in robot.joint_names:
             raise UnknownNameError("joint named", name, robot.joint_names)
         i = robot.joint_names.index(name)

@@ -86,7 +86,7 @@ def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
         if limit.get(attribute) is None:
             findings.error(joint, f"has a <limit> without {attribute}", limit)
             continue
-        value = findings.numbers(joint, limit, attribute)
+        value = findings.numbers(joint, limit, attribute, largest=math.inf)
         if value is not None and value[0] < 0:
             findings.error(joint, f"has a negative {attribute} limit, {value[0]:g}", limit)
     lower, upper = (findings.numbers(joint, limit, name) for name in ("lower", "upper"))

@@ -11,9 +11,8 @@ import pinocchio as pin
 
 from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
-from robotics1.robot.checking import check_urdf
 from robotics1.robot.findings import Finding
-from robotics1.robot.loading import robot_from_text, urdf_text
+from robotics1.robot.loading import findings_of, robot_from_text, urdf_text
 from robotics1.robot.markup import parse_xml
 from robotics1.robot.model import Robot
 from robotics1.robot.sources import robot_file
@@ -68,7 +67,7 @@ def examine(
     try:
         source_text = path.read_text(encoding="utf-8", errors="replace")
         text, _ = urdf_text(source_text, path, parameters or {}, folders, trusted=trusted)
-        findings = check_urdf(parse_xml(text, path))
+        findings = findings_of(parse_xml(text, path), path)
         errors, warnings = tuple(findings.errors), tuple(findings.warnings)
         if errors:
             return Examination(path, errors, warnings, None, None)

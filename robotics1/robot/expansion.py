@@ -42,10 +42,11 @@ def expand_xacro(
             for argument in document.getElementsByTagName("xacro:arg"):
                 if not argument.hasAttribute("default"):
                     argument.setAttribute("default", "")  # xacro wants one; a value is there by now
-            xacro.process_doc(document, mappings={name: repr(value) for name, value in values.items()})
+            xacro.process_doc(document, mappings={name: _as_text(value) for name, value in values.items()})
         except Exception as error:  # xacro raises whatever its evaluation of the file ran into
             message = " ".join(str(error).split())
-            raise RobotFileError(f"xacro cannot expand it: {message}", path=path) from error
+            where = "" if xacro.filestack[-1] in (None, str(path)) else f" {Path(xacro.filestack[-1]).name}:"
+            raise RobotFileError(f"xacro cannot expand it:{where} {message}", path=path) from error
     numbers = {name: float(default) for name, default in declared.items() if _is_number(default)}
     return document.toprettyxml(indent="  "), numbers | values
 
@@ -53,6 +54,11 @@ def expand_xacro(
 def declared_arguments(text: str, path: Path) -> dict[str, str]:
     """Return name → default (text) of the `xacro:arg` elements of a text."""
     return {arg.get("name", ""): arg.get("default", "") for arg in parse_xml(text, path).iter("xacro:arg")}
+
+
+def _as_text(value: float) -> str:
+    """Return a value as it is put into the file; a whole number without a point, so that it serves in a condition."""
+    return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
 
 
 def _is_number(text: str) -> bool:

@@ -1,11 +1,13 @@
 """What a check of a robot file finds, and the small readings that all checks share."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from robotics1.errors import RobotFileError
 from robotics1.robot.markup import Element
+
+LARGEST = 1e18  # of lengths, angles and factors: sums and products of a few of them stay finite
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,9 @@ class Findings:
         line = (owner if at is None else at).line
         self.found.append(Finding(severe, f"{owner.label} {message}", line, owner.get("name")))
 
-    def numbers(self, owner: Element, element: Element, attribute: str, count: int = 1) -> list[float] | None:
+    def numbers(
+        self, owner: Element, element: Element, attribute: str, count: int = 1, largest: float = LARGEST
+    ) -> list[float] | None:
         """Return the numbers of an attribute, or None when it is absent or wrong, which is then said."""
         text = element.get(attribute)
         if text is None:
@@ -54,6 +58,8 @@ class Findings:
         try:
             values = [float(part) for part in text.split()]
         except ValueError:
+            values = []
+        if "_" in text or not text.isascii():  # Python reads 1_0 as 10, and digits of every script; urdfdom does not
             values = []
         where = "" if element is owner else f" of its <{element.tag}>"
         if len(values) != count:
@@ -63,7 +69,14 @@ class Findings:
         if not all(math.isfinite(value) for value in values):
             self.error(owner, f"has {text!r} in {attribute}{where}; numbers must be finite", element)
             return None
+        if max(map(abs, values)) > largest:
+            self.error(owner, f"has {text!r} in {attribute}{where}; at most {largest:g} can be computed with", element)
+            return None
         return values
+
+    def without_lines(self) -> "Findings":
+        """Return the same without lines: those of an expanded xacro are not those of its file."""
+        return Findings([replace(finding, line=None) for finding in self.found])
 
     @property
     def errors(self) -> list[Finding]:

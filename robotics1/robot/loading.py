@@ -9,9 +9,11 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import InputError, RobotFileError, UnknownNameError
+from robotics1.inputs import by_name
 from robotics1.robot.checking import check_urdf
 from robotics1.robot.expansion import expand_xacro
-from robotics1.robot.markup import parse_xml
+from robotics1.robot.findings import Findings
+from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
 from robotics1.robot.model import Robot, frame_number, tips
 from robotics1.robot.ordering import leaders_first, numbered, unnumbered
@@ -86,7 +88,9 @@ def robot_from_text(
     The path says where the text comes from, for messages and for the files it names. The other arguments and the
     errors are those of `load_robot`.
     """
-    folders = [Path(folder) for folder in packages]
+    folders = _folders(packages)
+    trusted = trusted is True
+    values_at = by_name("locked", locked, "{'q1': 0.5}")
 
     def variant(other: Mapping[str, float]) -> Robot:
         return robot_from_text(
@@ -94,13 +98,14 @@ def robot_from_text(
         )
 
     source = text
-    text, values = urdf_text(text, path, parameters or {}, folders, trusted=trusted)
+    given = by_name("parameters", parameters, "{'l2': 0.5}")
+    text, values = urdf_text(text, path, given, folders, trusted=trusted)
     root = parse_xml(text, path)
-    findings = check_urdf(root)
+    findings = findings_of(root, path)
     findings.stop(path)
     warnings = [str(finding) for finding in findings.warnings]
     warnings += [f"mesh {name!r} was not found" for name in find_meshes(root, path, folders)]
-    lock(root, locked or {})
+    lock(root, values_at)
     unlimited = clean(root)
     if base is not None:
         rebase(root, base, tool)
@@ -117,6 +122,20 @@ def robot_from_text(
         tuple(warnings),
         variant if values else None,
     )
+
+
+def _folders(packages: Iterable[str | Path]) -> list[Path]:
+    listed = [packages] if isinstance(packages, str | Path) else packages
+    try:
+        return [Path(folder) for folder in listed]
+    except TypeError as error:
+        raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
+
+
+def findings_of(root: Element, path: Path) -> Findings:
+    """Return what is wrong with a URDF; of an expanded xacro, without lines."""
+    findings = check_urdf(root)
+    return findings.without_lines() if path.suffix == ".xacro" else findings
 
 
 def urdf_text(

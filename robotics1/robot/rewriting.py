@@ -61,7 +61,7 @@ def rebase(root: ET.Element, base: str, tool: str | None) -> None:
     joints = root.findall("joint")
     above = {linked(joint, "child"): joint for joint in joints}
     links = [link.get("name", "") for link in root.findall("link")]
-    if base not in links:
+    if not isinstance(base, str) or base not in links:
         raise UnknownNameError("link named", base, links)
     T = pin.SE3.Identity()  # of the base in the root, while all joints up to it are fixed
     link: str | None = base

@@ -1,5 +1,6 @@
 """What a xacro may reach: packages in known folders; YAML files and the environment only when it is trusted."""
 
+import ast
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -7,6 +8,7 @@ from typing import Any, NoReturn
 
 from robotics1.robot.meshes import PACKAGE, find_file, find_package
 
+INSIDE = ("_", "gi_", "cr_", "ag_", "f_", "co_", "tb_")  # beginnings of names that lead into the interpreter
 Exchange = tuple[dict[str, Any], str, Callable[..., Any]]  # a table, a key, and what stands there meanwhile
 
 
@@ -70,9 +72,29 @@ def _refusals() -> list[Exchange]:
         (vars(substitution_args), "_eval_optenv", _refuse("$(optenv)")),
         (substitution_args._eval_dict, "env", _refuse("$(env)")),
         (substitution_args._eval_dict, "optenv", _refuse("$(optenv)")),
+        (vars(xacro), "safe_eval", _plain_expressions(xacro.safe_eval)),
         (symbols, "load_yaml", _refuse("load_yaml")),
         (symbols["xacro"], "load_yaml", _refuse("load_yaml")),
     ]
+
+
+def _plain_expressions(evaluate: Callable[..., Any]) -> Callable[..., Any]:
+    """Return xacro's evaluation of an expression, for expressions that stay away from Python's inside.
+
+    xacro itself looks for names with "__" at the top of an expression only, not in what is nested in it.
+    """
+
+    def checked(expression: str, *rest: Any) -> Any:
+        tree = ast.parse(expression.strip(), mode="eval")
+        for node in ast.walk(tree):
+            name = str(getattr(node, "attr", getattr(node, "id", "")))
+            if isinstance(node, ast.Lambda) or name.startswith(INSIDE) or name in ("format", "format_map", "mro"):
+                raise NotAllowed(
+                    f"the expression {expression.strip()!r} uses {name or 'a lambda'}; trusted=True allows it"
+                )
+        return evaluate(expression, *rest)
+
+    return checked
 
 
 def _refuse(what: str) -> Callable[..., NoReturn]:

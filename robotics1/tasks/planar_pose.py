@@ -30,6 +30,7 @@ class PlanarPoseTask(FrameTask):
 
     def __post_init__(self) -> None:
         """Refuse a plane that is none of the three."""
+        super().__post_init__()
         one_of("plane", self.plane, ("xy", "xz", "yz"))
 
     @property

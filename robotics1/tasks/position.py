@@ -24,6 +24,7 @@ class PositionTask(FrameTask):
 
     def __post_init__(self) -> None:
         """Refuse axes that are not distinct letters of "xyz"."""
+        super().__post_init__()
         letters = self.axes if isinstance(self.axes, str) else ""
         if not letters or len(set(letters)) != len(letters) or not set(letters) <= set(AXES):
             raise InputError(f"axes must be distinct letters of 'xyz', such as 'xy'; it is {self.axes!r}")

@@ -10,7 +10,7 @@ import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.errors import TaskError
-from robotics1.inputs import Array
+from robotics1.inputs import Array, text
 from robotics1.kinematics import forward_kinematics, frame_jacobian, reference_axes
 from robotics1.robot.model import Robot
 
@@ -64,6 +64,12 @@ class FrameTask:
 
     frame: str | None = None
     reference: str = "world"
+
+    def __post_init__(self) -> None:
+        """Refuse axes and a frame that are no names."""
+        text("reference", self.reference)
+        if self.frame is not None:
+            text("frame", self.frame)
 
     @property
     @abstractmethod

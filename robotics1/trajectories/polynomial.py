@@ -2,13 +2,14 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 from numpy.polynomial import polynomial
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, per_joint, real_array, real_number
+from robotics1.inputs import Array, dimensions, per_joint, real_array, real_number
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +30,7 @@ class PolynomialTrajectory:
         Raises:
             InputError: a time is outside the trajectory.
         """
-        times = real_array("t", t, (None,) * np.ndim(t), "seconds")
+        times = real_array("t", t, (None,) * dimensions("t", t), "seconds")
         if times.size and (times.min() < -1e-9 * self.duration or times.max() > (1 + 1e-9) * self.duration):
             raise InputError(f"t must be in [0, {self.duration:g}] s; it is {times.tolist()}")
         return np.moveaxis(polynomial.polyval(times / self.duration, self.coefficients), 0, -1)
@@ -91,9 +92,15 @@ def cubic(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.1.
     """
-    q0 = real_array("q0", np.atleast_1d(q0), (None,), "one number for each joint")
-    q1 = real_array("q1", np.atleast_1d(q1), q0.shape, "one number for each joint")
+    q0 = _numbers("q0", q0, None)
+    q1 = _numbers("q1", q1, len(q0))
     T = real_number("duration", duration, positive=True)
     v0, v1 = per_joint("v0", v0, len(q0)), per_joint("v1", v1, len(q0))
     delta = q1 - q0
     return PolynomialTrajectory(np.array([q0, v0 * T, 3 * delta - (2 * v0 + v1) * T, -2 * delta + (v0 + v1) * T]), T)
+
+
+def _numbers(name: str, value: npt.ArrayLike, n: int | None) -> Array:
+    """Return one number for each joint, (n,); a single number is one joint's."""
+    listed: Any = [value] if dimensions(name, value) == 0 else value
+    return real_array(name, listed, (n,), "one number for each joint")
