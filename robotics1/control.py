@@ -150,7 +150,7 @@ def _limits(rate_limits: npt.ArrayLike | None, n: int) -> Array:
         return np.full(n, np.inf)
     several = np.iterable(rate_limits) and not isinstance(rate_limits, str)
     listed: list[Any] = list(rate_limits) if several else [rate_limits] * n  # type: ignore[arg-type]
-    unlimited = np.array([isinstance(value, float) and value == np.inf for value in listed], dtype=bool)
+    unlimited = np.array([isinstance(value, float | np.floating) and value == np.inf for value in listed], dtype=bool)
     bounded = [0.0 if none else value for value, none in zip(listed, unlimited, strict=True)]
     finite = _non_negative("rate_limits", bounded, n)
     return np.where(unlimited, np.inf, finite)

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
+from robotics1.errors import UnknownNameError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 
@@ -65,6 +66,8 @@ def reference_axes(robot: Robot, q: npt.ArrayLike, reference: str) -> Array:
     """
     if _is(reference, "world"):
         return np.eye(3)
+    if reference is None:
+        raise UnknownNameError("reference named", reference, ("world", "tool", *robot.frame_names))
     frame = None if _is(reference, "tool") else reference
     return np.array(forward_kinematics(robot, q, frame=frame).rotation)
 

@@ -207,7 +207,7 @@ def test_an_unknown_frame_lists_the_frames(prr, call, frame):
     assert caught.value.candidates == ("base", "link1", "link2", "link3", "tool")
 
 
-@pytest.mark.parametrize("reference", ["tol", "World", 0])
+@pytest.mark.parametrize("reference", ["tol", "World", 0, None])
 def test_an_unknown_reference_is_refused(prr, reference):
     with pytest.raises(UnknownNameError):
         frame_jacobian(prr, [1, 2, 3], reference=reference)

@@ -91,7 +91,7 @@ class Robot:
 
     @cached_property
     def revolute(self) -> npt.NDArray[np.bool_]:
-        """(nv,) True where q is an angle, False where it is a length."""
+        """One entry for each of `joint_names`: True where its coordinate is an angle, False where it is a length."""
         kinds = [self.model.joints[i].shortname().removeprefix("JointModel") for i in self._own_joints]
         return np.array([kind.startswith("R") for kind in kinds])
 

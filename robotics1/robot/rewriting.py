@@ -137,7 +137,9 @@ def _hanging_from(base: str, joints: list[ET.Element]) -> set[str]:
 def _put_world_at(root: ET.Element, old: str, T: pin.SE3) -> None:
     """Hang the old root on a new one, which has the axes of the base."""
     names = {element.get("name") for element in root}
-    world = next(name for name in ("world", "base_axes", "robotics1_world") if name not in names)
+    world = "world"
+    while world in names:
+        world += "_"
     joint = ET.SubElement(root, "joint", name=f"{world}_to_{old}", type="fixed")
     ET.SubElement(joint, "parent", link=world)
     ET.SubElement(joint, "child", link=old)
