@@ -1,9 +1,9 @@
 """The public names and where they are; `__init__.py` reads this file, and so do type checkers."""
 
-from .analysis.singularity import (
+from .analysis.singular_set import (
     SingularBranch as SingularBranch,
 )
-from .analysis.singularity import (
+from .analysis.singular_set import (
     SingularSet as SingularSet,
 )
 from .analysis.singularity import (

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
-from robotics1.analysis.singularity import SingularBranch
+from robotics1.analysis.singular_set import SingularBranch
 from robotics1.inputs import Array
 
 ENOUGH = 50  # samples of a branch

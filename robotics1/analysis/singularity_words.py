@@ -7,7 +7,7 @@ from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
 
 if TYPE_CHECKING:
-    from robotics1.analysis.singularity import SingularBranch, SingularSet
+    from robotics1.analysis.singular_set import SingularBranch, SingularSet
 
 
 def set_sentences(found: "SingularSet") -> str:

@@ -5,7 +5,8 @@ from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 
-from robotics1.analysis.singularity import SingularSet, find_singularities
+from robotics1.analysis.singular_set import SingularSet
+from robotics1.analysis.singularity import find_singularities
 from robotics1.analysis.spaces import Subspaces, subspaces
 from robotics1.analysis.statics import balancing_torque
 from robotics1.control import GainChoice, smallest_gain
