@@ -145,6 +145,18 @@ def test_rotations_by_thirds_and_quarters_are_exact():
     assert sympy.simplify(R[2, 2] - sympy.sqrt(2) / 2) == 0
 
 
+@pytest.mark.parametrize("k", range(-23, 24, 2))
+def test_a_turn_by_k_twelfths_of_pi_is_exact(k):
+    robot = robot_from_dh([("R", 0, 0, 0, k * pi / 12)])
+    x = formulas(robot, OrientationTask()).value[:, 0].subs(q1, 0)
+    wanted = sympy.Matrix([cos(k * sympy.pi / 12), sin(k * sympy.pi / 12), 0])
+    assert [sympy.simplify(entry) for entry in x - wanted] == [
+        0,
+        0,
+        0,
+    ]
+
+
 @pytest.mark.parametrize("name", ["spatial", "six_r", "vertical_2r", "one_joint", "anthropomorphic"])
 @pytest.mark.parametrize("reference", ["world", "tool"])
 def test_the_pose_jacobian_of_every_test_arm_is_pinocchios(name, reference):

@@ -188,19 +188,13 @@ class Chain:
             return self.frequencies.constant(ring(QQ_I(_rational(np.cos(angle)), _rational(np.sin(angle)))))
         root2, root3 = (ring(sympy.Symbol(name)) for name in ROOTS)
         i = ring(QQ_I(0, 1))
-        eighth = root2 * (1 + i) / 2
-        twelfth = (root3 + i) / 2
-        # exp(iπ/12) = exp(iπ/4) exp(−iπ/6)
-        value = self.frequencies.constant(1)
-        step = self.frequencies.constant(eighth) * self.frequencies.constant((root3 - i) / 2)
-        quarter, rest = divmod(k % 24, 6)
-        value = value * self.frequencies.constant(i**quarter)
-        exact = {0: None, 2: twelfth, 3: eighth, 4: twelfth**2}
-        if rest in exact:
-            return value if exact[rest] is None else value * self.frequencies.constant(exact[rest])
+        # exp(iπ/12) = exp(iπ/4) exp(−iπ/6); products reduce √2² and √3²
+        step = self.frequencies.constant(root2 * (1 + i) / 2) * self.frequencies.constant((root3 - i) / 2)
+        quarters, rest = divmod(k % 24, 6)
+        turn = self.frequencies.constant(i**quarters)
         for _ in range(rest):
-            value = value * step
-        return value
+            turn = turn * step
+        return turn
 
     def _rotation(self, axis: Array, turn: Laurent) -> Matrix:
         """Return R = n nᵀ + (1 − n nᵀ) cos + [n]× sin, with exp(i angle) = turn."""

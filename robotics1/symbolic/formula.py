@@ -1,6 +1,6 @@
 """Formulas of a task: its value, its Jacobian, determinant and minors, in SymPy, checked against Pinocchio."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -215,8 +215,3 @@ def _expressions(M: Matrix, groups: Groups) -> Matrix:
 
 def _plain(value: Any) -> Array:
     return value.homogeneous if isinstance(value, pin.SE3) else np.asarray(value)
-
-
-def symbols_of(robot: Robot) -> Mapping[str, sympy.Symbol]:
-    """Return the symbols of the robot's named parameters."""
-    return {name: sympy.Symbol(name, real=True) for name in robot.parameters}
