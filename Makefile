@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 INSTALLED := .venv/installed
 
-.PHONY: exam test check notebooks coverage fuzz clean
+.PHONY: exam test check notebooks coverage fuzz bench clean
 
 exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every published value
 	$(BIN)/robotics1 exam
@@ -30,6 +30,9 @@ $(INSTALLED): pyproject.toml constraints.txt
 
 fuzz: $(INSTALLED)  ## 100 000 mutants of robot files, in child processes
 	$(BIN)/python tests/mutations.py --count 100000 --seed 1
+
+bench: $(INSTALLED)  ## benchmarks beside the peers; writes benchmarks/results
+	$(BIN)/python benchmarks/formulas.py
 
 clean:
 	rm -rf .venv build dist exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

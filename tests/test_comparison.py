@@ -1,4 +1,5 @@
 import pytest
+from sympy import Symbol, sin
 
 from robotics1.exams.comparison import Comparison, agreement
 
@@ -33,11 +34,14 @@ def test_an_erratum_is_a_known_wrong_sign_and_nothing_else():
     assert [check.name for check in comparison.failures()] == ["b", "d"]
 
 
-def test_a_formula_holds_when_it_holds_at_every_draw():
+def test_a_formula_holds_when_it_is_equal_in_symbols_and_its_text_is_kept():
+    x = Symbol("x", real=True)
     comparison = Comparison()
-    comparison.formula("1", "right", "x", lambda seed: [1e-13, -1e-13])
-    comparison.formula("1", "wrong at one draw", "x", lambda seed: 1e-11 if seed == 13 else 0.0)
+    comparison.formula("1", "right", "2*sin(x)*cos(x)", sin(2 * x))
+    comparison.formula("1", "wrong by little", "sin(x)*1.000000001", sin(x))
     assert [check.agreement for check in comparison.checks] == ["formula", None]
+    assert [check.computed for check in comparison.checks] == ["sin(2*x)", "sin(x)"]
+    assert [check.printed for check in comparison.failures()] == ["sin(x)*1.000000001"]
 
 
 def test_two_checks_of_one_name_and_rows_of_other_lengths_are_refused():

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from robotics1 import find_singularities, load_robot
 from robotics1.cli.commands import app
 from robotics1.exams import exam_2025_01_13 as exam
 from robotics1.exams.checks_2025_01_13 import compare
+from robotics1.exams.formulas_2025_01_13.exercise_1 import formulas_1
 from robotics1.exams.worked_2025_01_13 import work_exam
 
 
@@ -21,8 +21,9 @@ def worked(tmp_path_factory):
 def test_every_published_value_is_reproduced_and_only_two_signs_are_print_errors(worked):
     checks = worked.comparison.checks
     assert worked.comparison.failures() == []
-    assert len(checks) == 193
-    assert len({check.name for check in checks}) == 193
+    assert len(checks) == 207
+    assert len({check.name for check in checks}) == 207
+    assert sum(check.agreement == "formula" for check in checks) == 29
     errata = [check.name for check in checks if check.agreement == "erratum"]
     assert errata == ["table 1, k=0, p[3]", "table 1, k=1, p[2]"]
     assert {check.agreement for check in checks} == {"rounded", "truncated", "formula", "erratum"}
@@ -33,9 +34,10 @@ def test_a_wrong_answer_is_not_reproduced(worked):
     one, two, three = worked.one, worked.two, worked.three
     shifted = replace(two, a=replace(two.a, q=two.a.q + 1e-3))
     turned = replace(three, right=three.left)
-    fewer = replace(one, point=find_singularities(load_robot("prr"), exam.POINT, samples=1))
+    fewer = replace(one, point=replace(one.point, branches=one.point.branches[1:]))
     for wrong in ((one, shifted, three), (one, two, turned), (fewer, two, three)):
-        assert compare(*wrong).failures()
+        assert compare(*wrong, worked.tables).failures()
+    assert compare(fewer, two, three, [formulas_1(fewer)]).failures()[0].name == "p is singular where"
 
 
 def test_exercise_1_holds_in_the_singular_configuration_with_positive_joint_values(worked):
@@ -52,14 +54,21 @@ def test_exercise_3_feedback_recovers_a_small_error_and_a_large_one_wants_replan
 def test_the_command_prints_the_answers_and_writes_figures_and_pages(tmp_path):
     result = CliRunner().invoke(app, ["exam", "--out", str(tmp_path / "out")])
     assert result.exit_code == 0
-    assert "193 of 193 published values and formulas are reproduced" in result.stdout
+    assert "207 of 207 published values and formulas are reproduced" in result.stdout
     assert "SINGULAR after 1 iteration" in result.stdout
+    assert "determinant of Jᵣ: det(Jᵣ) = l₂⋅cos(q₂)\n" in result.stdout
+    assert (
+        "\n    Jₛ = ⎢               ⎥\n         ⎣0     0      0 ⎦\n    = (1, -0.2000, 0.4000), (0, 0, 0)\n"
+        in result.stdout
+    )
+    assert max(len(line.rstrip()) for line in result.stdout.splitlines() if not line.startswith("wrote")) <= 80
     written = sorted(path.name for path in (tmp_path / "out").iterdir())
     assert written == [
         "figure-2-right-arm-joints.svg",
         "figure-3-right-arm-path.svg",
         "figure-4-left-arm-joints.svg",
         "figure-5-left-arm-path.svg",
+        "formulas.html",
         "rendezvous-left-arm.html",
         "rendezvous-right-arm.html",
     ]
@@ -69,8 +78,10 @@ def test_the_command_gives_json_of_the_agreed_form(tmp_path):
     result = CliRunner().invoke(app, ["exam", "--json", "--out", str(tmp_path)])
     answer = json.loads(result.stdout)
     assert set(answer) == {"checks", "files"}
+    (det,) = (check for check in answer["checks"] if check["name"] == "determinant of Jᵣ")
+    assert (det["printed"], det["computed"], det["agreement"]) == ("l2*cos(q2)", "l2*cos(q2)", "formula")
     assert all(set(check) == {"exercise", "name", "printed", "computed", "agreement"} for check in answer["checks"])
-    assert len(answer["files"]) == 6
+    assert len(answer["files"]) == 7
 
 
 def test_the_command_exits_with_1_when_a_value_does_not_hold(tmp_path, monkeypatch):

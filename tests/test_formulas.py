@@ -9,7 +9,6 @@ from sympy import cos, sin
 
 from robotics1 import (
     FormulaError,
-    FunctionTask,
     OrientationTask,
     PlanarPoseTask,
     PoseTask,
@@ -20,7 +19,7 @@ from robotics1 import (
     load_robot,
     robot_from_dh,
 )
-from robotics1.symbolic import formula as module
+from robotics1.symbolic import composition, reading
 
 H = pi / 2
 q1, q2, q3, q4, q5 = sympy.symbols("q1:6", real=True)
@@ -188,15 +187,25 @@ def test_angles_that_are_rounded_in_the_file_are_made_exact_and_that_is_said(tmp
     assert f.cleaned == pytest.approx(1.5708 - H, abs=1e-12)
 
 
-def test_a_formula_that_differs_from_pinocchio_is_an_error_and_no_answer(monkeypatch):
-    monkeypatch.setattr(module, "written", lambda f, groups, write=module.written: 2 * write(f, groups))
-    with pytest.raises(FormulaError, match="the formula of J differs from Pinocchio"):
-        formulas(load_robot("planar_2r"), PositionTask("xy"))
+@pytest.mark.parametrize("name", ["value", "jacobian", "determinant", "jacobian_rate", "velocity_product"])
+def test_a_formula_that_differs_from_pinocchio_is_an_error_and_no_answer(monkeypatch, name):
+    monkeypatch.setattr(composition, "written", lambda f, groups, write=composition.written: 2 * write(f, groups))
+    monkeypatch.setattr(reading, "written_product", lambda f, groups: 2)
+    with pytest.raises(FormulaError, match=r"the formula of .* differs from Pinocchio by"):
+        getattr(formulas(load_robot("planar_2r"), PositionTask("xy")), name)
 
 
-def test_what_formulas_cannot_tell_is_a_typed_error(planar_2r):
-    with pytest.raises(FormulaError, match="not for a function of the user's own"):
-        formulas(planar_2r, FunctionTask(lambda p, R, q: p[:1], 1))
+@pytest.mark.parametrize("n", [4, 6, 11])
+def test_the_angle_of_a_planar_nr_is_the_sum_of_its_joints_whole_turns_apart(n):
+    """Where it is tried, the sum leaves (−π, π], in which Pinocchio's angle is told."""
+    f = formulas(robot_from_dh([("R", 0.3, 0, 0, 0)] * n), PlanarPoseTask())
+    assert f.value[2] == sum(f.q)
+    assert max(abs(sum(point.q)) for point in f._trials.points) > pi
+
+
+def test_what_formulas_cannot_tell_is_a_typed_error():
+    with pytest.raises(FormulaError, match="for tasks on a frame and for FunctionTask, not for 'pose'"):
+        formulas(load_robot("planar_2r"), "pose")
     with pytest.raises(TaskError, match="leaves the xy plane"):
         formulas(load_robot("cylindrical"), PlanarPoseTask())
     long = robot_from_dh([("R", 0.1, 0, 0, 0)] * 40)
@@ -224,3 +233,9 @@ def test_the_value_of_a_pose_is_its_homogeneous_matrix(planar_2r):
     assert T[0, 0] == cos(q1 + q2)
     assert list(T[3, :]) == [0, 0, 0, 1]
     assert isinstance(PoseTask().value(planar_2r, [0, 0]), pin.SE3)
+
+
+def test_gram_determinant_of_a_wide_jacobian_is_the_sum_of_the_squares_of_the_minors():
+    f = formulas(load_robot("prr"), PositionTask("xy"))
+    assert sympy.simplify(f.gram_determinant - sum(minor**2 for minor in f.minors.values())) == 0
+    assert formulas(load_robot("prr"), PlanarPoseTask("xy")).gram_determinant == lengths("l2") ** 2 * cos(q2) ** 2

@@ -12,7 +12,8 @@ from differences import twist
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from robotics1 import InputError, UnknownNameError, forward_kinematics, frame_jacobian
+from robotics1 import InputError, UnknownNameError, forward_kinematics, frame_jacobian, frame_jacobian_rate
+from robotics1.kinematics import configuration_derivative, directional_derivative
 
 FRAMES = {"two_tips": "camera"}  # which frame, where there is no tool
 
@@ -239,3 +240,94 @@ def test_whole_turns_of_revolute_joints_change_nothing(spatial, turns):
     q = random_q(spatial, 2)
     moved = q + 2 * pi * turns * spatial.revolute
     assert pose(spatial, moved) == pytest.approx(pose(spatial, q), abs=1e-13)
+
+
+# --- J̇
+
+
+def along(f, q, qdot, h=2e-3):
+    """df(q)/dt while q moves with q̇, by central differences of fourth order."""
+    return (8 * (f(q + h * qdot) - f(q - h * qdot)) - (f(q + 2 * h * qdot) - f(q - 2 * h * qdot))) / (12 * h)
+
+
+def rates(robot, seed):
+    return np.random.default_rng(seed).normal(size=robot.nv)
+
+
+@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("reference", ["world", "tool", "other"])
+def test_jacobian_rate_is_the_derivative_of_the_jacobian_in_any_axes(name, reference):
+    robot, frame = arm(name), FRAMES.get(name)
+    q, qdot = random_q(robot, 5), rates(robot, 6)
+    if reference == "tool" and frame:
+        reference = frame
+    reference = robot.frame_names[1] if reference == "other" else reference
+    rate = frame_jacobian_rate(robot, q, qdot, frame=frame, reference=reference)
+    assert rate.shape == (6, robot.nv)
+    expected = along(lambda x: frame_jacobian(robot, x, frame=frame, reference=reference), q, qdot)
+    assert rate == pytest.approx(expected, abs=1e-9)
+
+
+@given(configurations(arm("prr")), st.tuples(*[st.floats(-3, 3)] * 3), lengths, lengths)
+@settings(max_examples=20)
+def test_prr_acceleration_without_joint_accelerations_is_centripetal(q, qdot, l2, l3):
+    robot = arm("prr", l2=l2, l3=l3)
+    a, b = q[1], q[1] + q[2]
+    w2, w3 = qdot[1], qdot[1] + qdot[2]
+    drift = frame_jacobian_rate(robot, q, qdot) @ qdot
+    expected = [-l2 * np.cos(a) * w2**2 - l3 * np.cos(b) * w3**2, -l2 * np.sin(a) * w2**2 - l3 * np.sin(b) * w3**2]
+    assert drift[[0, 1, 5]] == pytest.approx([*expected, 0], abs=1e-10)
+
+
+@given(configurations(arm("cylindrical")), st.tuples(*[st.floats(-3, 3)] * 3))
+def test_cylindrical_drift_has_coriolis_and_centripetal_parts(q, qdot):
+    drift = frame_jacobian_rate(arm("cylindrical"), q, qdot) @ qdot
+    radial, across = np.array([np.cos(q[1]), np.sin(q[1]), 0]), np.array([-np.sin(q[1]), np.cos(q[1]), 0])
+    expected = -q[2] * qdot[1] ** 2 * radial + 2 * qdot[2] * qdot[1] * across
+    assert drift[:3] == pytest.approx(expected, abs=1e-10)
+    assert drift[3:] == pytest.approx(np.zeros(3), abs=1e-12)
+
+
+def test_jacobian_rate_is_linear_in_the_joint_velocity(spatial):
+    q, a, b = random_q(spatial, 1), rates(spatial, 2), rates(spatial, 3)
+    whole = frame_jacobian_rate(spatial, q, 2 * a - b)
+    parts = 2 * frame_jacobian_rate(spatial, q, a) - frame_jacobian_rate(spatial, q, b)
+    assert whole == pytest.approx(parts, abs=1e-12)
+
+
+def test_acceleration_of_a_frame_is_pinocchios_classical_acceleration(spatial):
+    q, v, a = random_q(spatial, 1), rates(spatial, 2), rates(spatial, 3)
+    data = spatial.model.createData()
+    pin.forwardKinematics(spatial.model, data, q, v, a)
+    number = spatial.frame_id(None)
+    pin.updateFramePlacement(spatial.model, data, number)
+    other = pin.getFrameClassicalAcceleration(spatial.model, data, number, pin.LOCAL_WORLD_ALIGNED)
+    found = frame_jacobian(spatial, q) @ a + frame_jacobian_rate(spatial, q, v) @ v
+    assert found == pytest.approx([*other.linear, *other.angular], abs=1e-12)
+
+
+@pytest.mark.parametrize("qdot", [[1, 2], [1, nan, 3], "abc", 1.0, [[1, 2, 3]]])
+def test_joint_velocities_of_the_wrong_shape_are_an_input_error(prr, qdot):
+    with pytest.raises(InputError, match="qdot must"):
+        frame_jacobian_rate(prr, [1, 2, 3], qdot)
+
+
+@pytest.mark.parametrize("options", [{"frame": "tol"}, {"reference": "tol"}, {"reference": None}])
+def test_jacobian_rate_of_an_unknown_frame_is_refused(prr, options):
+    with pytest.raises(UnknownNameError):
+        frame_jacobian_rate(prr, [1, 2, 3], [1, 1, 1], **options)
+
+
+@pytest.mark.parametrize("name", ["spatial", "redundant", "cylindrical"])
+def test_differences_along_a_direction_and_along_each_joint_agree_with_the_jacobian(name):
+    robot = arm(name)
+    q, qdot = random_q(robot, 8), rates(robot, 9)
+
+    def position(x):
+        return forward_kinematics(robot, x).translation.copy()
+
+    J = frame_jacobian(robot, q)[:3]
+    assert configuration_derivative(position, robot, q) == pytest.approx(J, abs=1e-11)
+    assert directional_derivative(position, robot, q, qdot) == pytest.approx(J @ qdot, abs=1e-12)
+    assert directional_derivative(position, robot, q, 0 * qdot) == pytest.approx([0, 0, 0])
+    assert directional_derivative(position, robot, q, 1e6 * qdot) == pytest.approx(1e6 * J @ qdot, rel=1e-11, abs=1e-5)

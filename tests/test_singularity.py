@@ -1,3 +1,4 @@
+from functools import partial
 from math import inf, pi
 
 import closed_forms as cf
@@ -18,6 +19,7 @@ from robotics1 import (
     find_singularities,
 )
 
+numeric = partial(find_singularities, method="numeric")
 PRR = ({"q2": -pi / 2}, {"q2": pi / 2})
 PRR_POINT = tuple({"q2": q2, "q3": q3} for q2, q3 in cf.PRR_POSITION_SINGULAR)
 STRETCHED = ({"q2": 0.0}, {"q2": pi})
@@ -64,10 +66,11 @@ def assert_samples_are_singular(found, least=50):
         assert branch.dimension == robot.nv - len(branch.values) - (1 if branch.tied_joints else 0)
 
 
+@pytest.mark.parametrize("method", ["numeric", "symbolic"])
 @pytest.mark.parametrize(("name", "task", "lengths", "rank", "values", "free"), CONSTANT, ids=WORDS)
-def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task, lengths, rank, values, free):
+def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task, lengths, rank, values, free, method):
     robot = arm(name, **lengths)
-    found = find_singularities(robot, task)
+    found = find_singularities(robot, task, method=method)
     assert found.generic_rank == rank
     assert sorted(key(branch.values) for branch in found.branches) == sorted(map(key, values))
     assert set(found.free_joints) == free
@@ -75,7 +78,7 @@ def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task
         assert set(branch.free_joints) == set(robot.joint_names) - set(branch.values)
         assert branch.tied_joints == ()
     assert_samples_are_singular(found)
-    assert not found.complete
+    assert found.complete == (method == "symbolic")
 
 
 # --- curved branches
@@ -83,7 +86,7 @@ def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task
 
 @pytest.mark.parametrize(("a2", "a3"), [(0.35, 0.5), (0.5, 0.35), (0.5, 0.2)])
 def test_anthropomorphic_singularities_are_the_elbow_and_the_two_shoulder_loops(a2, a3):
-    found = find_singularities(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
+    found = numeric(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
     elbow = [branch for branch in found.branches if branch.values]
     loops = [branch for branch in found.branches if not branch.values]
     assert [key(branch.values) for branch in elbow] == [(("q3", 0.0),), (("q3", round(pi, 9)),)]
@@ -101,7 +104,7 @@ def test_anthropomorphic_singularities_are_the_elbow_and_the_two_shoulder_loops(
 @pytest.mark.parametrize(("a2", "a3"), [(0.35, 0.5), (0.5, 0.35)])
 def test_the_two_shoulder_loops_are_apart_from_each_other(a2, a3):
     """For a2 < a3 the upper arm angle q2 goes round and q2 + q3 stays near ±π/2, for a2 > a3 the other way round."""
-    found = find_singularities(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
+    found = numeric(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
     loops = [branch.samples for branch in found.branches if branch.tied_joints == ("q2", "q3")]
     sides = [np.sign(np.sin(q[:, 1] + (q[:, 2] if a2 < a3 else 0))) for q in loops]
     assert sorted(side[0] for side in sides) == [-1, 1]
@@ -109,7 +112,7 @@ def test_the_two_shoulder_loops_are_apart_from_each_other(a2, a3):
 
 
 def test_six_r_singularities_are_shoulder_elbow_and_wrist():
-    found = find_singularities(arm("six_r"), PoseTask())
+    found = numeric(arm("six_r"), PoseTask())
     constant = sorted(key(branch.values) for branch in found.branches if branch.values)
     assert constant == sorted(key({name: value}) for name in ("q3", "q5") for value in (0.0, pi))
     loops = [branch for branch in found.branches if not branch.values]
@@ -123,7 +126,7 @@ def test_six_r_singularities_are_shoulder_elbow_and_wrist():
 
 
 def test_an_arm_whose_limits_exclude_every_singularity_has_none():
-    found = find_singularities(arm("elbow_limited"), POINT, samples=30)
+    found = numeric(arm("elbow_limited"), POINT, samples=30)
     assert found.generic_rank == 2
     assert found.branches == ()
     assert "No singular configuration was found." in found.explain()
@@ -135,16 +138,16 @@ def test_an_arm_whose_limits_exclude_every_singularity_has_none():
 def test_a_box_keeps_the_branches_inside_it(planar_2r, interval, values):
     if values is None:
         with pytest.raises(InputError, match="must lie in its limits"):
-            find_singularities(planar_2r, POINT, box={"q2": interval})
+            numeric(planar_2r, POINT, box={"q2": interval})
         return
-    found = find_singularities(planar_2r, POINT, box={"q2": interval}, samples=60)
+    found = numeric(planar_2r, POINT, box={"q2": interval}, samples=60)
     assert [branch.values["q2"] for branch in found.branches] == pytest.approx(values, abs=1e-9)
     lower, upper = interval
     assert all(lower - 1e-9 <= q[1] <= upper + 1e-9 for branch in found.branches for q in branch.samples)
 
 
 def test_limits_exclude_two_of_the_four_prr_points(prr):
-    found = find_singularities(prr, POINT, box={"q3": (-1, 1)})
+    found = numeric(prr, POINT, box={"q3": (-1, 1)})
     wanted = [key({"q2": sign * pi / 2, "q3": 0.0}) for sign in (-1, 1)]
     assert sorted(key(branch.values) for branch in found.branches) == wanted
 
@@ -154,7 +157,7 @@ def test_limits_exclude_two_of_the_four_prr_points(prr):
 
 def test_a_task_with_more_rows_than_its_rank_says_so(planar_2r):
     """z of a planar arm never moves: the rank of the position is 2 everywhere."""
-    found = find_singularities(planar_2r, SPACE)
+    found = numeric(planar_2r, SPACE)
     assert found.generic_rank == 2
     assert [key(branch.values) for branch in found.branches] == [key(values) for values in STRETCHED]
     assert "The task has 3 rows, but the rank of its Jacobian is 2 everywhere" not in found.explain()
@@ -162,30 +165,30 @@ def test_a_task_with_more_rows_than_its_rank_says_so(planar_2r):
 
 def test_a_task_that_cannot_use_all_its_rows_and_joints_says_so():
     """Three parallel axes: the orientation has rank 1 everywhere, and never loses it."""
-    found = find_singularities(arm("planar_3r"), OrientationTask(), samples=20)
+    found = numeric(arm("planar_3r"), OrientationTask(), samples=20)
     assert (found.generic_rank, found.branches) == (1, ())
     assert "The task has 3 rows, but the rank of its Jacobian is 1 everywhere" in found.explain()
 
 
 def test_an_arm_with_one_joint_is_nowhere_singular(one_joint):
-    found = find_singularities(one_joint, PoseTask(), samples=10)
+    found = numeric(one_joint, PoseTask(), samples=10)
     assert (found.generic_rank, found.branches) == (1, ())
 
 
 def test_a_task_that_no_joint_moves_is_a_task_error(planar_2r):
     with pytest.raises(TaskError, match="zero everywhere"):
-        find_singularities(planar_2r, PositionTask("z"))
+        numeric(planar_2r, PositionTask("z"))
 
 
 def test_function_tasks_have_the_singularities_of_what_they_compute(planar_2r):
     """(x + y, x − y) is the position turned and stretched; its Jacobian comes from differences."""
-    found = find_singularities(planar_2r, FunctionTask(lambda p, R, q: [p[0] + p[1], p[0] - p[1]], 2), samples=30)
+    found = numeric(planar_2r, FunctionTask(lambda p, R, q: [p[0] + p[1], p[0] - p[1]], 2), samples=30)
     assert sorted(round(abs(branch.values["q2"]), 6) for branch in found.branches) == [0.0, round(pi, 6)]
 
 
 def test_a_task_of_one_row_is_singular_where_its_gradient_vanishes():
     """z = −l1 s1 − l2 s12: l2 c12 = 0 and l1 c1 = 0, four points, where J = 0 has rank 0."""
-    found = find_singularities(arm("vertical_2r"), PositionTask("z"), samples=30)
+    found = numeric(arm("vertical_2r"), PositionTask("z"), samples=30)
     wanted = [{"q1": q1, "q2": q2} for q1 in (-pi / 2, pi / 2) for q2 in (0.0, pi)]
     assert sorted(key(branch.values) for branch in found.branches) == sorted(map(key, wanted))
     assert {branch.rank for branch in found.branches} == {0}
@@ -208,15 +211,15 @@ def test_a_task_of_one_row_is_singular_where_its_gradient_vanishes():
 )
 def test_bad_options_are_input_errors(prr, options):
     with pytest.raises(InputError):
-        find_singularities(prr, POSE, **options)
+        numeric(prr, POSE, **options)
 
 
 def test_a_box_of_an_unknown_joint_lists_the_joints(prr):
     with pytest.raises(UnknownNameError) as caught:
-        find_singularities(prr, POSE, box={"q9": (0, 1)})
+        numeric(prr, POSE, box={"q9": (0, 1)})
     assert caught.value.candidates == ("q1", "q2", "q3")
 
 
 def test_a_planar_pose_of_a_spatial_arm_is_a_task_error(spatial):
     with pytest.raises(TaskError):
-        find_singularities(spatial, POSE)
+        numeric(spatial, POSE)

@@ -38,7 +38,7 @@ def test_conditions_are_exact_equations(pose_set, point_set):
 
 
 def test_conditions_of_a_curved_branch_name_the_tied_joints():
-    found = find_singularities(arm("anthropomorphic", a2=0.35, a3=0.5), SPACE)
+    found = find_singularities(arm("anthropomorphic", a2=0.35, a3=0.5), SPACE, method="numeric")
     q2, q3 = sympy.symbols("q2 q3", real=True)
     assert found.branches[0].conditions == (sympy.Eq(sympy.Function("sigma_min")(q2, q3), 0),)
 
@@ -59,8 +59,9 @@ def test_explain_says_where_what_is_lost_and_what_does_not_matter(pose_set, poin
         "q1 and q3 never matter.",
         "1. q2 = −π/2, whatever q1 and q3: the rank is 2 instead of 3",
         "2. q2 = π/2, whatever q1 and q3: the rank is 2 instead of 3",
-        "joint velocities along (0.6000, 1, -1) do not move the task",
-        "does not prove that there are no others",
+        "a task velocity (x, y, φ) with a part along (0, 1, l3·sin(q3)) cannot be realised",
+        "joint velocities along (l2, 1, −1) do not move the task",
+        "These are all singular configurations.",
     ):
         assert words in text
     text = point_set.explain()
@@ -68,6 +69,16 @@ def test_explain_says_where_what_is_lost_and_what_does_not_matter(pose_set, poin
     assert "4. q2 = π/2, q3 = π, whatever q1: the rank is 1 instead of 2" in text
     assert "a task velocity (x, y) with a part along (0, 1) cannot be realised" in text
     assert "a force along (0, 1) needs no joint torque" in text
+
+
+def test_a_search_by_numbers_says_so_and_gives_an_example(prr):
+    text = find_singularities(prr, POSE, method="numeric").explain()
+    for words in (
+        "For example at q = (",
+        "joint velocities along (0.6000, 1, -1) do not move the task",
+        "This was a search: it does not prove that there are no others.",
+    ):
+        assert words in text
 
 
 @pytest.mark.parametrize(("name", "task"), [("prr", POINT), ("anthropomorphic", SPACE)])

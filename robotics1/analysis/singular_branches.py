@@ -8,6 +8,7 @@ import numpy.typing as npt
 from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
 from robotics1.analysis.singular_set import SingularBranch
 from robotics1.inputs import Array
+from robotics1.symbolic.time_limit import TimeLimit
 
 ENOUGH = 50  # samples of a branch
 SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one
@@ -29,22 +30,28 @@ class Sheet:
         return [i for i in range(len(self.points[0])) if i not in self.constant and i not in self.free]
 
 
-def branches_of(points: SingularPoints, count: int, rng: np.random.Generator) -> tuple[SingularBranch, ...]:
-    """Return the pieces of the singular set that `count` random starts lead to, the larger first."""
-    sheets = _sheets(points, count, rng)
+def branches_of(
+    points: SingularPoints, count: int, rng: np.random.Generator, limit: TimeLimit
+) -> tuple[SingularBranch, ...]:
+    """Return the pieces of the singular set that `count` random starts lead to, the larger first; fewer starts and
+    walks, and fewer samples of each, when the time is over.
+    """
+    sheets = _sheets(points, count, rng, limit)
     flat = [sheet for sheet in sheets if not sheet.tied]
     pieces = []
     for sheet in sheets:
         if any(_is_part_of(points, sheet, larger) for larger in flat):
             continue  # where the set is degenerate inside a larger sheet its dimension is measured too low
-        pieces += _connected_pieces(points, sheet, flat) if sheet.tied else [sheet]
-    branches = [_branch(points, piece, flat, rng) for piece in pieces]
+        pieces += _connected_pieces(points, sheet, flat, limit) if sheet.tied else [sheet]
+    branches = [_branch(points, piece, flat, rng, limit) for piece in pieces]
     return tuple(sorted(branches, key=lambda branch: (-branch.dimension, list(branch.values.items()))))
 
 
-def _sheets(points: SingularPoints, count: int, rng: np.random.Generator) -> list[Sheet]:
+def _sheets(points: SingularPoints, count: int, rng: np.random.Generator, limit: TimeLimit) -> list[Sheet]:
     sheets: list[Sheet] = []
     for start in points.box.random(rng, count):
+        if limit.is_over:
+            break
         q = points.project(start)
         if q is None:
             continue
@@ -105,7 +112,7 @@ def _is_part_of(points: SingularPoints, sheet: Sheet, larger: Sheet) -> bool:
     return larger.dimension > sheet.dimension and all(_lies_on(points, q, larger) for q in sheet.points)
 
 
-def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet]) -> list[Sheet]:
+def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet], limit: TimeLimit) -> list[Sheet]:
     """Split a curved sheet into what a walk on the set connects: union-find over the nearest pairs."""
     members = sheet.points[:200]
     for q in members:
@@ -117,6 +124,8 @@ def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet]) -
         (apart[i, j], i, j) for i in range(len(members)) for j in range(i) if apart[i, j] <= max(near[i], near[j])
     )
     for _, i, j in pairs:
+        if limit.is_over:
+            return [sheet]
         if piece[i] != piece[j] and _walk(points, members[i], members[j], flat):
             old, new = piece[i], piece[j]
             piece = [new if label == old else label for label in piece]
@@ -145,12 +154,14 @@ def _walk(points: SingularPoints, start: Array, goal: Array, flat: list[Sheet]) 
     return False
 
 
-def _branch(points: SingularPoints, piece: Sheet, flat: list[Sheet], rng: np.random.Generator) -> SingularBranch:
+def _branch(
+    points: SingularPoints, piece: Sheet, flat: list[Sheet], rng: np.random.Generator, limit: TimeLimit
+) -> SingularBranch:
     """Complete the samples of a piece and choose the configuration at which its bases are told."""
     samples = [points.box.nearest(q) for q in piece.points]
     values = _constant_values(points, piece, samples)
     free = list(piece.free)
-    while piece.dimension > 0 and len(samples) < ENOUGH:
+    while piece.dimension > 0 and len(samples) < ENOUGH and not limit.is_over:
         q = samples[rng.integers(len(samples))].copy()
         if piece.tied:
             q = _neighbour(points, piece, q, rng)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.analysis.spaces import numeric_rank
+from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.kinematics import configuration_derivative
 from robotics1.robot.box import JointBox
@@ -41,15 +42,29 @@ class SingularPoints:
         return unitless_jacobian(self.robot, self.task, q)
 
     def gap(self, q: Array) -> float:
-        """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set."""
-        return float(np.linalg.svd(self.jacobian(q), compute_uv=False)[self.rank - 1] / self.scale)
+        """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set, and infinite where the
+        task has no Jacobian.
+        """
+        try:
+            J = self.jacobian(q)
+        except TaskError:
+            return np.inf
+        return float(np.linalg.svd(J, compute_uv=False)[self.rank - 1] / self.scale)
 
     def rank_at(self, q: Array) -> int:
         """Return the rank of J(q); singular values that are rounding beside the usual σ₁ count as zero."""
         return numeric_rank(np.append(self.scale, np.linalg.svd(self.jacobian(q), compute_uv=False))) - 1
 
     def project(self, q: Array, iterations: int = 60) -> Array | None:
-        """Return a configuration on the set near q, or None when Newton's method finds none inside the box."""
+        """Return a configuration on the set near q, or None when Newton's method finds none inside the box, or meets
+        one at which the task has no Jacobian.
+        """
+        try:
+            return self._projected(q, iterations)
+        except TaskError:
+            return None
+
+    def _projected(self, q: Array, iterations: int) -> Array | None:
         best, best_gap = q, np.inf
         for _ in range(iterations):
             gap = self.gap(q)

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from robotics1.analysis.singular_points import SingularPoints
-from robotics1.analysis.spaces import Subspaces, subspaces
+from robotics1.analysis.spaces import Subspaces, subspaces_of_rank
+from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import pi_fraction
 from robotics1.robot.model import Robot
@@ -16,6 +17,9 @@ from robotics1.tasks.task import Task
 
 if TYPE_CHECKING:
     import sympy
+
+    from robotics1.analysis.symbolic_branches import SymbolicSearch
+    from robotics1.symbolic.branch_formulas import BranchFormulas
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +33,7 @@ class SingularBranch:
         samples: (k, nq) configurations on the branch, σ_min ≤ 1e-10 σ₁; at least 50 unless it is one point.
         q: (nq,) a configuration of the branch at which the bases below are taken.
         rank: the rank of J on the branch (almost everywhere on it).
+        formulas: its equations and bases in symbols, of a branch that was found in exact form.
     """
 
     points: SingularPoints = field(repr=False)
@@ -38,12 +43,15 @@ class SingularBranch:
     samples: Array = field(repr=False)
     q: Array
     rank: int
+    formulas: "BranchFormulas | None" = field(default=None, repr=False)
 
     @property
     def conditions(self) -> "tuple[sympy.Eq, ...]":
-        """The equations of the branch in q1, q2, ...: a value for each constant joint, and for the joints that
-        are tied to each other, σ_min = 0.
+        """The equations of the branch in q1, q2, ... and the named lengths: values of joints, and polynomials that
+        vanish. Of a branch that was found by numbers, the joints that are tied to each other have σ_min = 0.
         """
+        if self.formulas is not None:
+            return self.formulas.conditions
         import sympy
 
         names = self.points.robot.joint_names
@@ -54,6 +62,16 @@ class SingularBranch:
             equations.append(sympy.Eq(sympy.Function("sigma_min")(*tied), 0))
         return tuple(equations)
 
+    def require_formulas(self) -> "BranchFormulas":
+        """Return the formulas.
+
+        Raises:
+            FormulaError: the branch was found by numbers.
+        """
+        if self.formulas is None:
+            raise FormulaError("a branch was found by numbers, so there are no formulas of it")
+        return self.formulas
+
     @property
     def tied_joints(self) -> tuple[str, ...]:
         """The joints that are neither constant nor free: they move together on the branch."""
@@ -62,9 +80,8 @@ class SingularBranch:
 
     @cached_property
     def spaces(self) -> Subspaces:
-        """The subspaces of J at `q`, where entries that are rounding count as zero."""
-        J = self.jacobian(self.q)
-        return subspaces(np.where(np.abs(J) > 1e-14 * self.points.scale * self.points.robot.reach, J, 0.0))
+        """The subspaces of J at `q`, of the branch's rank."""
+        return subspaces_of_rank(self.jacobian(self.q), self.rank)
 
     @property
     def null(self) -> Array:
@@ -86,11 +103,21 @@ class SingularBranch:
         return self.points.task.jacobian(self.points.robot, q)
 
     def sample(self, rng: np.random.Generator) -> Array:
-        """Return a random configuration of the branch, (nq,): one of `samples` with the free joints drawn anew."""
+        """Return a random configuration of the branch, (nq,): of a branch that was found by numbers, one of
+        `samples` with the free joints drawn anew.
+        """
+        if self.formulas is not None:
+            drawn = self.formulas.configurations.random(self.points.box, rng)
+            if drawn is not None:
+                return drawn
         q: Array = self.samples[rng.integers(len(self.samples))].copy()
         free = [self.points.robot.joint_names.index(name) for name in self.free_joints]
         q[free] = self.points.box.random(rng, 1)[0, free]
         return q
+
+    def contains(self, q: Array) -> bool:
+        """Return whether q (nq,) is on the branch; told of a branch in exact form."""
+        return self.formulas is not None and self.formulas.configurations.contains(q)
 
     def explain(self) -> str:
         """Return what the branch means for the robot, in sentences."""
@@ -106,8 +133,10 @@ class SingularSet:
     Attributes:
         generic_rank: ρ, the rank of J almost everywhere; on the singular set the rank is lower.
         branches: its pieces, the larger first.
-        method: how they were found.
-        complete: whether the method proves that there are no others.
+        method: "symbolic" or "numeric", how they were found; "both" when exact and numeric ones stand together.
+        complete: whether the method proves that there are no others inside the joint limits.
+        note: why the answer is not the exact one, if it is not.
+        outside: the branches that lie outside the joint limits; found in exact form only.
     """
 
     robot: Robot
@@ -116,6 +145,34 @@ class SingularSet:
     branches: tuple[SingularBranch, ...]
     method: str
     complete: bool
+    note: str = ""
+    outside: tuple[SingularBranch, ...] = ()
+    search: "SymbolicSearch | None" = field(default=None, repr=False)
+
+    @cached_property
+    def excluded(self) -> "tuple[sympy.Eq, ...]":
+        """The equations of the lengths, or of one joint, that have no solution at the robot's lengths; at lengths
+        where they have one, more configurations are singular. Of branches in exact form.
+        """
+        if self.search is None:
+            return ()
+        from robotics1.analysis.other_lengths import conditions_on_lengths
+
+        return conditions_on_lengths(self.search, [*self.branches, *self.outside])
+
+    @property
+    def intersections(self) -> tuple[SingularBranch, ...]:
+        """Where branches meet, and where the rank falls further inside one: of branches in exact form."""
+        return self._intersections[0]
+
+    @property
+    def all_intersections(self) -> bool:
+        """Whether `intersections` are all: branches in exact form, and found within the time limit."""
+        return self._intersections[1]
+
+    @cached_property
+    def _intersections(self) -> tuple[tuple[SingularBranch, ...], bool]:
+        return ((), False) if self.search is None else self.search.intersections(self.branches)
 
     @property
     def free_joints(self) -> tuple[str, ...]:
@@ -128,6 +185,12 @@ class SingularSet:
         from robotics1.analysis.singularity_words import set_sentences
 
         return set_sentences(self)
+
+    def explain_intersections(self) -> str:
+        """Return the rank where branches meet, a line for each piece. Raises as `intersections`."""
+        from robotics1.analysis.singularity_words import intersection_sentences
+
+        return intersection_sentences(self)
 
 
 def _recognised(value: float) -> "sympy.Expr":

@@ -1,29 +1,43 @@
 """Where the Jacobian of a task loses rank."""
 
 from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from robotics1.analysis.singular_branches import branches_of
-from robotics1.analysis.singular_points import singular_points
+from robotics1.analysis.singular_points import SingularPoints, singular_points
 from robotics1.analysis.singular_set import SingularSet
-from robotics1.errors import TaskError
-from robotics1.inputs import counting_number, one_of
+from robotics1.errors import FormulaError, TaskError
+from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
 from robotics1.robot.model import Robot
+from robotics1.symbolic.time_limit import TimeLimit
 from robotics1.tasks.task import Task
+
+if TYPE_CHECKING:
+    from robotics1.analysis.symbolic_branches import Found, SymbolicSearch
+
+METHODS = ("auto", "symbolic", "numeric")
+WORTH_TELLING = 1e-8  # [rad]
 
 
 def find_singularities(
     robot: Robot,
     task: Task,
     *,
-    method: str = "numeric",
+    method: str = "auto",
     box: Mapping[str, tuple[float, float]] | None = None,
     samples: int = 200,
     seed: int = 0,
+    time_limit: float = 30.0,
 ) -> SingularSet:
     """Return the singular set {q : rank J(q) < ρ} of a task, ρ being the rank of J almost everywhere.
+
+    The symbolic method sets all minors of order ρ to zero, factor by factor, and finds every branch, with its
+    equations and bases in q1, q2, ... and the named lengths. Each branch is verified with Pinocchio. If its time
+    is over, what it has found stands, the numeric method adds the rest, and `complete` is False.
 
     The numeric method knows J at any q, and nothing else of the robot: from random starts it moves to the set
     by Newton's method, measures the set's dimension there, sees which joints are constant and which are free,
@@ -32,21 +46,95 @@ def find_singularities(
     Args:
         robot: an arm of revolute and prismatic joints.
         task: r = f(q).
-        method: "numeric".
-        box: joint name → (lower, upper), where to look; needed for prismatic joints without limits.
-        samples: the number of starts.
-        seed: of the random starts.
+        method: "symbolic", "numeric", or "auto": symbolic, and numeric where there are no formulas.
+        box: joint name → (lower, upper), where to look; the numeric method needs it for prismatic joints without
+            limits.
+        samples: the number of starts of the numeric method.
+        seed: of the random numbers.
+        time_limit: of the symbolic method, and again of the numeric one [s]; each ends soon after it.
 
     Raises:
         InputError: an unlimited prismatic joint without a box, or a bad option.
         TaskError: the task does not fit the robot, or no joint moves it.
+        FormulaError: method="symbolic", and there are no formulas of the robot or the task.
     """
-    one_of("method", method, ("numeric",))
+    one_of("method", method, METHODS)
     count = counting_number("samples", samples, least=1)
+    seed = counting_number("seed", seed)
+    limit = real_number("time_limit", time_limit, positive=True)
     task.check(robot)
+    if method == "numeric":
+        return _numeric(robot, task, box, count, seed, limit)
+    try:
+        return _symbolic(robot, task, box, count, seed, limit)
+    except FormulaError as error:
+        if method == "symbolic":
+            raise
+        return replace(_numeric(robot, task, box, count, seed, limit), note=f"There are no formulas: {error}.")
+
+
+def _numeric(
+    robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None, count: int, seed: int, seconds: float
+) -> SingularSet:
     where = joint_box(robot, box)
-    rng = np.random.default_rng(counting_number("seed", seed))
+    rng = np.random.default_rng(seed)
     points = singular_points(robot, task, where, rng)
+    _check_moves(points)
+    return SingularSet(
+        robot, task, points.rank, branches_of(points, count, rng, TimeLimit(seconds)), "numeric", complete=False
+    )
+
+
+def _symbolic(
+    robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None, count: int, seed: int, limit: float
+) -> SingularSet:
+    from robotics1.analysis.symbolic_branches import symbolic_search
+
+    where = joint_box(robot, box, unlimited=2.0)
+    rng = np.random.default_rng(seed)
+    search = symbolic_search(robot, task, where, rng, limit)
+    _check_moves(search.points)
+    answer = search.branches(rng)
+    found = SingularSet(
+        robot,
+        task,
+        search.points.rank,
+        answer.inside,
+        method="symbolic",
+        complete=answer.complete,
+        note=_note(search, answer),
+        outside=answer.outside,
+        search=search,
+    )
+    if answer.complete:
+        return found
+    others = [
+        branch
+        for branch in branches_of(search.points, count, rng, TimeLimit(limit))
+        if not all(any(known.contains(q) for known in answer.inside) for q in branch.samples)
+    ]
+    note = f"The exact answer was not complete after {limit:g} s; the branches with σ_min were found by numbers."
+    return replace(
+        found,
+        branches=(*answer.inside, *others),
+        method="both" if answer.inside else "numeric",
+        note=" ".join(filter(None, (note, found.note))),
+    )
+
+
+def _note(search: "SymbolicSearch", answer: "Found") -> str:
+    """Say which angles were made exact, and where the task has no Jacobian."""
+    from robotics1.symbolic.printing import line_text
+
+    said = []
+    if search.cleaned > WORTH_TELLING:
+        said.append(f"Angles of the file were made exact multiples of π/12, by at most {search.cleaned:.1e} rad.")
+    if answer.undefined:
+        places = (" and ".join(map(line_text, piece.conditions)) for piece in answer.undefined)
+        said.append(f"Where {' or '.join(places)}, the task itself has no Jacobian.")
+    return " ".join(said)
+
+
+def _check_moves(points: SingularPoints) -> None:
     if points.rank == 0:
         raise TaskError("no joint moves the task at all: its Jacobian is zero everywhere")
-    return SingularSet(robot, task, points.rank, branches_of(points, count, rng), method, complete=False)

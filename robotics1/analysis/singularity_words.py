@@ -1,51 +1,167 @@
 """Singularities in sentences, in the words a student would write."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from robotics1.analysis.spaces import echelon
+from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
 
 if TYPE_CHECKING:
     from robotics1.analysis.singular_set import SingularBranch, SingularSet
+    from robotics1.robot.model import Robot
+
+LONGEST = 40  # operations of a basis vector that is still read
+WIDEST = 160  # characters of an equation that is still read
 
 
 def set_sentences(found: "SingularSet") -> str:
     """Return what is to be said of the whole set, then of each branch."""
     rows, rank = found.task.rows, found.generic_rank
-    lines = []
+    lines = [found.note] if found.note else []
     if rank < min(rows, found.robot.nv):
         lines.append(
             f"The task has {rows} rows, but the rank of its Jacobian is {rank} everywhere; "
             f"below, singular means a rank lower than {rank}."
         )
     if not found.branches:
-        return "\n".join([*lines, "No singular configuration was found."])
+        never = "There is no singular configuration" if found.complete else "No singular configuration was found"
+        return "\n".join([*lines, f"{never}{' inside the joint limits' if found.outside else ''}.", *_besides(found)])
+    lines += _names(found)
     if found.free_joints:
         verb = "matters" if len(found.free_joints) == 1 else "matter"
-        lines.append(f"{enumeration(found.free_joints)} never {verb}.")
+        free = _called(found.free_joints, found.robot, symbols=found.search is not None)
+        lines.append(f"{enumeration(free)} never {verb}.")
     lines += [f"{number}. {branch.explain()}" for number, branch in enumerate(found.branches, start=1)]
-    if not found.complete:
-        lines.append("This was a search: it does not prove that there are no others.")
-    return "\n".join(lines)
+    lines.append(
+        "These are all singular configurations."
+        if found.complete
+        else "This was a search: it does not prove that there are no others."
+    )
+    return "\n".join([*lines, *_besides(found)])
+
+
+def _names(found: "SingularSet") -> list[str]:
+    """Say which joint is q1, q2, ..., where formulas are written and the joints have other names."""
+    names = found.robot.joint_names
+    symbols = _symbols(names)
+    if found.search is None or list(names) == symbols:
+        return []
+    return [f"Here {', '.join(f'{q} is {name}' for q, name in zip(symbols, names, strict=True))}."]
+
+
+def _symbols(names: Sequence[str]) -> list[str]:
+    return [f"q{i}" for i in range(1, len(names) + 1)]
+
+
+def _called(joints: Iterable[str], robot: "Robot", *, symbols: bool) -> list[str]:
+    """Return the joints by name, or as q1, q2, ..., as the formulas call them."""
+    if not symbols:
+        return list(joints)
+    known = dict(zip(robot.joint_names, _symbols(robot.joint_names), strict=True))
+    return [known[name] for name in joints]
+
+
+def _besides(found: "SingularSet") -> list[str]:
+    """Return what is singular outside the joint limits, or would be at other lengths."""
+    from robotics1.symbolic.printing import line_text
+
+    lines = []
+    if found.outside:
+        places = "; ".join(place(branch) for branch in found.outside)
+        lines.append(f"Outside the joint limits the arm would be singular at {places}.")
+    if found.excluded:
+        equations = "; ".join(line_text(equation) for equation in found.excluded)
+        lines.append(f"At other lengths more is singular, namely where this has a solution: {equations}.")
+    return lines
+
+
+def intersection_sentences(found: "SingularSet") -> str:
+    """Return where branches meet or the rank falls further, one line for each piece."""
+    pieces = [f"{place(piece)}: the rank is {piece.rank}." for piece in found.intersections]
+    if not found.all_intersections:
+        pieces.append("There may be more: this is what was found in the time.")
+    if not pieces:
+        return "No two branches meet, and nowhere does the rank fall further."
+    return "\n".join(["Where branches meet, or the rank falls further:", *pieces])
+
+
+def place(branch: "SingularBranch") -> str:
+    """Return where a branch is: q2 = π/2, or l2·cos(q2) + l3·cos(q2 + q3) = 0."""
+    if branch.formulas is not None:
+        from robotics1.symbolic.printing import line_text
+
+        texts = [(line_text(condition), condition) for condition in branch.conditions]
+        return ", ".join(text if len(text) <= WIDEST else _described(condition) for text, condition in texts)
+    where = [f"{name} = {joint_value(value)}" for name, value in branch.values.items()]
+    if branch.tied_joints:
+        where.append(f"{enumeration(branch.tied_joints)} tied by σ_min = 0")
+    return ", ".join(where)
+
+
+def _because(branch: "SingularBranch") -> str:
+    """Say which relation between the lengths the branch owes itself to."""
+    if branch.formulas is None or not branch.formulas.lengths:
+        return ""
+    from robotics1.symbolic.printing import line_text
+
+    return f" (since {enumeration(line_text(equation) for equation in branch.formulas.lengths)})"
+
+
+def _described(condition: Any) -> str:
+    joints = sorted((symbol.name for symbol in condition.free_symbols), key=lambda name: (len(name), name))
+    terms = len(condition.lhs.expand().args)
+    return f"an equation of {terms} terms between {enumeration(joints)} (see `conditions`)"
 
 
 def branch_sentences(branch: "SingularBranch") -> str:
     """Return where the branch is, and what the robot cannot do, can do, and holds there."""
-    where = [f"{name} = {joint_value(value)}" for name, value in branch.values.items()]
-    if branch.tied_joints:
-        where.append(f"{enumeration(branch.tied_joints)} tied by σ_min = 0")
-    whatever = f", whatever {enumeration(branch.free_joints)}" if branch.free_joints else ""
-    lines = [f"{', '.join(where)}{whatever}: the rank is {branch.rank} instead of {branch.points.rank}."]
+    free = _called(branch.free_joints, branch.points.robot, symbols=branch.formulas is not None)
+    whatever = f", whatever {enumeration(free)}" if free else ""
+    lines = [f"{place(branch)}{_because(branch)}{whatever}: the rank is {branch.rank} instead of {branch.points.rank}."]
     rows = ", ".join(branch.points.task.row_names)
-    lost, still = directions(branch.left_null), directions(branch.null)
-    lines.append(f"   For example at q = {vector(branch.q)}:")
-    if lost:
-        lines.append(f"   - a task velocity ({rows}) with a part along {lost} cannot be realised;")
-        lines.append(f"   - a force along {lost} needs no joint torque;")
-    if still:
-        lines.append(f"   - joint velocities along {still} do not move the task;")
+    lost, still = _written(branch, "left_null"), _written(branch, "null")
+    in_symbols = [*_lost(rows, lost), *_still(still)]
+    in_numbers = [] if lost is not None else _lost(rows, directions(branch.left_null))
+    in_numbers += [] if still is not None else _still(directions(branch.null))
+    if in_symbols:
+        lines += ["   There", *in_symbols]
+    if in_numbers:
+        lines += [f"   For example at q = {vector(branch.q)}:", *in_numbers]
     return "\n".join(lines)[:-1] + "."
+
+
+def _lost(rows: str, along: str | None) -> list[str]:
+    if not along:
+        return []
+    return [
+        f"   - a task velocity ({rows}) with a part along {along} cannot be realised;",
+        f"   - a force along {along} needs no joint torque;",
+    ]
+
+
+def _still(along: str | None) -> list[str]:
+    return [f"   - joint velocities along {along} do not move the task;"] if along else []
+
+
+def _written(branch: "SingularBranch", name: str) -> str | None:
+    """Return a basis in symbols, or None where there is none, or it is too long to be read."""
+    if branch.formulas is None or not branch.formulas.is_short(name):
+        return None
+    try:
+        basis = getattr(branch.formulas, name)
+    except FormulaError:
+        return None
+    if _operations(basis) > LONGEST * max(basis.cols, 1):
+        return None
+    from robotics1.symbolic.printing import line_text
+
+    return " and ".join(line_text(basis.col(i)) for i in range(basis.cols))
+
+
+def _operations(basis: Any) -> int:
+    return int(sum(entry.count_ops() for entry in basis))
 
 
 def directions(basis: Array) -> str:

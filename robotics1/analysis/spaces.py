@@ -51,8 +51,12 @@ def subspaces(J: npt.ArrayLike) -> Subspaces:
     Source: Golub, Van Loan, Matrix Computations, 2013, section 2.4; Strang's four fundamental subspaces.
     """
     J = real_array("J", J, (None, None), "a matrix")
+    return subspaces_of_rank(J, numeric_rank(np.linalg.svd(J, compute_uv=False)))
+
+
+def subspaces_of_rank(J: Array, r: int) -> Subspaces:
+    """Return the subspaces of a matrix whose rank is known to be r: the smaller singular values are rounding."""
     U, sigma, Vt = np.linalg.svd(J)
-    r = numeric_rank(sigma)
     return Subspaces(J, sigma, r, U[:, :r], U[:, r:], Vt[:r].T, Vt[r:].T)
 
 

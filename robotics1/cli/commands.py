@@ -10,7 +10,7 @@ from rich.console import Console
 
 from robotics1.cli import arguments, output
 from robotics1.errors import Robotics1Error
-from robotics1.notation import number, vector
+from robotics1.notation import vector
 from robotics1.report.tables import matrix_table
 
 app = typer.Typer(
@@ -93,39 +93,21 @@ def jacobian(
     degrees: Degrees = False,
     symbolic: Annotated[bool, typer.Option("--symbolic", help="Formulas instead of numbers; --q is not used.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Formulas in LaTeX.")] = False,
+    python: Annotated[bool, typer.Option("--python", help="J as a Python function that needs NumPy alone.")] = False,
     json: AsJson = False,
 ) -> None:
     """The Jacobian of a task, its rank and its subspaces; or its formulas, with determinant or minors."""
-    import numpy as np
-
-    from robotics1.analysis.singularity_words import directions
-    from robotics1.analysis.spaces import subspaces
-
     arm = arguments.parse_robot(robot, param or [], tool)
     what = arguments.parse_task(task, frame)
-    if symbolic or latex:
+    if symbolic or latex or python:
         from robotics1.cli.symbolic import print_formulas
 
-        print_formulas(out, arm, what, latex=latex, json=json)
+        print_formulas(out, arm, what, latex=latex, python=python, json=json)
         return
+    from robotics1.cli.jacobian import print_jacobian
+
     values = arguments.configuration(arm, q, degrees)
-    J = what.jacobian(arm, values)
-    spaces = subspaces(J)
-    square = J.shape[0] == J.shape[1]
-    det = float(np.linalg.det(J)) if square else None
-    if json:
-        answer = {"q": values, "jacobian": J, "rank": spaces.rank, "singular_values": spaces.singular_values}
-        output.write_json(answer | {"determinant": det, "null": spaces.null.T, "left_null": spaces.left_null.T})
-        return
-    output.say_outside_limits(out, arm, values)
-    at = vector(output.in_degrees(arm, values, degrees))
-    out.print(matrix_table(J, what.row_names, arm.joint_names, f"J of {task} at q = {at}, world axes"))
-    determinant = "" if det is None else f", det J = {number(det)}"
-    out.print(f"rank {spaces.rank}{determinant}, singular values {vector(spaces.singular_values)}")
-    if spaces.null.size:
-        out.print(f"the task does not move with q̇ along {directions(spaces.null)}")
-    if spaces.left_null.size:
-        out.print(f"velocities along {directions(spaces.left_null)} cannot be realised; forces along it need no torque")
+    print_jacobian(out, arm, what, values, name=task, degrees=degrees, json=json)
 
 
 @app.command()
@@ -133,33 +115,23 @@ def singularities(
     robot: RobotName,
     task: TaskName = "pose",
     frame: Frame = None,
+    method: Annotated[str, typer.Option(help="auto, symbolic or numeric.")] = "auto",
+    time_limit: Annotated[float, typer.Option(help="Of the exact answer [s].")] = 30.0,
+    intersections: Annotated[bool, typer.Option("--intersections", help="The rank where branches meet too.")] = False,
+    latex: Annotated[bool, typer.Option("--latex", help="Conditions and bases in LaTeX.")] = False,
+    python: Annotated[bool, typer.Option("--python", help="Conditions and bases as Python functions.")] = False,
     param: Parameters = None,
     tool: Tool = None,
     json: AsJson = False,
 ) -> None:
-    """All singular configurations of a task, found numerically."""
+    """All singular configurations of a task: where, what is lost there, and what does not move the tool."""
     from robotics1.analysis.singularity import find_singularities
+    from robotics1.cli.singularities import print_singularities
 
     arm = arguments.parse_robot(robot, param or [], tool)
     with err.status("searching"):
-        found = find_singularities(arm, arguments.parse_task(task, frame))
-    if not json:
-        out.print(found.explain(), highlight=False)
-        return
-    branches = [
-        {
-            "conditions": [str(condition) for condition in branch.conditions],
-            "values": dict(branch.values),
-            "free_joints": branch.free_joints,
-            "dimension": branch.dimension,
-            "rank": branch.rank,
-            "q": branch.q,
-            "null": branch.null.T,
-            "left_null": branch.left_null.T,
-        }
-        for branch in found.branches
-    ]
-    output.write_json({"generic_rank": found.generic_rank, "complete": found.complete, "branches": branches})
+        found = find_singularities(arm, arguments.parse_task(task, frame), method=method, time_limit=time_limit)
+        print_singularities(out, found, latex=latex, python=python, intersections=intersections, json=json)
 
 
 @app.command()

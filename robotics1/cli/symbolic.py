@@ -4,38 +4,64 @@ import sympy
 from rich.console import Console
 
 from robotics1.cli.output import write_json
+from robotics1.errors import FormulaError, InputError
 from robotics1.notation import enumeration
 from robotics1.robot.model import Robot
-from robotics1.symbolic.formula import Formulas, formulas
+from robotics1.symbolic.formula import formulas
+from robotics1.symbolic.printing import latex_text, unicode_text
+from robotics1.symbolic.task_formulas import Formulas
 from robotics1.tasks.task import FrameTask
 
 
-def print_formulas(console: Console, robot: Robot, task: FrameTask, *, latex: bool, json: bool) -> None:
-    """Print the value, the Jacobian, and its determinant or minors; as LaTeX or JSON where asked."""
+def print_formulas(
+    console: Console, robot: Robot, task: FrameTask, *, latex: bool = False, python: bool = False, json: bool = False
+) -> None:
+    """Print the value, the Jacobian, and its determinant or minors; as LaTeX or JSON where asked; or a function.
+
+    Raises:
+        InputError: both LaTeX and Python are asked for.
+    """
+    if latex and python:
+        raise InputError("choose one of --latex and --python")
     found = formulas(robot, task)
+    if python:
+        source = found.python()
+        if json:
+            write_json({"python": source})
+        else:
+            console.print(source, highlight=False, markup=False, soft_wrap=True, end="")
+        return
+    minors, reason = _named_minors(found)
     if json:
-        form = sympy.latex if latex else str
+        form = latex_text if latex else str
         write_json(
             {
                 "value": [form(entry) for entry in found.value],
                 "jacobian": [[form(entry) for entry in found.jacobian.row(i)] for i in range(found.jacobian.rows)],
-                "minors": {name: form(minor) for name, minor in _named_minors(found)},
+                "minors": {name: form(minor) for name, minor in minors},
             }
         )
         return
-    for name, formula in (("r", found.value), ("J", found.jacobian), *_named_minors(found)):
-        text = sympy.latex(formula) if latex else sympy.pretty(formula, use_unicode=True, wrap_line=False)
+    for name, formula in (("r", found.value), ("J", found.jacobian), *minors):
         console.print(f"{name} =", highlight=False, markup=False)
+        text = latex_text(formula) if latex else unicode_text(formula)
         console.print(text, highlight=False, markup=False, soft_wrap=True)
+    if reason:
+        console.print(f"no minors: {reason}", highlight=False, markup=False, soft_wrap=True)
     if found.cleaned:
         console.print(f"angles of the file were made exact, by at most {found.cleaned:.1e} rad", highlight=False)
 
 
-def _named_minors(found: Formulas) -> list[tuple[str, sympy.Expr]]:
-    """Return the determinant, or the minors with the joints or rows that are left out."""
-    wide = found.jacobian.cols > found.jacobian.rows
-    names = found.robot.joint_names if wide else found.task.row_names
-    return [
+def _named_minors(found: Formulas) -> tuple[list[tuple[str, sympy.Expr]], str]:
+    """Return the determinant, or the minors with the joints or rows that are left out; or why there are none."""
+    wide = len(found.q) > len(found.row_names)
+    names = found.robot.joint_names if wide else found.row_names
+    try:
+        minors = found.minors
+    except FormulaError as error:
+        return [], str(error)
+    named = [
         ("det J" if not out else f"det J without {enumeration(names[i] for i in out)}", minor)
-        for out, minor in found.minors.items()
+        for out, minor in minors.items()
     ]
+    return named, ""

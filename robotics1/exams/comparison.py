@@ -1,14 +1,14 @@
 """Whether a printed value and a computed one agree, and nothing looser."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-FORMULA_TOLERANCE = 1e-12  # of the largest difference at random q, relative to the larger of 1 and the value
-DRAWS = 20  # random q and lengths at which a formula is tried
+from robotics1.exams.symbolic_equality import are_equal, formula_of
+
 DECIMALS = 4  # to which a number printed without decimals is held
 
 
@@ -19,15 +19,15 @@ class Check:
     Attributes:
         exercise: such as "2a".
         name: what it is; unique in an exam.
-        printed: as published.
-        computed: the computed number, or for a formula the largest difference found.
+        printed: as published; a formula in SymPy's spelling.
+        computed: the computed number; of a formula, its text.
         agreement: "rounded", "truncated", "formula", "erratum" (a known print error), or None.
     """
 
     exercise: str
     name: str
     printed: str
-    computed: float
+    computed: float | str
     agreement: str | None
 
     @property
@@ -59,11 +59,10 @@ class Comparison:
                 found = "erratum"
             self._add(Check(exercise, full, text, float(value), found))
 
-    def formula(self, exercise: str, name: str, printed: str, difference: Callable[[int], npt.ArrayLike]) -> None:
-        """Try a printed formula: `difference(seed)` is printed minus computed at the seed's random q and lengths."""
-        largest = max(float(np.abs(difference(seed)).max()) for seed in range(DRAWS))
-        found = "formula" if largest <= FORMULA_TOLERANCE else None
-        self._add(Check(exercise, name, printed, largest, found))
+    def formula(self, exercise: str, name: str, printed: str, computed: Any) -> None:
+        """Compare a printed formula, in SymPy's spelling, with the computed one, by symbolic equality."""
+        found = "formula" if are_equal(formula_of(printed), computed) else None
+        self._add(Check(exercise, name, printed, " ".join(str(computed).split()), found))
 
     def failures(self) -> list[Check]:
         """Return the checks that do not hold."""

@@ -22,8 +22,8 @@ from robotics1.trajectories.target_motion import LinearMotion
 POSE, POINT, SPACE = PlanarPoseTask("xy"), PositionTask("xy"), PositionTask("xyz")
 FORCE = (3, 1)
 GOAL = (1, -1, 3)
-SPEED = 1.5 * np.array([cos(radians(15)), sin(radians(15))])
-TARGET = LinearMotion([-2, 1], SPEED)
+P0, SPEED, ANGLE = (-2, 1), 1.5, radians(15)
+TARGET = LinearMotion(P0, SPEED * np.array([cos(ANGLE), sin(ANGLE)]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ class Exercise3:
 def exercise_1() -> Exercise1:
     """Solve exercise 1 for the lengths in the robot's file."""
     robot = load_robot("prr")
-    pose, point = find_singularities(robot, POSE), find_singularities(robot, POINT)
+    pose, point = (find_singularities(robot, task, method="symbolic") for task in (POSE, POINT))
     branch = next(branch for branch in point.branches if all(value > 0 for value in branch.values.values()))
     q_s = np.array([0.5, branch.values["q2"], branch.values["q3"]])
     J_s = POINT.jacobian(robot, q_s)

@@ -19,7 +19,10 @@ from robotics1.exams.exam_2025_01_13 import (
     exercise_2,
     exercise_3,
 )
+from robotics1.exams.formula_table import FormulaTable
+from robotics1.exams.formulas_2025_01_13 import formula_tables
 from robotics1.notation import count, vector
+from robotics1.report.formula_page import write_formula_page
 from robotics1.report.tables import iteration_table, polynomial_table
 from robotics1.viewer.animation import animate
 from robotics1.viewer.plots import plot_joint_motion, plot_tool_path
@@ -31,6 +34,7 @@ class WorkedExam:
 
     Attributes:
         one, two, three: the answers.
+        tables: the formulas of each exercise.
         comparison: the published values beside the computed ones.
         files: the figures and pages that were written.
     """
@@ -38,6 +42,7 @@ class WorkedExam:
     one: Exercise1
     two: Exercise2
     three: Exercise3
+    tables: tuple[FormulaTable, FormulaTable, FormulaTable]
     comparison: Comparison
     files: tuple[Path, ...]
 
@@ -56,8 +61,12 @@ class WorkedExam:
 
     def print(self, console: Console) -> None:
         """Print the worked answers, then the verdict on the published values."""
+        one, two, three = self.tables
+        _print_formulas(console, one)
         _print_exercise_1(console, self.one)
+        _print_formulas(console, two)
         _print_exercise_2(console, self.two)
+        _print_formulas(console, three)
         _print_exercise_3(console, self.three)
         _print_checks(console, self.comparison)
         for path in self.files:
@@ -65,10 +74,12 @@ class WorkedExam:
 
 
 def work_exam(folder: Path) -> WorkedExam:
-    """Solve the exam, check it, and write its figures 2 to 5 and two animated pages into the folder."""
+    """Solve the exam, check it, and write its formulas, figures 2 to 5 and two animated pages into the folder."""
     one, two, three = exercise_1(), exercise_2(), exercise_3()
+    tables = formula_tables(one, two, three)
     folder.mkdir(parents=True, exist_ok=True)
-    files: list[Path] = []
+    sections = [table.section() for table in tables]
+    files = [write_formula_page(folder / "formulas.html", sections, title="Robotics 1, 13 January 2025: formulas")]
     for first, name, branch in ((2, "right", three.right), (4, "left", three.left)):
         title = f"2R robot, {name} arm at the rendez-vous"
         joints = folder / f"figure-{first}-{name}-arm-joints.svg"
@@ -86,13 +97,18 @@ def work_exam(folder: Path) -> WorkedExam:
                 caption=f"The tool (red) meets the target (green) at t = {three.meeting.time:.3f} s, at its velocity.",
             ),
         ]
-    return WorkedExam(one, two, three, compare(one, two, three), tuple(files))
+    return WorkedExam(one, two, three, tables, compare(one, two, three, tables), tuple(files))
+
+
+def _print_formulas(console: Console, table: FormulaTable) -> None:
+    section = table.section()
+    console.rule(section.title)
+    console.print(section.given, highlight=False)
+    for formula in section.formulas:
+        console.print(formula.text(), highlight=False, markup=False, soft_wrap=True)
 
 
 def _print_exercise_1(console: Console, one: Exercise1) -> None:
-    console.rule("Exercise 1: PRR robot")
-    lengths = ", ".join(f"{name} = {value:g} m" for name, value in one.robot.parameters.items())
-    console.print(f"Lengths {lengths}.", highlight=False)
     console.print("\nTask r = (p, φ)", style="bold")
     console.print(one.pose.explain(), highlight=False)
     console.print("\nTask r = p", style="bold")
@@ -104,7 +120,7 @@ def _print_exercise_1(console: Console, one: Exercise1) -> None:
 
 
 def _print_exercise_2(console: Console, two: Exercise2) -> None:
-    console.rule("Exercise 2: cylindrical robot")
+    console.print()
     titles = ("a) Newton, Table 1", "b) Newton", "b) with the pseudoinverse, Table 2")
     for title, run in zip(titles, (two.a, two.b, two.b_pseudoinverse), strict=True):
         console.print(iteration_table(run, title))
@@ -113,10 +129,9 @@ def _print_exercise_2(console: Console, two: Exercise2) -> None:
 
 
 def _print_exercise_3(console: Console, three: Exercise3) -> None:
-    console.rule("Exercise 3: rendez-vous of the 2R robot")
     meeting = three.meeting
     console.print(
-        f"t_rv = {meeting.time:.4f} s, p_rv = {vector(meeting.position)} m, ṗ_T = {vector(meeting.velocity)} m/s; "
+        f"\nt_rv = {meeting.time:.4f} s, p_rv = {vector(meeting.position)} m, ṗ_T = {vector(meeting.velocity)} m/s; "
         f"{meeting.verdict.value}.",
         highlight=False,
     )

@@ -44,8 +44,15 @@ class JointBox:
         return np.where(self.circular, d - TURN * np.round(d / TURN), d) / self.unit
 
 
-def joint_box(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None) -> JointBox:
+def joint_box(
+    robot: Robot, box: Mapping[str, tuple[float, float]] | None = None, *, unlimited: float | None = None
+) -> JointBox:
     """Return the box of the robot's limits, narrowed by `box`: joint name → (lower, upper) [rad or m].
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        box: joint name → (lower, upper).
+        unlimited: how far a prismatic joint without limits goes to both sides, in reaches; None refuses it.
 
     Raises:
         UnknownNameError: no such joint.
@@ -57,6 +64,9 @@ def joint_box(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None
             f"prismatic joints can be searched"
         )
     lower, upper = robot.lower, robot.upper
+    if unlimited is not None:
+        lower = np.where(robot.revolute | np.isfinite(lower), lower, -unlimited * robot.reach)
+        upper = np.where(robot.revolute | np.isfinite(upper), upper, unlimited * robot.reach)
     circular = robot.revolute & (upper - lower >= TURN - 1e-9)
     lower[circular], upper[circular] = -np.pi, np.pi
     for name, interval in by_name("box", box, "{'q1': (-1, 1)}").items():

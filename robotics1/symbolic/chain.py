@@ -13,8 +13,8 @@ from sympy.polys.rings import PolyRing
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
-from robotics1.symbolic.exact import exact_length, exact_turn
-from robotics1.symbolic.laurent import ROOTS, Frequencies, Laurent, conjugate
+from robotics1.symbolic.exact import FINE, exact_axis, exact_length, exact_turn
+from robotics1.symbolic.laurent import ROOTS, Frequencies, Laurent, gaussian, reduced
 from robotics1.symbolic.parameters import JointNumbers, Monomial, joints_to
 
 Matrix = np.ndarray[Any, Any]  # of Laurent polynomials
@@ -31,12 +31,15 @@ class Chain:
         frame: the link at the end.
         joints: their numbers.
         base: another chain of the robot whose symbols are to be used.
+        rational: whether √2 and √3, of turns by π/4 or π/6 and of oblique axes, are left out: turns and axes are then
+            rational to 1e-16, and polynomials fall into all their factors.
     """
 
     robot: Robot
     frame: str
     joints: tuple[JointNumbers, ...]
     base: "Chain | None" = None
+    rational: bool = False
 
     @cached_property
     def q(self) -> tuple[sympy.Symbol, ...]:
@@ -54,7 +57,7 @@ class Chain:
         lengths = [q for q, turns in zip(self.q, self.robot.revolute, strict=True) if not turns]
         angles += [symbols[name] for name in symbols if name in used]
         lengths += [symbols[name] for name in symbols if name not in used]
-        return Frequencies(tuple(angles), PolyRing([*lengths, *map(sympy.Symbol, ROOTS)], QQ_I))
+        return Frequencies(tuple(angles), PolyRing([*lengths, *map(sympy.Symbol, ROOTS)], QQ_I), self.q)
 
     @cached_property
     def poses(self) -> list[Pose]:
@@ -77,6 +80,11 @@ class Chain:
     def _steps(self) -> list[tuple[Pose, Pose]]:
         """The placement of each joint in its parent link, and its motion."""
         return [(self._placement(joint), self._motion(joint)) for joint in self.joints]
+
+    @property
+    def motions(self) -> list[Pose]:
+        """The motion of each joint."""
+        return [motion for _, motion in self._steps]
 
     def _placement(self, joint: JointNumbers) -> Pose:
         R, _ = self.still
@@ -104,27 +112,28 @@ class Chain:
         for number, joint in enumerate(self.joints):
             if joint.kind == "fixed":
                 continue
-            R, p = self._relative(middle, number)
+            R, p = self.relative(middle, number)
             i = self.robot.joint_names.index(joint.leader)
             axis = R @ self._vector(joint.axis)
             rate = self.frequencies.constant(_rational(joint.multiplier))
             if joint.kind == "prismatic":
                 J[:3, i] += axis * rate
             else:
-                J[:3, i] += _cross(p, axis) * rate
+                J[:3, i] += cross(p, axis) * rate
                 J[3:, i] += axis * rate
         return J
 
-    def _relative(self, start: int, end: int) -> Pose:
-        """Return the pose of joint `end`, before it moves, in the frame of joint `start`, after it has moved."""
+    def relative(self, start: int, end: int) -> Pose:
+        """Return the pose of joint `end`, before it moves, in the frame of joint `start`, after it has moved; that
+        of the chain's last link for the number after the last joint.
+        """
         if end > start:
-            R, p = self._steps[start + 1][0]
+            steps = [*self._steps, (self.still, self.still)]
+            pose = steps[start + 1][0]
             for number in range(start + 1, end):
-                R, p = _product((R, p), self._steps[number][1])
-                R, p = _product((R, p), self._steps[number + 1][0])
-            return R, p
-        R, p = self._steps[start][1]
-        pose = (R, p)
+                pose = _product(_product(pose, steps[number][1]), steps[number + 1][0])
+            return pose
+        pose = self._steps[start][1]
         for number in range(start, end, -1):
             pose = _product(_product(self._steps[number - 1][1], self._steps[number][0]), pose)
         R, p = pose
@@ -146,13 +155,19 @@ class Chain:
         return J
 
     def _vector(self, axis: Array) -> Matrix:
-        return np.array([self.frequencies.constant(_rational(value)) for value in axis], dtype=object)
+        return np.array([self.frequencies.constant(n) for n in self._axis(axis)], dtype=object)
+
+    def _axis(self, axis: Array) -> list[Any]:
+        """Return the unit axis in the ring."""
+        v, square = exact_axis(axis, rational=self.rational)
+        root = self.frequencies.root(square)
+        return [root * gaussian(value) for value in v]
 
     def _polynomial(self, number: dict[Monomial, float]) -> Laurent:
         ring = self.frequencies.ring
         total = ring.zero
         for monomial, coefficient in number.items():
-            term = ring(_element(exact_length(coefficient)))
+            term = ring(gaussian(exact_length(coefficient)))
             for name in monomial:
                 term *= ring(sympy.Symbol(name, real=True))
             total += term
@@ -181,33 +196,29 @@ class Chain:
         return self.frequencies.constant(slope * ring(self.q[i]) + offset)
 
     def _constant_turn(self, angle: float) -> Laurent:
-        """Return exp(i angle), exact for multiples of π/12."""
-        ring = self.frequencies.ring
+        """Return exp(i angle): exact for multiples of π/12, else a rational point of the circle next to it.
+
+        The point (1 + i t)² / (1 + t²), with t rational next to tan(angle/2), has the length 1, so that rotations
+        stay rotations.
+        """
         k = exact_turn(angle)
-        if k is None:
-            return self.frequencies.constant(ring(QQ_I(_rational(np.cos(angle)), _rational(np.sin(angle)))))
-        root2, root3 = (ring(sympy.Symbol(name)) for name in ROOTS)
-        i = ring(QQ_I(0, 1))
-        # exp(iπ/12) = exp(iπ/4) exp(−iπ/6); products reduce √2² and √3²
-        step = self.frequencies.constant(root2 * (1 + i) / 2) * self.frequencies.constant((root3 - i) / 2)
-        quarters, rest = divmod(k % 24, 6)
-        turn = self.frequencies.constant(i**quarters)
-        for _ in range(rest):
-            turn = turn * step
-        return turn
+        if k is not None and (k % 6 == 0 or not self.rational):
+            return self.frequencies.turn(k)
+        angle = angle if k is None else k * np.pi / 12
+        t = QQ_I(0, Fraction(np.tan(angle / 2)).limit_denominator(FINE))
+        return self.frequencies.constant((1 + t) ** 2 / (1 - t**2))
 
     def _rotation(self, axis: Array, turn: Laurent) -> Matrix:
         """Return R = n nᵀ + (1 − n nᵀ) cos + [n]× sin, with exp(i angle) = turn."""
         F = self.frequencies
-        back = Laurent(F, {tuple(-m for m in k): conjugate(c) for k, c in turn.terms.items()})
-        half, down = F.constant(_element(Fraction(1, 2))), F.constant(QQ_I(0, Fraction(-1, 2)))
-        cos, sin = (turn + back) * half, (turn - back) * down
-        n = [_rational(value) for value in axis]
+        half, down = F.constant(gaussian(Fraction(1, 2))), F.constant(QQ_I(0, Fraction(-1, 2)))
+        cos, sin = (turn + turn.conjugate) * half, (turn - turn.conjugate) * down
+        n = self._axis(axis)
         skew = [[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]]
         R = np.empty((3, 3), dtype=object)
         for a in range(3):
             for b in range(3):
-                outer = n[a] * n[b]
+                outer = reduced(n[a] * n[b])
                 R[a, b] = F.constant(outer) + F.constant((a == b) - outer) * cos + F.constant(skew[a][b]) * sin
         return R
 
@@ -225,10 +236,11 @@ def chain_to(robot: Robot, frame: str) -> Chain:
         raise FormulaError(f"{len(moving)} joints lead to {frame!r}; formulas are written for at most {MOST_JOINTS}")
     if robot.nq != robot.nv:
         raise FormulaError(f"robot {robot.name!r} has joints with several degrees of freedom")
-    return Chain(robot, frame, tuple(joints))
+    return Chain(robot, frame, joints)
 
 
-def _cross(a: Matrix, b: Matrix) -> Matrix:
+def cross(a: Matrix, b: Matrix) -> Matrix:
+    """Return a × b."""
     return np.array([a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))], dtype=object)
 
 
@@ -238,8 +250,4 @@ def _product(a: Pose, b: Pose) -> Pose:
 
 
 def _rational(value: float) -> Any:
-    return _element(exact_length(float(value)))
-
-
-def _element(value: Fraction) -> Any:
-    return QQ_I(value.numerator, 0) / value.denominator
+    return gaussian(exact_length(float(value)))

@@ -9,6 +9,7 @@ with coefficients cₖ that are polynomials in the lengths over ℚ(i). The form
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy
@@ -25,11 +26,13 @@ class Frequencies:
 
     Attributes:
         angles: the symbols φ of the revolute joints and of angles that have names.
-        ring: ℚ(i)[lengths, prismatic joints, √2, √3].
+        ring: ℚ(i)[prismatic joints, lengths, √2, √3].
+        q: the symbols of the joints, among both.
     """
 
     angles: tuple[sympy.Symbol, ...]
     ring: PolyRing
+    q: tuple[sympy.Symbol, ...]
 
     def constant(self, value: Any) -> "Laurent":
         """Return a coefficient as a polynomial without angles."""
@@ -40,6 +43,25 @@ class Frequencies:
         """Return exp(i k·φ)."""
         k = tuple(multiples.get(angle, 0) for angle in self.angles)
         return Laurent(self, {k: self.ring.one})
+
+    def root(self, k: int) -> PolyElement:
+        """Return √k, for k = 1, 2, 3 or 6."""
+        found = self.ring.one
+        for name, square in ROOTS.items():
+            if k % square == 0:
+                found *= self.ring(sympy.Symbol(name))
+        return found
+
+    def turn(self, k: int) -> "Laurent":
+        """Return exp(i k π/12)."""
+        i = self.ring(QQ_I(0, 1))
+        # exp(iπ/12) = exp(iπ/4) exp(−iπ/6); products reduce √2² and √3²
+        step = self.constant(self.root(2) * (1 + i) / 2) * self.constant((self.root(3) - i) / 2)
+        quarters, rest = divmod(k % 24, 6)
+        turn = self.constant(i**quarters)
+        for _ in range(rest):
+            turn = turn * step
+        return turn
 
     @property
     def zero(self) -> Exponents:
@@ -53,6 +75,11 @@ class Laurent:
 
     frequencies: Frequencies
     terms: dict[Exponents, PolyElement]
+
+    @property
+    def angles(self) -> tuple[int, ...]:
+        """The places of the angles it depends on."""
+        return tuple(j for j in range(len(self.frequencies.angles)) if any(k[j] for k in self.terms))
 
     def __bool__(self) -> bool:
         return bool(self.terms)
@@ -77,6 +104,24 @@ class Laurent:
                 terms[n] = terms[n] + c * d if n in terms else c * d
         return Laurent(self.frequencies, {k: c for k, c in ((k, reduced(c)) for k, c in terms.items()) if c})
 
+    @property
+    def conjugate(self) -> "Laurent":
+        """The complex conjugate: f itself if it is real, the inverse if it is exp(i α)."""
+        return Laurent(self.frequencies, {tuple(-m for m in k): conjugate(c) for k, c in self.terms.items()})
+
+    @property
+    def symbols(self) -> set[sympy.Symbol]:
+        """The angles and lengths it depends on."""
+        F = self.frequencies
+        used = {F.ring.symbols[i] for c in self.terms.values() for m in c.itermonoms() for i, e in enumerate(m) if e}
+        return {symbol for symbol in used if str(symbol) not in ROOTS} | {F.angles[j] for j in self.angles}
+
+    @property
+    def has_roots(self) -> bool:
+        """Whether √2 or √3 is in a coefficient."""
+        places = _root_places(self.frequencies.ring)
+        return any(m[place] for c in self.terms.values() for m in c.itermonoms() for place in places)
+
     def derivative(self, symbol: sympy.Symbol) -> "Laurent":
         """Return ∂f/∂symbol, for an angle or a generator of the ring."""
         if symbol in self.frequencies.angles:
@@ -88,10 +133,24 @@ class Laurent:
         return Laurent(self.frequencies, {k: c for k, c in terms.items() if c})
 
 
+def gaussian(value: Any) -> Any:
+    """Return a rational number of any kind, with p and q or numerator and denominator, as an element of ℚ(i)."""
+    p, q = (value.p, value.q) if hasattr(value, "p") else (value.numerator, value.denominator)
+    return QQ_I(int(p), 0) / int(q)
+
+
 def reduced(c: PolyElement) -> PolyElement:
     """Return a coefficient with the squares of the generators √2 and √3 replaced by 2 and 3."""
-    relations = [g**2 - ROOTS[str(s)] for g, s in zip(c.ring.gens, c.ring.symbols, strict=True) if str(s) in ROOTS]
-    return c.rem(relations) if relations else c
+    places = _root_places(c.ring)
+    if all(m[place] < 2 for m in c.itermonoms() for place in places):
+        return c
+    return c.rem([c.ring.gens[place] ** 2 - square for place, square in places.items()])
+
+
+@cache
+def _root_places(ring: PolyRing) -> dict[int, int]:
+    """Return the place of each generator that stands for a root → its square."""
+    return {place: ROOTS[str(s)] for place, s in enumerate(ring.symbols) if str(s) in ROOTS}
 
 
 def conjugate(c: PolyElement) -> PolyElement:

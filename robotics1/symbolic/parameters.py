@@ -1,14 +1,16 @@
 """How the numbers of a robot's file depend on its named parameters.
 
-The file is expanded again at other values, and each number is fitted by a polynomial of degree two, which a further
-expansion must confirm.
+The file is expanded again at other values, and each number is fitted by a polynomial of degree one, else two, which
+further expansions must confirm.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations_with_replacement
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
@@ -16,7 +18,7 @@ from robotics1.robot.checking import children, linked
 from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.model import Robot
 
-DEGREE = 2
+HIGHEST_DEGREE = 2
 CONFIRMS = 1e-9  # difference of a fitted and an expanded number that is rounding
 
 Monomial = tuple[str, ...]  # the names that are multiplied; () is the constant
@@ -44,7 +46,8 @@ class JointNumbers:
     offset: float = 0.0
 
 
-def joints_to(robot: Robot, frame: str) -> list[JointNumbers]:
+@lru_cache(maxsize=16)
+def joints_to(robot: Robot, frame: str) -> tuple[JointNumbers, ...]:
     """Return the joints from the root to a link, with their numbers as polynomials of the robot's parameters.
 
     Raises:
@@ -72,7 +75,7 @@ def joints_to(robot: Robot, frame: str) -> list[JointNumbers]:
                 offset=0.0 if mimic is None else float(mimic.get("offset", 0.0)),
             )
         )
-    return found
+    return tuple(found)
 
 
 def _path(robot: Robot, frame: str) -> list[Element]:
@@ -99,8 +102,22 @@ def _numbers(joints: list[Element]) -> Array:
 
 
 def _fit(robot: Robot, frame: str, names: tuple[str, ...], base: Array) -> dict[Monomial, Array]:
-    """Return monomial → coefficients (k, 9), confirmed at one more point than the fit used."""
-    monomials = [m for degree in range(DEGREE + 1) for m in combinations_with_replacement(names, degree)]
+    """Return monomial → coefficients (k, 9), of the lowest degree that is confirmed."""
+    for degree in range(1, HIGHEST_DEGREE + 1):
+        fitted, wrong = _fit_of_degree(degree, robot, frame, names, base)
+        if not wrong.any():
+            return fitted
+    joint, number = divmod(int(np.argmax(wrong)), 9)
+    attribute = ("xyz", "rpy", "axis")[number // 3]
+    name = _path(robot, frame)[joint].get("name")
+    raise FormulaError(f"{attribute} of joint {name!r} is no polynomial of degree {HIGHEST_DEGREE} in the parameters")
+
+
+def _fit_of_degree(
+    degree: int, robot: Robot, frame: str, names: tuple[str, ...], base: Array
+) -> tuple[dict[Monomial, Array], npt.NDArray[np.bool_]]:
+    """Return monomial → coefficients (k, 9), and which numbers two more points and the robot itself contradict."""
+    monomials = [m for d in range(degree + 1) for m in combinations_with_replacement(names, d)]
     rng = np.random.default_rng(0)
     centre = np.array([robot.parameters[name] for name in names])
     spread = np.where(centre == 0, 1.0, np.abs(centre))
@@ -114,15 +131,10 @@ def _fit(robot: Robot, frame: str, names: tuple[str, ...], base: Array) -> dict[
     at_home = np.array([np.prod([robot.parameters[name] for name in m]) for m in monomials])
     wrong = np.abs(matrix[-2:] @ solution - flat[-2:]).max(axis=0) > CONFIRMS
     wrong |= np.abs(at_home @ solution - base.ravel()) > CONFIRMS
-    if wrong.any():
-        joint, number = divmod(int(np.argmax(wrong)), 9)
-        attribute = ("xyz", "rpy", "axis")[number // 3]
-        name = _path(robot, frame)[joint].get("name")
-        raise FormulaError(f"{attribute} of joint {name!r} is no polynomial of degree {DEGREE} in the parameters")
     solution = np.where(np.abs(solution) < CONFIRMS, 0.0, solution).reshape(len(monomials), *base.shape)
     rounded = np.round(solution, 9)
     solution = np.where(np.abs(solution - rounded) < CONFIRMS / 10, rounded, solution)
-    return dict(zip(monomials, solution, strict=True))
+    return dict(zip(monomials, solution, strict=True)), wrong
 
 
 def _variant(robot: Robot, parameters: Mapping[str, float]) -> Robot:

@@ -4,14 +4,15 @@ Angles of joints with parallel axes are added up, cos(q2 + q3); those of others 
 cos(q1) cos(q2 + q3). What all terms share stands in front.
 """
 
-from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import sympy
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyElement
 
-from robotics1.symbolic.laurent import Laurent, polynomial
+from robotics1.symbolic.laurent import Exponents, Laurent, polynomial
+
+LONGEST_DENOMINATOR = 10**12
 
 Groups = tuple[tuple[int, ...], ...]  # the places of angles that are added up
 
@@ -37,30 +38,35 @@ def written(f: Laurent, groups: Groups) -> sympy.Expr:
             for key, c in sorted(terms.items(), key=lambda item: str(item[0]), reverse=True)
         )
     )
-    return polynomial(lengths) * sympy.Mul(*(_wave(wave, f) for wave in shared)) * total
+    front = [polynomial(lengths), *(_wave(wave, f) for wave in shared)]
+    if total.is_Add and total.could_extract_minus_sign():
+        return sympy.Mul(-1, *front, -total)
+    return sympy.Mul(*front, total)
 
 
 def _in_waves(f: Laurent, groups: Groups) -> dict[tuple[Wave, ...], PolyElement]:
-    """Return f as a sum of products of waves, one of each group at most."""
-    i = f.frequencies.ring(QQ_I(0, 1))
-    terms: dict[tuple[Wave, ...], PolyElement] = {}
-    for k, c in f.terms.items():
-        choices = []
-        for group in groups:
-            m = tuple(k[j] if j in group else 0 for j in range(len(k)))
-            first = next((value for value in m if value), 0)
-            if first == 0:
-                continue
-            positive = m if first > 0 else tuple(-value for value in m)
-            # exp(i m·φ) = cos ± i sin
-            choices.append(((Wave(positive, False), 1), (Wave(positive, True), i if first > 0 else -i)))
-        for combination in product(*choices):
-            key = tuple(wave for wave, _ in combination)
-            value = c
-            for _, factor in combination:
-                value = value * factor
-            terms[key] = terms.get(key, f.frequencies.ring.zero) + value
-    return {key: c for key, c in terms.items() if c}
+    """Return f as a sum of products of waves, one of each group at most; one group after the other."""
+    zero = f.frequencies.ring.zero
+    terms: dict[tuple[tuple[Wave, ...], Exponents], PolyElement] = {((), k): c for k, c in f.terms.items()}
+    for group in groups:
+        changed: dict[tuple[tuple[Wave, ...], Exponents], PolyElement] = {}
+        for (waves, k), c in terms.items():
+            m = tuple(value if j in group else 0 for j, value in enumerate(k))
+            rest = tuple(0 if j in group else value for j, value in enumerate(k))
+            for wave, factor in _exponential(m):
+                key = ((*waves, *wave), rest)
+                changed[key] = changed.get(key, zero) + (c if factor is None else c.mul_ground(factor))
+        terms = {key: c for key, c in changed.items() if c}
+    return {waves: c for (waves, _), c in terms.items()}
+
+
+def _exponential(m: Exponents) -> list[tuple[tuple[Wave, ...], Any]]:
+    """Return exp(i m·φ) as cos ± i sin, each wave with its factor; None is 1."""
+    first = next((value for value in m if value), 0)
+    if first == 0:
+        return [((), None)]
+    positive = m if first > 0 else tuple(-value for value in m)
+    return [((Wave(positive, False),), None), ((Wave(positive, True),), QQ_I(0, 1 if first > 0 else -1))]
 
 
 def _shared_monomial(coefficients: list[PolyElement]) -> PolyElement:
@@ -86,3 +92,9 @@ def written_product(factors: tuple[Laurent, ...], groups: Groups) -> sympy.Expr:
         number *= content
         parts.append(part)
     return number * sympy.Mul(*parts)
+
+
+def with_decimals(e: sympy.Expr) -> sympy.Expr:
+    """Return an expression with decimals for the fractions that nobody reads."""
+    long = [x for x in e.atoms(sympy.Rational) if x.q > LONGEST_DENOMINATOR]
+    return e.xreplace({x: sympy.Float(float(x)) for x in long})

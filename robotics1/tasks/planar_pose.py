@@ -10,9 +10,10 @@ import pinocchio as pin
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, one_of, real_array
 from robotics1.kinematics import frame_jacobian
+from robotics1.orientation.expressions import angle_of, wrapped
 from robotics1.robot.model import Robot
 from robotics1.tasks.position import AXES
-from robotics1.tasks.task import FrameTask, angle_of, wrapped
+from robotics1.tasks.task import FrameTask
 
 
 @dataclass(frozen=True)

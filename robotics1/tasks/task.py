@@ -1,11 +1,9 @@
 """What every task answers, and the frame of the built-in ones."""
 
-import math
 from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
@@ -148,17 +146,3 @@ class FrameTask:
             return T
         R = reference_axes(robot, q, self.reference)
         return pin.SE3(R.T @ T.rotation, R.T @ T.translation)
-
-
-def angle_of(sine: Any, cosine: Any) -> Any:
-    """Return the angle of a sine and a cosine, in (−π, π]: a number of numbers, a formula of formulas."""
-    if isinstance(sine, float):
-        return math.atan2(sine, cosine)
-    import sympy
-
-    return sine.args[0] if sine == sympy.sin(*cosine.args) and cosine.func is sympy.cos else sympy.atan2(sine, cosine)
-
-
-def wrapped(angle: float) -> float:
-    """Return the angle in (−π, π]."""
-    return float(np.pi - (np.pi - angle) % (2 * np.pi))

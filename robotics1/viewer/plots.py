@@ -1,24 +1,19 @@
 """Plots of joint motions and of the tool's path, as SVG."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from robotics1.errors import InputError, MissingExtraError
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
-from robotics1.trajectories.polynomial import PolynomialTrajectory
+from robotics1.trajectories.protocols import Trajectory
 from robotics1.trajectories.target_motion import TargetMotion
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-STYLES = ("-", "--", "-.", ":")  # so that the joints can be told apart without colour
-SAMPLES = 201
+from robotics1.viewer.plot_figures import SAMPLES, line_style
+from robotics1.viewer.plot_figures import new_figure as _figure
+from robotics1.viewer.plot_figures import write_svg as _write
 
 
-def plot_joint_motion(robot: Robot, trajectory: PolynomialTrajectory, path: str | Path, *, title: str = "") -> Path:
+def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *, title: str = "") -> Path:
     """Draw q(t) above q̇(t), write it as SVG and return the path.
 
     Raises:
@@ -30,8 +25,8 @@ def plot_joint_motion(robot: Robot, trajectory: PolynomialTrajectory, path: str 
     t = np.linspace(0.0, trajectory.duration, SAMPLES)
     units = ["rad" if angle else "m" for angle in robot.revolute]
     for i, (name, q, v) in enumerate(zip(robot.joint_names, trajectory(t).T, trajectory.velocity(t).T, strict=True)):
-        upper.plot(t, q, STYLES[i % 4], label=f"{name} [{units[i]}]")
-        lower.plot(t, v, STYLES[i % 4], label=f"{name} [{units[i]}/s]")
+        upper.plot(t, q, label=f"{name} [{units[i]}]", **line_style(i))
+        lower.plot(t, v, label=f"{name} [{units[i]}/s]", **line_style(i))
     upper.set(ylabel="joint position", title=title)
     lower.set(xlabel="t [s]", ylabel="joint velocity")
     for axes in (upper, lower):
@@ -42,7 +37,7 @@ def plot_joint_motion(robot: Robot, trajectory: PolynomialTrajectory, path: str 
 
 def plot_tool_path(
     robot: Robot,
-    trajectory: PolynomialTrajectory,
+    trajectory: Trajectory,
     path: str | Path,
     *,
     target: TargetMotion | None = None,
@@ -68,22 +63,3 @@ def plot_tool_path(
     axes.grid(alpha=0.4)
     axes.legend()
     return _write(figure, path)
-
-
-def _figure(size: tuple[float, float]) -> "Figure":
-    try:
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise MissingExtraError("matplotlib", "plots") from error
-    return Figure(figsize=size, layout="constrained")
-
-
-def _write(figure: "Figure", path: str | Path) -> Path:
-    path = Path(path)
-    if not path.parent.is_dir():
-        raise InputError(f"there is no folder {path.parent}, so {path.name} cannot be written there")
-    from matplotlib import rc_context
-
-    with rc_context({"svg.hashsalt": "robotics1"}):  # the same figure gives the same bytes
-        figure.savefig(path, format="svg", metadata={"Date": None})
-    return path

@@ -1,0 +1,232 @@
+"""The singular set as branches with formulas, complete wherever the time is enough."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+import sympy
+
+from robotics1.analysis.singular_points import SingularPoints, singular_points
+from robotics1.analysis.singular_set import SingularBranch
+from robotics1.analysis.spaces import subspaces
+from robotics1.errors import FormulaError
+from robotics1.inputs import Array
+from robotics1.robot.box import JointBox
+from robotics1.robot.model import Robot
+from robotics1.symbolic.branch_formulas import BranchFormulas
+from robotics1.symbolic.cleaning import cleaned
+from robotics1.symbolic.configurations import Configurations
+from robotics1.symbolic.convenient_axes import Convenient
+from robotics1.symbolic.formula import formulas
+from robotics1.symbolic.locus import Locus
+from robotics1.symbolic.singular_loci import POINTS, largest_pieces, singular_loci
+from robotics1.symbolic.solving import CaseDistinction
+from robotics1.symbolic.time_limit import UNLIMITED, OutOfTime, TimeLimit
+from robotics1.symbolic.writing import Groups
+from robotics1.tasks.task import FrameTask, Task
+
+SAMPLES = 50
+VERIFIED = 1e-9  # σ_ρ of a configuration of a branch, beside the usual σ₁
+
+
+@dataclass(frozen=True, eq=False)
+class SymbolicSearch:
+    """The search for the singular set of a task in exact form.
+
+    Attributes:
+        points: the same set in numbers, of the robot with exact angles.
+        rows: the Jacobian in exact form.
+        groups: the angles that are added up in writing.
+        cases: the lengths, the time limit, and what had no solution.
+        anywhere: a box without the robot's limits.
+        cleaned: the largest correction that made an angle of the file exact [rad].
+    """
+
+    points: SingularPoints
+    rows: Convenient
+    groups: Groups
+    cases: CaseDistinction
+    anywhere: JointBox
+    cleaned: float
+
+    def branches(self, rng: np.random.Generator) -> "Found":
+        """Return the branches."""
+        whole = Locus(self.rows.M[0, 0].frequencies)
+        loci: list[Locus] = []
+        complete = True
+        try:
+            loci.extend(singular_loci(self.rows.M, self.points.rank, whole, self.cases))
+        except OutOfTime:
+            complete = False
+        pieces = largest_pieces(loci, replace(self.cases, limit=UNLIMITED), self.anywhere, rng)
+        existing = [piece for piece in pieces if self._samples(piece, self.anywhere, rng, POINTS)]
+        inside = [piece for piece in existing if self._samples(piece, self.points.box, rng, POINTS)]
+        return Found(
+            inside=_sorted(self._branch(piece, self.points.box, rng) for piece in inside),
+            outside=_sorted(self._branch(piece, self.anywhere, rng) for piece in existing if piece not in inside),
+            undefined=tuple(self._undefined(piece) for piece in pieces if piece not in existing),
+            complete=complete,
+        )
+
+    def intersections(self, branches: Sequence[SingularBranch]) -> tuple[tuple[SingularBranch, ...], bool]:
+        """Return where two branches meet, and where the rank falls further; and whether they are all. A piece of
+        another one is told only if the rank is lower there. The time limit is that of the branches, once more.
+        """
+        again = replace(self.cases, limit=TimeLimit(self.cases.limit.seconds), excluded=[])
+        found: list[SingularBranch] = []
+        complete = True
+        try:
+            for pieces in replace(self, cases=again).crossings(branches, np.random.default_rng(0)):
+                found += pieces
+        except OutOfTime:
+            complete = False
+        kept: list[SingularBranch] = []
+        for piece in sorted(found, key=lambda part: -part.dimension):
+            if not any(other.rank == piece.rank and all(map(other.contains, piece.samples)) for other in kept):
+                kept.append(piece)
+        return tuple(kept), complete
+
+    def crossings(self, branches: Sequence[SingularBranch], rng: np.random.Generator) -> Iterator[list[SingularBranch]]:
+        """Yield the pieces that two branches share, and step by step those of lower rank; some more than once.
+
+        Raises:
+            OutOfTime: the time is over.
+        """
+        exact = [branch for branch in branches if branch.formulas is not None]
+        for a, b in combinations(exact, 2):
+            loci = self.cases.common_zeros(_locus(b).equations, _locus(a))
+            yield self._as_branches(loci, (a, b), rng)
+        deeper = exact
+        while deeper:
+            next_level = []
+            for branch in deeper:
+                parts = self._where_rank_falls(branch, rng)
+                yield parts
+                next_level += parts
+            deeper = next_level
+
+    def _where_rank_falls(self, branch: SingularBranch, rng: np.random.Generator) -> list[SingularBranch]:
+        if branch.rank == 0:
+            return []
+        return self._as_branches(singular_loci(self.rows.M, branch.rank, _locus(branch), self.cases), (branch,), rng)
+
+    def _as_branches(
+        self, loci: Iterable[Locus], within: tuple[SingularBranch, ...], rng: np.random.Generator
+    ) -> list[SingularBranch]:
+        """Return the pieces that are part of all these branches, with samples."""
+        found = []
+        for piece in largest_pieces(loci, self.cases, self.points.box, rng):
+            samples = self._samples(piece, self.points.box, rng, POINTS)
+            if samples and all(branch.contains(q) for q in samples for branch in within):
+                found.append(self._branch(piece, self.points.box, rng))
+        return found
+
+    def _samples(self, piece: Configurations, box: JointBox, rng: np.random.Generator, count: int) -> list[Array]:
+        """Return configurations of the piece at which the task has a Jacobian; none if it has none."""
+        drawn = [piece.random(box, rng) for _ in range(count)]
+        return [q for q in drawn if q is not None and np.isfinite(self.points.gap(q))]
+
+    def _branch(self, piece: Configurations, box: JointBox, rng: np.random.Generator) -> SingularBranch:
+        """Return a piece with samples, each of them verified.
+
+        Raises:
+            FormulaError: a configuration of the piece is not singular.
+        """
+        samples = np.array(self._samples(piece, box, rng, POINTS))
+        dimension = piece.dimension(samples[0])
+        if dimension:
+            samples = np.array([*samples, *self._samples(piece, box, rng, SAMPLES - len(samples))])
+        else:
+            samples = samples[:1]
+        worst = max(self.points.gap(q) for q in samples)
+        if worst > VERIFIED:
+            raise FormulaError(f"the formulas of a singularity are not confirmed: σ_min is {worst:.1e} σ₁ there")
+        ranks = [self.points.rank_at(q) for q in samples]
+        best = int(np.argmax(ranks))
+        names = self.points.robot.joint_names
+        constant = piece.locus.joints if dimension == 0 else piece.constant
+        return SingularBranch(
+            points=self.points,
+            dimension=dimension,
+            values={names[i]: float(samples[0][i]) for i in constant},
+            free_joints=tuple(name for i, name in enumerate(names) if i not in piece.locus.joints),
+            samples=samples,
+            q=samples[best],
+            rank=ranks[best],
+            formulas=BranchFormulas(self.rows, self.groups, piece, ranks[best]),
+        )
+
+    def _undefined(self, piece: Configurations) -> BranchFormulas:
+        return BranchFormulas(self.rows, self.groups, piece, self.points.rank)
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """What the search has found.
+
+    Attributes:
+        inside, outside: the branches inside the box, and those outside.
+        undefined: where minors vanish, but the task has no Jacobian, such as an Euler angle's singularities.
+        complete: whether these are all.
+    """
+
+    inside: tuple[SingularBranch, ...]
+    outside: tuple[SingularBranch, ...]
+    undefined: tuple[BranchFormulas, ...]
+    complete: bool
+
+
+def _locus(branch: SingularBranch) -> Locus:
+    return branch.require_formulas().configurations.locus
+
+
+def _sorted(branches: Iterable[SingularBranch]) -> tuple[SingularBranch, ...]:
+    """The larger first, then by the values of joints; those without values last."""
+    order = sorted(branches, key=lambda branch: (-branch.dimension, not branch.values, list(branch.values.items())))
+    return tuple(order)
+
+
+def symbolic_search(
+    robot: Robot, task: Task, box: JointBox, rng: np.random.Generator, seconds: float
+) -> SymbolicSearch:
+    """Prepare the search: the Jacobian in exact form, and in numbers of the robot with exact angles.
+
+    Raises:
+        FormulaError: there are no formulas of the robot or the task.
+    """
+    limit = TimeLimit(seconds)
+    found = formulas(robot, task)
+    points = singular_points(cleaned(robot)[0], task, box, rng)
+    in_world = isinstance(task, FrameTask) and task.reference == "world"
+    reading = found.reading
+    if any(entry.has_roots for entry in reading.rows.flat):
+        reading = replace(reading, chain=replace(reading.chain, rational=True))
+    rows = reading.convenient if in_world else Convenient(reading.rows)
+    rows = replace(rows, leads_back=reading.factored.is_plain)
+    parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
+    _verify_rows(rows, points, parameters, rng)
+    far = 2 * robot.reach
+    anywhere = JointBox(
+        lower=np.where(robot.revolute, -np.pi, np.minimum(-far, box.lower)),
+        upper=np.where(robot.revolute, np.pi, np.maximum(far, box.upper)),
+        circular=robot.revolute,
+        unit=box.unit,
+    )
+    return SymbolicSearch(points, rows, found.groups, CaseDistinction(parameters, limit), anywhere, found.cleaned)
+
+
+def _verify_rows(
+    rows: Convenient, points: SingularPoints, parameters: Mapping[sympy.Symbol, float], rng: np.random.Generator
+) -> None:
+    """Compare J = X M, or of a task with quotients the null space of M, with Pinocchio.
+
+    Raises:
+        FormulaError: they differ.
+    """
+    for q in points.box.random(rng, 3):
+        J = points.task.jacobian(points.robot, q)
+        ours = rows.numbers(q, parameters)
+        error = ours - J if rows.leads_back else J @ subspaces(ours).null
+        if np.abs(error).max(initial=0.0) > VERIFIED * max(1.0, np.abs(J).max()):
+            raise FormulaError(f"the formula of J differs from Pinocchio by {np.abs(error).max():.1e}")

@@ -1,0 +1,1 @@
+"""Orientation: rotations as matrices, angles, axes and quaternions, and their rates."""

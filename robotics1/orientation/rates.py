@@ -1,0 +1,140 @@
+"""The rates of the angles of a sequence and the angular velocity: ω = T(φ) φ̇."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.inputs import Array, one_of, real_array
+from robotics1.notation import vector
+from robotics1.orientation.elementary import turn
+from robotics1.orientation.euler_inverse import sine_squared
+from robotics1.orientation.expressions import Matrix, cosine_and_sine, expressions, root, told
+from robotics1.orientation.nearest import SINGULAR
+from robotics1.orientation.sequence import EulerSequence, euler_sequence
+
+
+def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference: str = "world") -> Matrix:
+    """Return T(φ), (3, 3), with ω = T φ̇: its columns are the axes about which the three rotations turn.
+
+    Moving axes: T = [e₁, R₁e₂, R₁R₂e₃] in world axes, [R₃ᵀR₂ᵀe₁, R₃ᵀe₂, e₃] in the body's. With λ the angle from the
+    first axis to the last about the second, det T = −sin(φ₂ + λ), and of fixed axes sin(φ₂ − λ): −cos φ₂ of ZYX and
+    cos φ₂ of XYZ, moving or fixed; −sin φ₂ of moving ZYZ, sin φ₂ of fixed ZYZ.
+
+    Args:
+        sequence: three axes, such as "ZYZ", "XYZ", or "Z-YX" with an angle about −y.
+        angles: (3,) [rad]: numbers give an array, SymPy expressions or names a `sympy.Matrix`.
+        fixed: rotations about the axes of the fixed frame; otherwise about those that have already moved.
+        reference: the axes ω is written in: "world" or "body".
+
+    Raises:
+        InputError: the sequence is none, or the angles are not three numbers or expressions.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.6.
+    """
+    one_of("reference", reference, ("world", "body"))
+    return told(rate_map(euler_sequence(sequence, fixed), expressions("angles", angles, (3,), "[rad]"), reference))
+
+
+def rate_map(sequence: EulerSequence, angles: Array, reference: str = "world") -> Array:
+    """Return T, (3, 3)."""
+    e1, e2, e3 = sequence.axes
+    R1, R2, R3 = sequence.turns(angles)
+    world = reference == "world"
+    columns = [e1, R1 @ e2, R1 @ R2 @ e3] if world else [R3.T @ R2.T @ e1, R3.T @ e2, e3]
+    return np.column_stack(columns[sequence.order])
+
+
+def rate_determinant(sequence: EulerSequence, angles: Array) -> Any:
+    """Return det T = −sin ψ; of a fixed sequence, whose columns are those of the moving one reversed, sin ψ."""
+    c, s = cosine_and_sine(angles[1])
+    cos_offset, sin_offset = sequence.offset
+    sine = s * cos_offset + c * sin_offset
+    return sine if sequence.fixed else -sine
+
+
+def lost_direction(sequence: EulerSequence, angles: Array, reference: str = "world") -> Array:
+    """Return the unit vector (3,) normal to all three axes where sin ψ = 0: no ω has a part along it."""
+    (e1, _, e3), (n1, n3) = sequence.axes, sequence.normals
+    first, _, last = angles[sequence.order]
+    return turn(e1, first) @ n1 if reference == "world" else turn(e3, last).T @ n3
+
+
+def inverse_rate_map(sequence: EulerSequence, R: Array) -> Array:
+    """Return T⁻¹, (3, 3), in world axes, at the first solution of R: φ̇ = T⁻¹ ω; R may be of expressions.
+
+    With a₁ = e₁, a₃ = R e₃ and cos ψ = a₁·a₃, the axes of T are a₁, (a₁ × a₃)/sin ψ and a₃, and the rows of T⁻¹ are
+    their reciprocal basis: (a₁ − cos ψ a₃)/sin²ψ, (a₁ × a₃)/sin ψ, (a₃ − cos ψ a₁)/sin²ψ.
+    """
+    a1, a3 = sequence.axes[0], R @ sequence.axes[2]
+    cosine, square = a1 @ a3, sine_squared(sequence, R)
+    normal = sequence.sign * np.cross(a1, a3) / root(square)
+    rows = [(a1 - cosine * a3) / square, normal, (a3 - cosine * a1) / square]
+    return np.stack(rows[sequence.order])
+
+
+@dataclass(frozen=True, eq=False)
+class EulerRates:
+    """The rates of the angles that produce an angular velocity.
+
+    Attributes:
+        rates: (3,) φ̇ [rad/s]; where T is singular the shortest of those that leave the least |ω − T φ̇|.
+        determinant: det T.
+        singular: whether |det T| ≤ 1e-9.
+        unproduced: (3,) ω − T φ̇ [rad/s], the part of ω that no rates produce; zero unless singular.
+        lost: (3,) where T is singular, the unit vector along which no ω is produced; else None.
+        null: (3,) where T is singular, unit rates that produce no ω; else None.
+    """
+
+    rates: Array
+    determinant: float
+    singular: bool
+    unproduced: Array
+    lost: Array | None
+    null: Array | None
+
+    @property
+    def feasible(self) -> bool:
+        """Whether the rates produce ω: |ω − T φ̇| ≤ 1e-9 max(1, |ω|)."""
+        return not self.unproduced.any()
+
+    @property
+    def verdict(self) -> str:
+        """What can be produced, in a sentence."""
+        if self.lost is None:
+            return f"det T = {self.determinant:.4g}: every ω is produced by one φ̇"
+        if self.feasible:
+            return "T is singular, but this ω is produced, by infinitely many φ̇; the shortest is told"
+        return f"T is singular and this ω is not produced: no ω has a part along {vector(self.lost)}"
+
+
+def euler_rates(
+    sequence: str, angles: npt.ArrayLike, omega: npt.ArrayLike, *, fixed: bool = False, reference: str = "world"
+) -> EulerRates:
+    """Return the rates φ̇ = T(φ)⁻¹ ω of the angles, or where T is singular what of ω can be produced.
+
+    Args:
+        sequence: three axes, such as "ZYZ", "XYZ", or "Z-YX" with an angle about −y.
+        angles: (3,) [rad].
+        omega: (3,) ω [rad/s].
+        fixed: rotations about the axes of the fixed frame; otherwise about those that have already moved.
+        reference: the axes ω is written in: "world" or "body".
+
+    Raises:
+        InputError: the sequence is none, or angles or omega are not three numbers.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.6.
+    """
+    order = euler_sequence(sequence, fixed)
+    one_of("reference", reference, ("world", "body"))
+    angles = real_array("angles", angles, (3,), "[rad]")
+    omega = real_array("omega", omega, (3,), "[rad/s]")
+    T, det = rate_map(order, angles, reference), float(rate_determinant(order, angles))
+    if abs(det) > SINGULAR:
+        return EulerRates(np.linalg.solve(T, omega), det, False, np.zeros(3), None, None)
+    lost = lost_direction(order, angles, reference)
+    part = lost @ omega
+    unproduced = part * lost if abs(part) > SINGULAR * max(1.0, float(np.linalg.norm(omega))) else np.zeros(3)
+    null = np.array([1, 0, -np.sign(T[:, 0] @ T[:, 2])]) / np.sqrt(2)
+    return EulerRates(np.linalg.pinv(T, rcond=1e-6) @ omega, det, True, unproduced, lost, null)

@@ -1,0 +1,200 @@
+"""Formulas of published examinations, 2009 to 2013: the robot of the question, and the formula of its solution."""
+
+from math import pi
+
+import numpy as np
+import pytest
+import sympy
+from formula_values import number, real, same
+from sympy import Matrix, cos, sin, sqrt
+
+from robotics1 import OrientationTask, PoseTask, PositionTask, formulas, robot_from_dh, subspaces
+
+H = pi / 2
+q1, q2, q3, q4 = real("q1:5")
+L, L1, L2, L3, alpha = real("L L1 L2 L3 alpha")
+
+RPR = [("R", 0, H, 0, H), ("P", 0, -H, 0, 0), ("R", "L", 0, 0, -H)]
+CAMERA = [("R", 0, H, "L1", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
+CAMERA_TOOL = [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]]
+OFFSET = [("R", "L1", H, "D", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
+CABLE = [("R", 0, -H, 0, 0), ("R", 0, H, 0, 0), ("R", "a3", -H, "d3", 0), ("R", "-a3", H, 0, 0)]
+
+
+def offset_arm():
+    return robot_from_dh(OFFSET, parameters={"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3})
+
+
+def test_2012_06_11_2a_planar_rpr_tip_and_its_2x3_jacobian():
+    f = formulas(robot_from_dh(RPR, parameters={"L": 0.5}), PositionTask("xy"))
+    x, y = q2 * cos(q1) + L * cos(q1 + q3), q2 * sin(q1) + L * sin(q1 + q3)
+    assert same(f.value, Matrix([x, y]))
+    assert same(f.jacobian, Matrix([[-y, cos(q1), -L * sin(q1 + q3)], [x, sin(q1), L * cos(q1 + q3)]]))
+
+
+def test_2012_06_11_2b_planar_rpr_minors():
+    """That of the first two columns is −(q2 + L c3); the printed sign is an erratum."""
+    f = formulas(robot_from_dh(RPR, parameters={"L": 0.5}), PositionTask("xy"))
+    wanted = {(2,): -(q2 + L * cos(q3)), (1,): L * q2 * sin(q3), (0,): L * cos(q3)}
+    assert {out: sympy.expand(minor - wanted[out]) for out, minor in f.minors.items()} == dict.fromkeys(wanted, 0)
+
+
+def test_2012_06_11_2c_planar_rpr_where_all_minors_vanish():
+    f = formulas(robot_from_dh(RPR, parameters={"L": 0.5}), PositionTask("xy"))
+    J = f.jacobian.subs({q2: 0, q3: sympy.pi / 2})
+    assert same(J, Matrix([[-L * cos(q1), cos(q1), -L * cos(q1)], [-L * sin(q1), sin(q1), -L * sin(q1)]]))
+    assert same(J * Matrix([1, L, 0]), Matrix([0, 0]))
+
+
+def test_2012_04_26_1b_velocity_of_a_camera_in_its_own_axes_and_in_those_of_the_base():
+    names = {"L1": 0.5, "L2": 0.4, "L3": 0.3}
+    robot = robot_from_dh(CAMERA, parameters=names, tool_placement=CAMERA_TOOL)
+    own = formulas(robot, PositionTask(reference="tool"))
+    shoulder = L2 * cos(q2) + L3 * cos(q2 + q3)
+    assert same(own.jacobian, Matrix([[shoulder, 0, 0], [0, L3 + L2 * cos(q3), L3], [0, L2 * sin(q3), 0]]))
+    height = L2 * sin(q2) + L3 * sin(q2 + q3)
+    base = formulas(robot, PositionTask())
+    wanted = [
+        [-sin(q1) * shoulder, -cos(q1) * height, -L3 * cos(q1) * sin(q2 + q3)],
+        [cos(q1) * shoulder, -sin(q1) * height, -L3 * sin(q1) * sin(q2 + q3)],
+        [0, shoulder, L3 * cos(q2 + q3)],
+    ]
+    assert same(base.jacobian, Matrix(wanted))
+
+
+def test_2012_02_09_1_angular_jacobian_of_a_wrist_with_twists_alpha_and_minus_alpha():
+    rows = [("R", 0, "alpha", "d4", 0), ("R", 0, "-alpha", "d5", 0), ("R", 0, 0, 0, 0)]
+    f = formulas(robot_from_dh(rows, parameters={"alpha": 1.0, "d4": 0.3, "d5": 0.2}), OrientationTask())
+    s, c = sin(alpha), cos(alpha)
+    wanted = [
+        [0, sin(q1) * s, (1 - cos(q2)) * sin(q1) * s * c - cos(q1) * sin(q2) * s],
+        [0, -cos(q1) * s, (cos(q2) - 1) * cos(q1) * s * c - sin(q1) * sin(q2) * s],
+        [1, c, cos(q2) * s**2 + c**2],
+    ]
+    assert same(f.jacobian, Matrix(wanted))
+    assert same(f.determinant, -sin(q2) * s**2)
+
+
+def test_2012_02_09_2b_rrp_jacobian_and_determinant_s2_q3_squared():
+    f = formulas(robot_from_dh([("R", 0, H, 1, 0), ("R", 0, H, 0, 0), ("P", 0, 0, 0, 0)]), PositionTask())
+    wanted = [
+        [-sin(q1) * sin(q2) * q3, cos(q1) * cos(q2) * q3, cos(q1) * sin(q2)],
+        [cos(q1) * sin(q2) * q3, sin(q1) * cos(q2) * q3, sin(q1) * sin(q2)],
+        [0, sin(q2) * q3, -cos(q2)],
+    ]
+    assert same(f.jacobian, Matrix(wanted))
+    assert f.determinant == q3**2 * sin(q2)
+
+
+def test_2012_01_11_1d_manipulability_of_a_planar_3r_is_the_root_of_the_sum_of_squared_minors():
+    l1, l2, l3 = real("l1 l2 l3")
+    names = {"l1": 1, "l2": 0.5, "l3": 0.25}
+    robot = robot_from_dh([("R", name, 0, 0, 0) for name in names], parameters=names)
+    f = formulas(robot, PositionTask("xy"))
+    H2 = sum(minor**2 for minor in f.minors.values())
+    wanted = (
+        (l1 * (l2 * sin(q2) + l3 * sin(q2 + q3))) ** 2
+        + (l3 * (l1 * sin(q2 + q3) + l2 * sin(q3))) ** 2
+        + (l2 * l3 * sin(q3)) ** 2
+    )
+    assert same(H2, wanted)
+    assert number(sqrt(H2), f, [0.3, 1.48, 0.24]) == pytest.approx(0.795515, abs=1e-6)
+
+
+def test_2011_02_03_1_to_3_arm_with_a_shoulder_offset():
+    shoulder = L1 + L2 * cos(q2) + L3 * cos(q2 + q3)
+    in_last = formulas(offset_arm(), PositionTask(reference="tool"))
+    assert same(in_last.jacobian, Matrix([[0, L2 * sin(q3), 0], [0, L3 + L2 * cos(q3), L3], [-shoulder, 0, 0]]))
+    assert in_last.determinant == -L2 * L3 * shoulder * sin(q3)
+    angular = formulas(offset_arm(), OrientationTask())
+    assert angular.jacobian == Matrix([[0, sin(q1), sin(q1)], [0, -cos(q1), -cos(q1)], [1, 0, 0]])
+    assert angular.determinant == 0
+    impossible = Matrix([cos(q1), sin(q1), 0])
+    assert same(impossible.T * angular.jacobian, sympy.zeros(1, 3))
+
+
+def test_2011_07_04_2_position_of_a_cable_arm_with_an_elbow_offset():
+    robot = robot_from_dh(
+        CABLE,
+        parameters={"a3": 0.045, "d3": 0.55},
+        base_placement=[[1, 0, 0, 0.22], [0, 1, 0, 0.14], [0, 0, 1, 0.346], [0, 0, 0, 1]],
+    )
+    a3, d3 = real("a3 d3")
+    f = formulas(robot, PositionTask(), point=(0, 0, "L"))
+    side = a3 + L * sin(q4) - a3 * cos(q4)
+    along = d3 + a3 * sin(q4) + L * cos(q4)
+    wanted = [
+        0.22 + (cos(q1) * cos(q2) * cos(q3) - sin(q1) * sin(q3)) * side + cos(q1) * sin(q2) * along,
+        0.14 + (sin(q1) * cos(q2) * cos(q3) + cos(q1) * sin(q3)) * side + sin(q1) * sin(q2) * along,
+        0.346 - sin(q2) * cos(q3) * side + cos(q2) * along,
+    ]
+    assert same(f.value, Matrix([sympy.nsimplify(entry, rational=True) for entry in wanted]))
+    at = number(f.value, f, [0.3, 0.5, -0.7, 0.9], L=0.35).ravel()
+    assert at == pytest.approx([0.829858, 0.13229, 0.943759], abs=1e-6)
+
+
+def test_2011_07_04_4_and_5_cable_arm_jacobian_in_the_axes_of_link_2():
+    robot = robot_from_dh(CABLE, parameters={"a3": 0.045, "d3": 0.55})
+    f = formulas(robot, PositionTask(reference="link2"), point=(0, 0, "L"))
+    J = number(f.jacobian, f, [0.3, 0.5, -0.7, 0.9], L=0.35)
+    wanted = [
+        [0.164627, 0.802813, 0.187591, 0.193362],
+        [0.580341, 0, 0.222716, -0.162867],
+        [0.089936, -0.222716, 0, -0.246192],
+    ]
+    assert pytest.approx(np.array(wanted), abs=1e-6) == J
+    a3, d3 = real("a3 d3")
+    stretched = f.jacobian.subs({q2: 0, q3: 0, q4: 0})
+    assert stretched.applyfunc(sympy.simplify) == Matrix([[0, L + d3, 0, L], [0, 0, 0, 0], [0, 0, 0, a3]])
+    assert subspaces(number(f.jacobian, f, [0.7, 0, 0, 0], L=0.35)).rank == 2
+
+
+def test_2010_06_15_1a_vertical_coordinate_of_an_rp_arm_has_the_jacobian_q2_c1_s1():
+    robot = robot_from_dh([("R", 0, H, 0, H), ("P", 0, 0, 0, 0)])
+    f = formulas(robot, PositionTask("y"))
+    assert f.jacobian == Matrix([[q2 * cos(q1), sin(q1)]])
+    assert f.minors == {(0,): sin(q1), (1,): q2 * cos(q1)}
+
+
+def test_2010_01_12_2a_geometric_jacobian_of_a_cylindrical_arm():
+    f = formulas(robot_from_dh([("R", 0, 0, 0, 0), ("P", 0, H, 0, H), ("P", 0, 0, 0, 0)]), PoseTask())
+    rows = [[-q3 * sin(q1), 0, cos(q1)], [q3 * cos(q1), 0, sin(q1)], [0, 1, 0], [0, 0, 0], [0, 0, 0], [1, 0, 0]]
+    assert f.jacobian == Matrix(rows)
+    assert f.minors[(3, 4, 5)] == q3
+
+
+def test_2009_12_17_1_first_four_joints_of_a_7r_arm():
+    rows = [("R", 0, H, 0, 0), ("R", 0, H, 0, 0), ("R", 0, H, "L", 0), ("R", "L", 0, 0, 0)]
+    f = formulas(robot_from_dh(rows, parameters={"L": 1.0}), PositionTask())
+    c1, s1, c2, s2, c3, s3, c4, s4 = (g(q) for q in (q1, q2, q3, q4) for g in (cos, sin))
+    wanted = [
+        L * (c1 * s2 + c1 * s2 * s4 + (s1 * s3 + c1 * c2 * c3) * c4),
+        L * (s1 * s2 + s1 * s2 * s4 - (c1 * s3 - s1 * c2 * c3) * c4),
+        L * (-c2 - c2 * s4 + s2 * c3 * c4),
+    ]
+    assert same(f.value, Matrix(wanted))
+
+
+def test_2009_11_10_2b_orientation_of_a_camera_on_three_joints():
+    robot = robot_from_dh(
+        [("R", 0, -H, 0, 0), ("R", 0, H, 0.25, 0), ("R", 0, H, 0, 0)],
+        base_placement=[[0, 0, 1, 0], [1, 0, 0, 0], [0, 1, 0, 0.2], [0, 0, 0, 1]],
+    )
+    c1, s1, c2, s2, c3, s3 = (g(q) for q in (q1, q2, q3) for g in (cos, sin))
+    wanted = [
+        [-s2 * c3, c2, -s2 * s3],
+        [c1 * c2 * c3 - s1 * s3, c1 * s2, c1 * c2 * s3 + s1 * c3],
+        [s1 * c2 * c3 + c1 * s3, s1 * s2, s1 * c2 * s3 - c1 * c3],
+    ]
+    assert same(formulas(robot, OrientationTask()).value, Matrix(wanted))
+
+
+def test_2009_06_10_b1_position_jacobian_of_a_planar_prp():
+    robot = robot_from_dh(
+        [("P", 0, H, 0, 0), ("R", 0, H, 0, 0), ("P", 0, 0, 0, 0)],
+        base_placement=[[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]],
+        tool_placement=[[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1]],
+    )
+    f = formulas(robot, PositionTask("xy"))
+    assert f.jacobian == Matrix([[0, q3 * cos(q2), sin(q2)], [1, q3 * sin(q2), -cos(q2)]])
+    assert set(f.minors.values()) == {-q3, -sin(q2), -q3 * cos(q2)}

@@ -1,0 +1,182 @@
+"""What is drawn: values, units, sides of jumps, bounds; and that lines differ without colour."""
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from arms import arm, random_q
+from test_paths_in_time import law_to, trapezoid
+
+import robotics1 as r1
+from robotics1 import InputError
+from robotics1.trajectories.motion_limits import MotionLimits
+from robotics1.viewer import plot_curves, plot_laws, plot_motions
+from robotics1.viewer.plot_figures import line_style
+
+CORNER = r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
+SPACE = r1.polyline_path([[0, 0, 0], [1, 0, 0], [1, 1, 1]], blend=0.2)
+
+
+@pytest.fixture
+def axes(monkeypatch):
+    """Return the axes of the figure that was drawn last."""
+    drawn = []
+    for module in (plot_motions, plot_laws, plot_curves):
+        write = module.write_svg
+        monkeypatch.setattr(
+            module, "write_svg", lambda figure, path, write=write: (drawn.append(figure), write(figure, path))[1]
+        )
+    return lambda: drawn[-1].axes
+
+
+def is_svg(path):
+    return ET.parse(path).getroot().tag.endswith("svg")
+
+
+def pose_motion():
+    T1 = pin.SE3(pin.exp3(np.array([0, 0, 1.2])), np.array([1, 2, 2.0]))
+    path = r1.pose_line(np.eye(4), T1)
+    return r1.PathTrajectory(path, law_to(path.end))
+
+
+def test_trajectory_is_drawn_with_its_derivatives_and_units(tmp_path, axes):
+    motion = r1.PathTrajectory(CORNER, law_to(CORNER.end))
+    assert is_svg(r1.plot_trajectory(motion, tmp_path / "a.svg", names=["x", "y"], units="m", title="over a corner"))
+    panels = axes()
+    assert [panel.get_ylabel() for panel in panels] == ["position [m]", "velocity [m/s]", "acceleration [m/s²]"]
+    assert panels[-1].get_xlabel() == "t [s]"
+    assert panels[0].get_title() == "over a corner"
+    for panel, values in zip(panels, (motion, motion.velocity), strict=False):
+        for i in range(2):
+            t, drawn = panel.lines[i].get_data()
+            assert drawn == pytest.approx(values(t)[:, i], abs=1e-12)
+    assert [text.get_text() for text in panels[1].get_legend().get_texts()] == ["x", "y"]
+
+
+def test_a_jump_is_drawn_upright_from_both_sides(tmp_path, axes):
+    motion = r1.PathTrajectory(CORNER, law_to(CORNER.end))
+    r1.plot_trajectory(motion, tmp_path / "a.svg")
+    switch = motion.switching_times[0]
+    t, a = axes()[2].lines[1].get_data()
+    at = a[np.isclose(t, switch, atol=1e-12)]
+    assert at == pytest.approx([motion.acceleration(switch, side="left")[1], motion.acceleration(switch)[1]])
+    assert abs(at[1] - at[0]) > 1
+
+
+def test_joints_have_the_robots_names_and_units_of_each_kind(tmp_path, axes):
+    robot = arm("prr")
+    motion = r1.cubic([0, 0, 0], [1, 2, 3], 1.0)
+    r1.plot_trajectory(motion, tmp_path / "a.svg", robot=robot, limits=MotionLimits(velocity=[1.0, 2.0, 3.0]))
+    panels = axes()
+    legends = [[text.get_text() for text in panel.get_legend().get_texts()] for panel in panels]
+    assert legends[0] == ["q1 [m]", "q2 [rad]", "q3 [rad]"]
+    assert legends[2] == ["q1 [m/s²]", "q2 [rad/s²]", "q3 [rad/s²]"]
+    assert panels[0].get_ylabel() == "position"
+    levels = sorted(line.get_ydata()[0] for line in panels[1].lines[3:])
+    assert levels == [-3, -2, -1, 1, 2, 3]
+    assert len(panels[2].lines) == 3
+    r1.plot_trajectory(motion, tmp_path / "b.svg", robot=robot, limits=MotionLimits(acceleration=4.0))
+    assert sorted(line.get_ydata()[0] for line in axes()[2].lines[3:]) == [-4, 4]
+
+
+def test_twenty_lines_differ_without_colour(tmp_path, axes):
+    styles = [line_style(i) for i in range(20)]
+    assert len({(style["linestyle"], style["marker"]) for style in styles}) == 20
+    robot = arm("redundant")
+    r1.plot_trajectory(r1.cubic(random_q(robot, 1), random_q(robot, 2), 1.0), tmp_path / "a.svg", robot=robot)
+    lines = axes()[0].lines
+    assert len({(line.get_linestyle(), line.get_marker()) for line in lines}) == 7
+
+
+def test_poses_are_drawn_as_a_position_and_a_rotation_vector(tmp_path, axes):
+    motion = pose_motion()
+    units = ["m"] * 3 + ["rad"] * 3
+    r1.plot_trajectory(motion, tmp_path / "a.svg", names=["x", "y", "z", "a", "b", "c"], units=units)
+    lines = axes()[0].lines
+    assert lines[5].get_ydata()[-1] == pytest.approx(1.2)
+    assert lines[1].get_ydata()[-1] == pytest.approx(2)
+    turning = r1.PathTrajectory(motion.path.orientation, law_to(1.2))
+    r1.plot_trajectory(turning, tmp_path / "b.svg")
+    assert axes()[0].lines[2].get_ydata()[-1] == pytest.approx(1.2)
+
+
+def test_timing_law_is_drawn_with_bounds_peaks_and_switching_times(tmp_path, axes):
+    law = trapezoid(2.0, 0.5, 1.0)
+    limits = MotionLimits(velocity=1.5, acceleration=4.0)
+    assert is_svg(r1.plot_timing_law(law, tmp_path / "a.svg", limits=limits, unit="rad", title="trapezoid"))
+    panels = axes()
+    labels = [panel.get_ylabel() for panel in panels]
+    assert labels == ["s [rad]", "ds/dt [rad/s]", "d²s/dt² [rad/s²]", "d³s/dt³ [rad/s³]"]
+    t, v = panels[1].lines[0].get_data()
+    assert v == pytest.approx(law.velocity(t))
+    texts = [text.get_text() for text in panels[1].get_legend().get_texts()]
+    assert texts == ["bound 1.5", "peak 1.333 at t = 0.5 s"]
+    dashed = [line.get_ydata()[0] for line in panels[2].lines if line.get_linestyle() == "--"]
+    assert sorted(dashed) == [-4, 4]
+    dotted = [line.get_xdata()[0] for line in panels[0].lines if line.get_linestyle() == ":"]
+    assert dotted == pytest.approx([0.5, 1.5])
+    t, a = panels[2].lines[0].get_data()
+    assert a[np.isclose(t, 0.5)] == pytest.approx([8 / 3, 0])
+
+
+def test_a_path_is_drawn_with_start_end_and_breaks(tmp_path, axes):
+    assert is_svg(r1.plot_path(CORNER, tmp_path / "a.svg", frames=4))
+    (panel,) = axes()
+    line, start, end, breaks, *frames = panel.lines
+    assert line.get_xydata()[0] == pytest.approx([0, 0])
+    assert line.get_xydata()[-1] == pytest.approx([1, 1])
+    assert start.get_xydata() == pytest.approx(np.array([[0, 0]]))
+    assert end.get_xydata() == pytest.approx(np.array([[1, 1]]))
+    assert breaks.get_xydata() == pytest.approx(CORNER(CORNER.breaks))
+    assert len({mark.get_marker() for mark in (line, start, end, breaks)}) == 4
+    assert len(frames) == 4  # the four tangents: on the lines there is no normal
+    assert (panel.get_xlabel(), panel.get_ylabel()) == ("x [m]", "y [m]")
+
+
+def test_frames_along_an_arc_are_its_tangents_and_normals(tmp_path, axes):
+    r1.plot_path(r1.arc_path([0, 0], [1, 0], 1.0), tmp_path / "a.svg", frames=1)
+    tangent, normal = axes()[0].lines[3:]
+    directions = [np.diff(line.get_xydata(), axis=0)[0] for line in (tangent, normal)]
+    assert directions[0] / np.linalg.norm(directions[0]) == pytest.approx([0, 1])
+    assert directions[1] / np.linalg.norm(directions[1]) == pytest.approx([-1, 0])
+    assert (tangent.get_linestyle(), normal.get_linestyle()) == ("-", "--")
+
+
+def test_paths_in_space_poses_and_trajectories_are_drawn(tmp_path, axes):
+    assert is_svg(r1.plot_path(SPACE, tmp_path / "a.svg", frames=3, unit="mm"))
+    (panel,) = axes()
+    assert panel.get_zlabel() == "z [mm]"
+    assert np.array(panel.lines[0].get_data_3d())[:, -1] == pytest.approx([1, 1, 1])
+    r1.plot_path(pose_motion().path, tmp_path / "b.svg", frames=3)
+    assert len(axes()[0].lines) == 3 + 9
+    r1.plot_path(pose_motion(), tmp_path / "c.svg", frames=2)
+    motion = r1.PathTrajectory(SPACE, law_to(SPACE.end))
+    r1.plot_path(motion, tmp_path / "d.svg", frames=2)
+    assert np.array(axes()[0].lines[0].get_data_3d())[:, -1] == pytest.approx([1, 1, 1])
+
+
+def test_the_same_figure_is_the_same_bytes(tmp_path):
+    files = [r1.plot_path(SPACE, tmp_path / name, frames=2) for name in ("a.svg", "b.svg")]
+    assert files[0].read_bytes() == files[1].read_bytes()
+
+
+MOTION = r1.cubic([0, 0], [1, 1], 1.0)
+CALLS = [
+    (lambda d: r1.plot_trajectory(MOTION, d / "no" / "a.svg"), "there is no folder"),
+    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", names=["x"]), "names must be 2 texts"),
+    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", names=[1, 2]), "one of names must be a text"),
+    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", units=["m"]), "units must be 2 texts"),
+    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", robot=arm("prr")), "has 3 joints; the trajectory moves 2"),
+    (lambda d: r1.plot_timing_law(MOTION.joint(0), d / "a.svg", unit=3), "unit must be a text"),
+    (lambda d: r1.plot_timing_law(MOTION.joint(0), d / "a.svg", limits=MotionLimits(velocity=[1, 2])), "velocity"),
+    (lambda d: r1.plot_path(r1.line_path([0], [1]), d / "a.svg"), "two or three coordinates can be drawn; this one"),
+    (lambda d: r1.plot_path(pose_motion().path.orientation, d / "a.svg"), "a path of points or of poses"),
+    (lambda d: r1.plot_path(CORNER, d / "a.svg", frames=-1), "frames must be an integer"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("call", "message"), CALLS, ids=range(len(CALLS)))
+def test_misuse_of_plots_is_an_input_error(tmp_path, call, message):
+    with pytest.raises(InputError, match=message):
+        call(tmp_path)
