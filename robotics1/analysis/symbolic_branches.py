@@ -20,6 +20,7 @@ from robotics1.symbolic.configurations import Configurations
 from robotics1.symbolic.convenient_axes import Convenient
 from robotics1.symbolic.formula import formulas
 from robotics1.symbolic.locus import Locus
+from robotics1.symbolic.reading import Reading
 from robotics1.symbolic.singular_loci import POINTS, largest_pieces, singular_loci
 from robotics1.symbolic.solving import CaseDistinction
 from robotics1.symbolic.time_limit import UNLIMITED, OutOfTime, TimeLimit
@@ -199,11 +200,9 @@ def symbolic_search(
     found = formulas(robot, task)
     points = singular_points(cleaned(robot)[0], task, box, rng)
     in_world = isinstance(task, FrameTask) and task.reference == "world"
-    reading = found.reading
-    if any(entry.has_roots for entry in reading.rows.flat):
-        reading = replace(reading, chain=replace(reading.chain, rational=True))
-    rows = reading.convenient if in_world else Convenient(reading.rows)
-    rows = replace(rows, leads_back=reading.factored.is_plain)
+    rows = _rows(found.reading, in_world)
+    if any(entry.has_roots for entry in rows.M.flat):
+        rows = _rows(replace(found.reading, chain=replace(found.reading.chain, rational=True)), in_world)
     parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
     _verify_rows(rows, points, parameters, rng)
     far = 2 * robot.reach
@@ -214,6 +213,11 @@ def symbolic_search(
         unit=box.unit,
     )
     return SymbolicSearch(points, rows, found.groups, CaseDistinction(parameters, limit), anywhere, found.cleaned)
+
+
+def _rows(reading: Reading, in_world: bool) -> Convenient:
+    rows = reading.convenient if in_world else Convenient(reading.rows)
+    return replace(rows, leads_back=reading.factored.is_plain)
 
 
 def _verify_rows(

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from copy import copy
+from functools import lru_cache
 from typing import Any
 
 from robotics1.errors import FormulaError, InputError, UnknownNameError
@@ -44,19 +45,35 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         robot, frame = with_point(robot, task.frame, point)
         task = _on(task, frame)
     task.check(robot)
-    chain = chain_to(robot, link_of(robot, task.frame))
-    _check_names(robot, chain)
-    places = _places(task.row_names, rows)
-    read = task_map(task, chain.q).chosen(places)
+    places = tuple(_places(task.row_names, rows))
+    reading = (_kept_reading if _is_hashable(task) else _reading)(robot, task, places)
     return Formulas(
         robot,
         task,
         tuple(task.row_names[i] for i in places),
-        chain.q,
+        reading.chain.q,
         cleaned(robot)[1],
         tuple(name for name in robot.parameters if name not in given),
-        Reading(chain, _joints_to_axes(chain, task), read),
+        reading,
     )
+
+
+def _reading(robot: Robot, task: FrameTask | FunctionTask, places: tuple[int, ...]) -> Reading:
+    """Return the task read in symbols."""
+    chain = chain_to(robot, link_of(robot, task.frame))
+    _check_names(robot, chain)
+    return Reading(chain, _joints_to_axes(chain, task), task_map(task, chain.q).chosen(list(places)))
+
+
+_kept_reading = lru_cache(maxsize=8)(_reading)  # find_singularities reads the same again
+
+
+def _is_hashable(task: FrameTask | FunctionTask) -> bool:
+    try:
+        hash(task)
+    except TypeError:
+        return False
+    return True
 
 
 def _on(task: FrameTask | FunctionTask, frame: str) -> FrameTask | FunctionTask:

@@ -1,7 +1,7 @@
 """How the numbers of a robot's file depend on its named parameters.
 
-The file is expanded again at other values, and each number is fitted by a polynomial of degree one, else two, which
-further expansions must confirm.
+The file is expanded again at other values, and each number is fitted by a polynomial of degree one, else two, which a
+further expansion must confirm.
 """
 
 from collections.abc import Mapping
@@ -116,21 +116,20 @@ def _fit(robot: Robot, frame: str, names: tuple[str, ...], base: Array) -> dict[
 def _fit_of_degree(
     degree: int, robot: Robot, frame: str, names: tuple[str, ...], base: Array
 ) -> tuple[dict[Monomial, Array], npt.NDArray[np.bool_]]:
-    """Return monomial → coefficients (k, 9), and which numbers two more points and the robot itself contradict."""
+    """Return monomial → coefficients (k, 9), and which numbers one more point contradicts."""
     monomials = [m for d in range(degree + 1) for m in combinations_with_replacement(names, d)]
     rng = np.random.default_rng(0)
     centre = np.array([robot.parameters[name] for name in names])
     spread = np.where(centre == 0, 1.0, np.abs(centre))
-    points = centre + spread * rng.uniform(0.1, 0.9, (len(monomials) + 2, len(names)))
-    values = np.array([_numbers(_path(_variant(robot, dict(zip(names, p, strict=True))), frame)) for p in points])
-    if values.shape[1:] != base.shape:
+    others = centre + spread * rng.uniform(0.1, 0.9, (len(monomials), len(names)))
+    values = [_numbers(_path(_variant(robot, dict(zip(names, p, strict=True))), frame)) for p in others]
+    if any(value.shape != base.shape for value in values):
         raise FormulaError("the joints themselves depend on a parameter")
+    points = [centre, *others]
     matrix = np.array([[np.prod([p[names.index(name)] for name in m]) for m in monomials] for p in points])
-    flat = values.reshape(len(points), -1)
-    solution = np.linalg.lstsq(matrix[:-2], flat[:-2], rcond=None)[0]
-    at_home = np.array([np.prod([robot.parameters[name] for name in m]) for m in monomials])
-    wrong = np.abs(matrix[-2:] @ solution - flat[-2:]).max(axis=0) > CONFIRMS
-    wrong |= np.abs(at_home @ solution - base.ravel()) > CONFIRMS
+    flat = np.array([base, *values]).reshape(len(points), -1)
+    solution = np.linalg.lstsq(matrix[:-1], flat[:-1], rcond=None)[0]
+    wrong = np.abs(matrix @ solution - flat).max(axis=0) > CONFIRMS
     solution = np.where(np.abs(solution) < CONFIRMS, 0.0, solution).reshape(len(monomials), *base.shape)
     rounded = np.round(solution, 9)
     solution = np.where(np.abs(solution - rounded) < CONFIRMS / 10, rounded, solution)

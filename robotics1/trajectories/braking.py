@@ -7,6 +7,7 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.trajectories.demands import Demand
+from robotics1.trajectories.instants import distinct_instants
 from robotics1.trajectories.norm_peaks import smooth_ends
 
 
@@ -16,23 +17,21 @@ def growing_and_falling(trajectory: Any, bounds: dict[str, Array]) -> list[Deman
     Raises:
         InputError: the accelerations are not constant between the switching times.
     """
-    ends = np.array(smooth_ends(trajectory))
-    v, a, last = (
-        np.reshape(rate(t, side=side), (len(t), -1))
-        for rate, t, side in (
-            (trajectory.velocity, ends[:-1], "right"),
-            (trajectory.acceleration, ends[:-1], "right"),
-            (trajectory.acceleration, ends[1:], "left"),
-        )
+    T = float(trajectory.duration)
+    ends = np.array([0.0, *distinct_instants(smooth_ends(trajectory)[1:-1], T), T])
+    starts, durations = ends[:-1], np.diff(ends)
+    early, late = starts + durations / 4, starts + durations * 3 / 4
+    a, last, v = (
+        np.reshape(rate(t), (len(t), -1))
+        for rate, t in ((trajectory.acceleration, early), (trajectory.acceleration, late), (trajectory.velocity, early))
     )
     if np.abs(a - last).max(initial=0.0) > 1e-9 * np.abs(a).max(initial=0.0):
         raise InputError("a bound of its own on the deceleration is for constant accelerations: trapezoidal velocities")
+    v = v - a * durations[:, None] / 4
     found = []
     for j in range(a.shape[1]):
         for quantity, sign in (("acceleration", 1), ("deceleration", -1)):
-            during = [
-                _where(sign, v0, a0, t0, t1) for v0, a0, t0, t1 in zip(v[:, j], a[:, j], ends, ends[1:], strict=False)
-            ]
+            during = [_where(sign, *phase) for phase in zip(v[:, j], a[:, j], starts, ends[1:], strict=True)]
             size = np.where([t is None for t in during], 0.0, np.abs(a[:, j]))
             i = int(np.argmax(size))
             if size[i] > 0:

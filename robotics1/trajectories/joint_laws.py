@@ -11,7 +11,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number
 from robotics1.trajectories.extremes import extremes_of
-from robotics1.trajectories.instants import times_inside
+from robotics1.trajectories.instants import distinct_instants, times_inside
 from robotics1.trajectories.protocols import Side, TimingLaw, require_motion
 from robotics1.trajectories.stretching import stretched
 
@@ -51,7 +51,7 @@ class JointLaws:
     def switching_times(self) -> Array:
         """The instants inside (0, T) at which a derivative of some joint jumps [s]."""
         ends = [law.duration for law in self.laws if self._stays(law)]
-        return np.unique(np.concatenate([ends, *(law.switching_times for law in self.laws)]))
+        return distinct_instants(np.concatenate([ends, *(law.switching_times for law in self.laws)]), self.duration)
 
     def __call__(self, t: npt.ArrayLike) -> Array:
         """Return q(t): (n,) for a number, (k, n) for (k,) times.

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import inf
+from math import inf, nextafter
 
 from robotics1.errors import InputError
 from robotics1.trajectories.ramps import Ramp, time_and_distance
@@ -42,7 +42,13 @@ class Transfer:
         missing = self.distance - self._ramps(self.max_velocity)[1] if self.max_velocity < inf else -inf
         if missing >= 0:
             return self.max_velocity, missing / self.max_velocity
-        return _crossing(lambda v: self._ramps(v)[1] - self.distance, slowest, self.max_velocity), 0.0
+        velocity = _crossing(lambda v: self._ramps(v)[1] - self.distance, slowest, self.max_velocity)
+        if abs(self._ramps(velocity)[1] - self.distance) <= NEAR * abs(self.distance):
+            return velocity, 0.0
+        while self._ramps(velocity)[1] > self.distance:  # by a rounding of the velocity, Δ being so small
+            velocity = nextafter(velocity, slowest)
+        missing = self.distance - self._ramps(velocity)[1]
+        return velocity, missing / velocity if velocity > 0 else 0.0
 
     def lasting(self, duration: float) -> tuple[float, float]:
         """Return the cruise velocity and cruise time of a given duration T.

@@ -1,0 +1,412 @@
+"""Minimum time under bounds: closed forms, bounds respected and touched, and that no shorter time will do."""
+
+from math import cbrt, inf, nan, pi, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from scipy.optimize import linprog
+
+import robotics1 as r1
+
+KINDS = ["trapezoidal", "double-S", "bang-bang", "cubic", "quintic", "septic", "cosine", "cycloidal"]
+MOVING = KINDS[:6]
+JERK_FREE = {"trapezoidal", "bang-bang"}
+bound = st.floats(0.3, 4)
+share = st.floats(-1, 1)
+distance = st.floats(-4, 4).filter(lambda d: abs(d) > 1e-3)
+near_or_far = distance | st.sampled_from([0.0, 1e-17, -3e-13, 1e-6])
+# Of each shape from rest to rest: |q̇| = c₁Δ/T, |q̈| = c₂Δ/T², |d³q/dt³| = c₃Δ/T³.
+SHAPES = {
+    "cubic": (3 / 2, 6, 12),
+    "quintic": (15 / 8, 10 / sqrt(3), 60),
+    "septic": (35 / 16, 84 * sqrt(5) / 25, 105 / 2),
+    "cosine": (pi / 2, pi**2 / 2, pi**3 / 2),
+    "cycloidal": (2, 2 * pi, 4 * pi**2),
+}
+
+
+def limits_of(kind, V, A, J):
+    return r1.MotionLimits(V, A) if kind in JERK_FREE else r1.MotionLimits(V, A, J)
+
+
+def ratios(motion, V, A, J):
+    """How much of each bound is used."""
+    bounds = enumerate((V, A, J), start=1)
+    return [np.abs(motion.extremes(order)[1]).max() / bound for order, bound in bounds if bound < inf]
+
+
+# --- closed forms
+
+
+@given(distance, bound, bound)
+def test_trapezoid_takes_delta_over_v_plus_v_over_a_or_twice_root_delta_over_a(delta, V, A):
+    answer = r1.minimum_time(0.3, 0.3 + delta, r1.MotionLimits(V, A))
+    d = abs(delta)
+    cruises = d >= V**2 / A
+    assert answer.duration == pytest.approx(d / V + V / A if cruises else 2 * sqrt(d / A), rel=1e-12)
+    law = answer.laws[0]
+    assert law.cruise_time == pytest.approx(max(0, d / V - V / A), abs=1e-12)
+    assert abs(law.peak_velocity.value) == pytest.approx(V if cruises else sqrt(d * A), rel=1e-12)
+    assert {demand.quantity for demand in answer.active} == (
+        {"velocity", "acceleration"} if cruises else {"acceleration"}
+    )
+
+
+@given(distance, bound, bound, bound)
+def test_double_s_takes_delta_over_v_plus_v_over_a_plus_a_over_j(delta, V, A, J):
+    answer = r1.minimum_time(0, delta, r1.MotionLimits(V, A, J), "double-S")
+    d = abs(delta)
+    ramp = V / A + A / J if V >= A**2 / J else 2 * sqrt(V / J)
+    if d >= V * ramp:
+        wanted = d / V + ramp
+    elif d >= 2 * A**3 / J**2:
+        wanted = A / J + sqrt((A / J) ** 2 + 4 * d / A)
+    else:
+        wanted = cbrt(32 * d / J)
+    assert answer.duration == pytest.approx(wanted, rel=1e-9)
+    assert answer.laws[0].end == pytest.approx(delta, abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", sorted(SHAPES))
+@given(d=distance, V=bound, A=bound, J=bound)
+def test_a_shape_takes_the_largest_of_the_three_roots(kind, d, V, A, J):
+    c1, c2, c3 = (c * abs(d) for c in SHAPES[kind])
+    needed = {"velocity": c1 / V, "acceleration": sqrt(c2 / A), "jerk": cbrt(c3 / J)}
+    answer = r1.minimum_time(0, d, r1.MotionLimits(V, A, J), kind)
+    assert answer.duration == pytest.approx(max(needed.values()), rel=1e-9)
+    slowest = max(needed, key=needed.get)
+    assert slowest in {demand.quantity for demand in answer.active}
+    for demand in answer.active:
+        assert needed[demand.quantity] == pytest.approx(answer.duration, rel=1e-5)
+
+
+def test_bang_bang_takes_twice_root_delta_over_a_or_2_delta_over_v():
+    assert r1.minimum_time(0, 1, r1.MotionLimits(acceleration=4), "bang-bang").duration == pytest.approx(1)
+    assert r1.minimum_time(0, 1, r1.MotionLimits(1.6, 4), "bang-bang").duration == pytest.approx(2 / 1.6)
+
+
+@given(distance, bound, bound, bound)
+def test_unequal_acceleration_and_deceleration(delta, V, A, D):
+    """Δ/V + V/2A + V/2D with a cruise, else √(2Δ (A + D)/AD)."""
+    answer = r1.minimum_time(0, delta, r1.MotionLimits(V, A, deceleration=D))
+    d = abs(delta)
+    cruises = d >= V**2 / 2 * (1 / A + 1 / D)
+    wanted = d / V + V / (2 * A) + V / (2 * D) if cruises else sqrt(2 * d * (A + D) / (A * D))
+    assert answer.duration == pytest.approx(wanted, rel=1e-12)
+    active = {demand.quantity: abs(demand.value) for demand in answer.active}
+    assert active["acceleration"] == pytest.approx(A)
+    assert active["deceleration"] == pytest.approx(D)
+    assert ("velocity" in active) == cruises
+
+
+# --- velocities at the ends
+
+
+def test_a_start_away_from_the_goal_brakes_turns_and_comes_back():
+    """v0 = −1, A = 1: half a metre of braking in 1 s, then 1.5 m from rest in 2√1.5 s."""
+    answer = r1.minimum_time(0, 1, r1.MotionLimits(acceleration=1), v0=-1)
+    assert answer.duration == pytest.approx(1 + 2 * sqrt(1.5), rel=1e-12)
+    law = answer.laws[0]
+    assert law(1) == pytest.approx(-0.5)
+    assert law.velocity(1) == pytest.approx(0, abs=1e-12)
+    assert law.switching_times == pytest.approx([1 + sqrt(1.5)])
+
+
+def test_a_start_too_fast_to_stop_passes_the_goal_and_returns():
+    """v0 = 2, A = 1: it stops 2 m on, and comes 1 m back."""
+    answer = r1.minimum_time(0, 1, r1.MotionLimits(acceleration=1), v0=2)
+    assert answer.duration == pytest.approx(2 + 2, rel=1e-12)
+    assert answer.trajectory.extremes()[1][:, 0] == pytest.approx([0, 2])
+
+
+def test_braking_uses_the_deceleration_and_turning_the_acceleration():
+    """v0 = −1, D = 2: 0.25 m in 0.5 s; then A = 1 and D = 2 over 1.25 m: √(2·1.25·3/2)."""
+    answer = r1.minimum_time(0, 1, r1.MotionLimits(acceleration=1, deceleration=2), v0=-1)
+    assert answer.duration == pytest.approx(0.5 + sqrt(3.75), rel=1e-12)
+    assert answer.trajectory.acceleration([0.25, 0.75])[:, 0] == pytest.approx([2, 1])
+    active = [(demand.quantity, demand.value, demand.time) for demand in answer.active]
+    assert active == [("acceleration", pytest.approx(1), pytest.approx(0.5)), ("deceleration", pytest.approx(2), 0.0)]
+
+
+@pytest.mark.parametrize("kind", MOVING)
+@given(d=near_or_far, V=bound, A=bound, J=bound, x0=share, x1=share)
+def test_bounds_are_kept_and_one_is_touched(kind, d, V, A, J, x0, x1):
+    v0, v1 = x0 * V, x1 * V
+    assume(d != 0 or v0 != v1)
+    if kind == "septic":  # from V to V, and far from V T, it would have to reach −19/16 V
+        v0, v1 = v0 / 2, v1 / 2
+    answer = r1.minimum_time(0, d, limits_of(kind, V, A, J), kind, v0=v0, v1=v1)
+    motion, T = answer.trajectory, answer.duration
+    used = ratios(motion, V, A, inf if kind in JERK_FREE else J)
+    assert max(used) <= 1 + 1e-8
+    if abs(d) > 1e-3 or kind in JERK_FREE:  # else a rounding of T may be more than the bounds leave
+        assert max(used) >= 1 - 1e-8
+        assert answer.active
+    assert motion([0, T])[:, 0] == pytest.approx([0, d], abs=1e-9)
+    assert motion.velocity([0, T])[:, 0] == pytest.approx([v0, v1], abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["trapezoidal", "double-S"])
+@given(size=st.floats(-16, -3), V=bound, A=bound, J=bound, x=share)
+def test_a_distance_for_which_the_velocity_hardly_changes_is_not_missed(kind, size, V, A, J, x):
+    """From v to the same v: a double-S over 1e-6 m changes v by 1e-14, where rounding v is 1 % of it."""
+    d = 10**size
+    answer = r1.minimum_time(0, d, limits_of(kind, V, A, J), kind, v0=x * V, v1=x * V)
+    assert answer.trajectory(answer.duration) == pytest.approx([d], rel=1e-6, abs=1e-14 * answer.duration)
+
+
+@pytest.mark.parametrize("kind", ["cubic", "quintic", "bang-bang"])
+@given(d=distance, V=bound, A=bound, J=bound, x0=share, x1=share)
+def test_a_shorter_polynomial_or_bang_bang_violates_a_bound(kind, d, V, A, J, x0, x1):
+    v0, v1 = x0 * V, x1 * V
+    J = inf if kind in JERK_FREE else J
+    T = r1.minimum_time(0, d, r1.MotionLimits(V, A, J), kind, v0=v0, v1=v1).duration
+    motion_of = {"cubic": r1.cubic, "quintic": r1.quintic, "bang-bang": r1.bang_bang}[kind]
+    for shorter in T * np.concatenate([np.linspace(0.02, 0.98, 25), 1 - np.geomspace(1e-6, 1e-2, 5)]):
+        assert max(ratios(motion_of([0], [d], shorter, v0, v1), V, A, J)) > 1
+
+
+def least_use(T, d, ends, bounds, steps=40):
+    """The least k for which a motion of duration T has |q̇| ≤ V, |q̈| ≤ A and |d³q/dt³| ≤ k J (or |q̈| ≤ k A, if J is
+    infinite), as a linear program in a piecewise constant control: at rest in acceleration at both ends."""
+    (v0, v1), (V, A, J) = ends, bounds
+    h, order = T / steps, 2 if J == inf else 3
+    state, rows = np.zeros((order, steps)), []
+    for i in range(steps):
+        control = np.eye(steps)[i]
+        if order == 2:
+            state = np.array([state[0] + h * state[1] + h**2 / 2 * control, state[1] + h * control])
+        else:
+            q, v, a = state
+            state = np.array(
+                [q + h * v + h**2 / 2 * a + h**3 / 6 * control, v + h * a + h**2 / 2 * control, a + h * control]
+            )
+        rows.append(state)
+    limited = [(row[1], V - v0, V + v0) for row in rows] + [(row[2], A, A) for row in rows if order == 3]
+    upper = [(np.append(f, 0), most) for f, most, _ in limited] + [(np.append(-f, 0), most) for f, _, most in limited]
+    strongest = A if order == 2 else J
+    upper += [(np.append(sign * u, -strongest), 0) for u in np.eye(steps) for sign in (1, -1)]
+    A_ub, b_ub = (np.array(part) for part in zip(*upper, strict=True))
+    b_eq = [d - v0 * T, v1 - v0, 0][:order]
+    A_eq = np.hstack([rows[-1], np.zeros((order, 1))])
+    cost = np.append(np.zeros(steps), 1.0)
+    found = linprog(cost, A_ub, b_ub, A_eq, b_eq, bounds=[(None, None)] * steps + [(0, None)])
+    return found.fun if found.success else inf
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("kind", ["trapezoidal", "double-S"])
+def test_no_motion_at_all_is_faster_than_the_profiles(kind, seed):
+    """With 5 % less time the linear program over all motions needs more than the bound, with 6 % more it does not."""
+    rng = np.random.default_rng(seed)
+    V, A, J = rng.uniform(0.5, 2), rng.uniform(0.5, 3), rng.uniform(1, 8) if kind == "double-S" else inf
+    ends = rng.uniform(-0.95, 0.95, 2) * V
+    d = rng.uniform(-3, 3)
+    T = r1.minimum_time(0, d, limits_of(kind, V, A, J), kind, v0=ends[0], v1=ends[1]).duration
+    assert least_use(0.95 * T, d, ends, (V, A, J)) > 1
+    assert least_use(1.06 * T, d, ends, (V, A, J)) <= 1
+
+
+# --- nothing to do
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_displacement_takes_no_time_and_can_be_evaluated(kind):
+    answer = r1.minimum_time([1, 2], [1, 2], limits_of(kind, 1, 1, 1), kind)
+    assert answer.duration == 0
+    assert answer.active == ()
+    assert answer.trajectory(0).tolist() == [1, 2]
+    for rate in (answer.trajectory.velocity, answer.trajectory.acceleration, answer.trajectory.jerk):
+        assert rate(0).tolist() == [0, 0]
+        assert rate([0.0]).tolist() == [[0, 0]]
+    assert answer.trajectory.extremes(2)[1].tolist() == [[0, 0], [0, 0]]
+    assert answer.unique
+    with pytest.raises(r1.InputError):
+        answer.trajectory(0.1)
+
+
+@pytest.mark.parametrize("kind", MOVING)
+def test_a_state_that_is_the_goal_already_keeps_its_velocity(kind):
+    answer = r1.minimum_time([1], [1], limits_of(kind, 1, 1, 1), kind, v0=0.5, v1=0.5)
+    assert answer.duration == 0
+    assert answer.trajectory.velocity(0).tolist() == [0.5]
+    assert [part.tolist() for part in answer.trajectory.extremes()] == [[[0], [0]], [[1], [1]]]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("coordination", ["slowed", "straight", "independent"])
+def test_a_joint_that_has_nothing_to_do_rests_while_another_moves(kind, coordination):
+    answer = r1.minimum_time([1, 2], [1, 3], limits_of(kind, 1, 1, 1), kind, coordination=coordination)
+    t = np.linspace(0, answer.duration, 5)
+    assert answer.trajectory(t)[:, 0].tolist() == [1] * 5
+    assert answer.trajectory.acceleration(t)[:, 0].tolist() == [0] * 5
+    assert answer.trajectory(answer.duration)[1] == pytest.approx(3)
+
+
+# --- several joints
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_slowed_joints_take_the_time_of_the_slowest_with_velocities_divided_by_k(kind):
+    q1 = np.array([1.0, -0.4, 0.1])
+    together = r1.minimum_time([0] * 3, q1, limits_of(kind, [1, 2, 3], [2, 1, 1], [9, 8, 5]), kind)
+    alone = r1.minimum_time(
+        [0] * 3, q1, limits_of(kind, [1, 2, 3], [2, 1, 1], [9, 8, 5]), kind, coordination="independent"
+    )
+    T = together.duration
+    assert pytest.approx(alone.joint_durations.max()) == T
+    assert together.joint_durations == pytest.approx(alone.joint_durations)
+    assert together.slack == pytest.approx(T - alone.joint_durations)
+    assert not together.unique
+    for fast, slow in zip(alone.laws, together.laws, strict=True):
+        k = T / fast.duration
+        assert slow.duration == pytest.approx(T)
+        assert slow.peak_velocity.value == pytest.approx(fast.peak_velocity.value / k)
+        assert slow.peak_acceleration.value == pytest.approx(fast.peak_acceleration.value / k**2)
+    assert {demand.joint for demand in together.active} == {int(alone.joint_durations.argmax())}
+    assert {demand.joint for demand in alone.active} == {0, 1, 2}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@given(d=st.tuples(distance, distance, distance), V=st.tuples(bound, bound, bound), A=st.tuples(bound, bound, bound))
+def test_a_straight_line_has_one_law_for_all_joints_and_keeps_all_bounds(kind, d, V, A):
+    answer = r1.minimum_time([0] * 3, d, limits_of(kind, V, A, 9.0), kind, coordination="straight")
+    T = answer.duration
+    s = answer.trajectory(np.linspace(0, T, 9)) / d
+    assert s == pytest.approx(np.repeat(s[:, :1], 3, axis=1), abs=1e-9)
+    assert T >= answer.joint_durations.max() * (1 - 1e-9)
+    for order, limit in ((1, V), (2, A), (3, 9.0 if kind not in JERK_FREE else inf)):
+        used = np.abs(answer.trajectory.extremes(order)[1]).max(axis=0) / limit
+        assert (used <= 1 + 1e-8).all()
+    assert answer.active
+
+
+def test_in_line_one_joint_may_bound_the_velocity_and_another_the_acceleration():
+    """Alone they take 2/1 + 1/100 s and 2√2 s; one law with V = 1 and A = 1 takes 2/1 + 1/1 s."""
+    limits = r1.MotionLimits([1, 100], [100, 1])
+    answer = r1.minimum_time([0, 0], [2, 2], limits, coordination="straight")
+    assert answer.joint_durations == pytest.approx([2.01, 2 * sqrt(2)])
+    assert answer.duration == pytest.approx(2 / 1 + 1 / 1)
+    assert {(demand.joint, demand.quantity) for demand in answer.active} == {(0, "velocity"), (1, "acceleration")}
+
+
+@pytest.mark.parametrize("kind", ["trapezoidal", "double-S", "cubic", "quintic"])
+@pytest.mark.parametrize("seed", range(15))
+def test_joints_with_velocities_at_the_ends_arrive_together_within_their_bounds(kind, seed):
+    rng = np.random.default_rng(seed)
+    V, A, J = rng.uniform(0.5, 2, (3, 3))
+    v0, v1, q1 = rng.uniform(-0.9, 0.9, 3) * V, rng.uniform(-0.9, 0.9, 3) * V, rng.uniform(-1, 1, 3)
+    answer = r1.minimum_time([0] * 3, q1, limits_of(kind, V, A, J), kind, v0=v0, v1=v1)
+    T, motion = answer.duration, answer.trajectory
+    assert answer.joint_durations.max() * (1 - 1e-12) <= T
+    assert motion(T) == pytest.approx(q1, abs=1e-9)
+    assert motion.velocity(T) == pytest.approx(v1, abs=1e-9)
+    assert [law.duration for law in answer.laws] == pytest.approx([T] * 3)
+    for order, limit in ((1, V), (2, A), (3, J if kind not in JERK_FREE else np.full(3, inf))):
+        assert (np.abs(motion.extremes(order)[1]).max(axis=0) <= limit * (1 + 1e-8)).all()
+
+
+def test_a_joint_that_cannot_wait_makes_all_wait_for_its_next_chance():
+    """Joint 0 goes 0.1 m from 1 m/s to 1 m/s: in 2(√1.1 − 1) s, or, with A = 1, over −p with 1 − p² = 0.1 and back.
+
+    Joint 1 alone takes 1 s, which is too late for the first and too early for the second.
+    """
+    limits = r1.MotionLimits(acceleration=1)
+    answer = r1.minimum_time([0, 0], [0.1, 0.25], limits, v0=[1, 0], v1=[1, 0])
+    turn = sqrt(1 - 0.1)  # the velocity back: 1 − p² = Δ
+    assert answer.duration == pytest.approx(2 * (1 + turn), rel=1e-9)
+    assert answer.trajectory.extremes(1)[1][0, 0] == pytest.approx(-turn)
+    alone = r1.minimum_time([0, 0], [0.1, 0.25], limits, v0=[1, 0], v1=[1, 0], coordination="slowed").joint_durations
+    assert alone == pytest.approx([2 * (sqrt(1.1) - 1), 1])
+
+
+def test_a_wait_for_one_joint_may_be_too_short_for_another():
+    """Joint 0 cannot do with the 0.76 s of the slowest; with the 2.00 s that it can, another cannot."""
+    limits = r1.MotionLimits(acceleration=[0.773, 0.673, 0.952])
+    q1, v0, v1 = [0.518, 0.748, 0.201], [0.494, 0.8, 0.602], [0.873, 0.922, 0.553]
+    answer = r1.minimum_time([0] * 3, q1, limits, v0=v0, v1=v1)
+    assert answer.joint_durations.max() == pytest.approx(0.762, abs=2e-3)
+    assert answer.duration == pytest.approx(4.02, abs=2e-2)
+    assert answer.trajectory(answer.duration) == pytest.approx(q1, abs=1e-9)
+    for shorter in np.linspace(0.77, 0.999 * answer.duration, 50):
+        with pytest.raises(r1.InputError, match="the next duration that serves"):
+            r1.trapezoidal([0] * 3, q1, shorter, v0, v1, acceleration=[0.773, 0.673, 0.952])
+
+
+@given(d=distance, V=bound, A=bound, D=bound, x0=share, x1=share)
+def test_unequal_bounds_between_velocities_are_kept(d, V, A, D, x0, x1):
+    """No touched bound is passed, not even where a phase has no duration but for rounding."""
+    limits = r1.MotionLimits(V, A, deceleration=D)
+    answer = r1.minimum_time(0, d, limits, v0=x0 * V, v1=x1 * V)
+    assert answer.active
+    assert all(abs(demand.value) <= demand.bound * (1 + 1e-9) for demand in answer.active)
+    assert answer.trajectory(answer.duration) == pytest.approx([d], abs=1e-9)
+
+
+def test_switching_times_that_are_one_but_for_rounding_are_told_once():
+    limits = r1.MotionLimits([0.3, 0.1], [0.7, 0.7 / 3], deceleration=[0.9, 0.3])
+    answer = r1.minimum_time([0, 0], [1.1, 1.1 / 3], limits)
+    assert len(answer.trajectory.switching_times) == 2
+    assert [demand.quantity for demand in answer.active].count("deceleration") == 2
+
+
+def test_a_phase_that_ends_at_rest_only_by_rounding_is_no_acceleration():
+    limits = r1.MotionLimits(9.78908122, 0.57071968, deceleration=0.97970521)
+    answer = r1.minimum_time(0.78161656, -0.10521539, limits, v1=-7.66215161)
+    assert {demand.quantity: abs(demand.value) for demand in answer.active} == pytest.approx(
+        {"acceleration": 0.57071968, "deceleration": 0.97970521}
+    )
+
+
+def test_str_of_an_active_bound_says_who_what_and_when():
+    answer = r1.minimum_time([0, 0], [0.1, 2], r1.MotionLimits(1, 4))
+    assert [str(demand) for demand in answer.active] == [
+        "joint 1's velocity is 1 at t = 0.25 s, its bound 1",
+        "joint 1's acceleration is 4 at t = 0 s, its bound 4",
+    ]
+
+
+# --- misuse
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "message"),
+    [
+        ((0, 1, r1.MotionLimits(1)), {}, "needs a bound on the acceleration"),
+        ((0, 1, r1.MotionLimits(1, 1, 1)), {}, "'double-S' has one"),
+        ((0, 1, r1.MotionLimits(1, 1, 1), "bang-bang"), {}, "'double-S' has one"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"law": "double-S"}, "needs a bound on the jerk"),
+        ((0, 1, r1.MotionLimits(1, 1, 1, 2)), {"law": "double-S"}, "same bound"),
+        ((0, 1, r1.MotionLimits(1, 1, deceleration=2)), {"law": "cubic"}, "'trapezoidal' brakes with another"),
+        ((0, 1, r1.MotionLimits(1, 1, deceleration=2)), {"law": "bang-bang"}, "'trapezoidal' brakes with another"),
+        ((0, 1, r1.MotionLimits()), {"law": "cubic"}, "bound"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"v0": 1.5}, "v0 of joint 0 is 1.5, beyond its bound 1"),
+        (([0, 0], [1, 1], r1.MotionLimits([1, 2], 1)), {"v1": [0, -2.5]}, "v1 of joint 1 is -2.5"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"law": "cosine", "v0": 0.5}, "begins and ends at rest"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"coordination": "straight", "v0": 0.5}, "from rest to rest"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"law": "linear"}, "one of 'trapezoidal'"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"coordination": "fast"}, "one of 'slowed'"),
+        (([0, 0], [1], r1.MotionLimits(1, 1)), {}, "shape"),
+        (([0, 0], [1, 1], r1.MotionLimits([1, 1, 1], 1)), {}, "shape"),
+        ((0, 1, (1, 1)), {}, "must be MotionLimits"),
+        ((0, nan, r1.MotionLimits(1, 1)), {}, "finite"),
+        (([], [], r1.MotionLimits(1, 1)), {}, "joint"),
+    ],
+)
+def test_misuse_of_minimum_time_is_an_input_error_that_says_what_would_be_right(arguments, options, message):
+    with pytest.raises(r1.InputError, match=message):
+        r1.minimum_time(*arguments, **options)
+
+
+@pytest.mark.parametrize("value", [0, -1, nan, -inf, "fast", [1, 0], [[1]], [], 1j, {}])
+@pytest.mark.parametrize("name", ["velocity", "acceleration", "jerk", "deceleration"])
+def test_bounds_that_are_not_positive_are_input_errors(name, value):
+    with pytest.raises(r1.InputError, match=f"the bound on the {name}"):
+        r1.MotionLimits(**{"acceleration": 1, name: value})
+
+
+def test_a_deceleration_alone_is_an_input_error():
+    with pytest.raises(r1.InputError, match="needs one on the acceleration"):
+        r1.MotionLimits(deceleration=1)
