@@ -1,8 +1,11 @@
-"""Helpers of the tests of motions: samples between switching times, derivatives by differences, dense peaks."""
+"""Helpers of the tests of motions: samples, derivatives by differences, dense peaks; kinds of laws, random bounds."""
 
 from itertools import pairwise
 
 import numpy as np
+from hypothesis import strategies as st
+
+import robotics1 as r1
 
 RATES = ("velocity", "acceleration", "jerk")
 
@@ -36,3 +39,18 @@ def dense_peak(motion, order, count=2001):
     t = np.unique(np.concatenate([np.linspace(0, motion.duration, count), ends_of(motion)]))
     rate = getattr(motion, RATES[order - 1])
     return max(np.abs(rate(t, side=side)).max() for side in ("right", "left"))
+
+
+# --- minimum time
+
+KINDS = ["trapezoidal", "double-S", "bang-bang", "cubic", "quintic", "septic", "cosine", "cycloidal"]
+MOVING = KINDS[:6]
+JERK_FREE = {"trapezoidal", "bang-bang"}
+bound = st.floats(0.3, 4)
+share = st.floats(-1, 1)
+distance = st.floats(-4, 4).filter(lambda d: abs(d) > 1e-3)
+
+
+def limits_of(kind, V, A, J):
+    """The bounds that a kind of law can keep."""
+    return r1.MotionLimits(V, A) if kind in JERK_FREE else r1.MotionLimits(V, A, J)

@@ -13,6 +13,8 @@ from robotics1 import (
     FunctionTask,
     InputError,
     OrientationTask,
+    PositionTask,
+    TaskError,
     find_singularities,
     load_robot,
     robot_from_dh,
@@ -221,3 +223,10 @@ def test_explain_tells_of_every_branch_its_place_and_rank(name):
     assert all(branch.explain() in text for branch in found.branches)
     assert "nan" not in text
     assert ("There is no singular configuration" in text) == (not found.branches)
+
+
+def test_a_task_whose_jacobian_is_rounding_alone_is_moved_by_no_joint():
+    robot = robot_from_dh([("R", 0, pi / 2, 0.5, 0), ("P", 0, pi / 2, 0, pi / 2)])
+    for method in ("auto", "symbolic"):
+        with pytest.raises(TaskError, match="no joint moves the task"):
+            find_singularities(robot, PositionTask("z"), method=method)

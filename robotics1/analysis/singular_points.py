@@ -14,6 +14,8 @@ from robotics1.tasks.task import Task
 from robotics1.tasks.units import unitless_jacobian
 
 ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
+NOTHING_MOVES = "no joint moves the task at all: its Jacobian is zero everywhere"
+MOVES = 1e-12  # σ₁ of a Jacobian without units that is not rounding
 LONGEST_STEP = 0.5  # of one iteration, in the box's units
 
 
@@ -110,5 +112,5 @@ class SingularPoints:
 def singular_points(robot: Robot, task: Task, box: JointBox, rng: np.random.Generator) -> SingularPoints:
     """Return the singular set of a task: ρ and the usual σ₁ are the largest at 16 random configurations."""
     sigmas = [np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False) for q in box.random(rng, 16)]
-    rank = max(numeric_rank(sigma) for sigma in sigmas)
+    rank = max(numeric_rank(sigma) if sigma[0] > MOVES else 0 for sigma in sigmas)
     return SingularPoints(robot, task, box, rank, max(float(sigma[0]) for sigma in sigmas))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from robotics1.analysis.singular_branches import branches_of
-from robotics1.analysis.singular_points import SingularPoints, singular_points
+from robotics1.analysis.singular_points import NOTHING_MOVES, singular_points
 from robotics1.analysis.singular_set import SingularSet
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import counting_number, one_of, real_number
@@ -79,7 +79,8 @@ def _numeric(
     where = joint_box(robot, box)
     rng = np.random.default_rng(seed)
     points = singular_points(robot, task, where, rng)
-    _check_moves(points)
+    if points.rank == 0:
+        raise TaskError(NOTHING_MOVES)
     return SingularSet(
         robot, task, points.rank, branches_of(points, count, rng, TimeLimit(seconds)), "numeric", complete=False
     )
@@ -93,7 +94,6 @@ def _symbolic(
     where = joint_box(robot, box, unlimited=2.0)
     rng = np.random.default_rng(seed)
     search = symbolic_search(robot, task, where, rng, limit)
-    _check_moves(search.points)
     answer = search.branches(rng)
     found = SingularSet(
         robot,
@@ -133,8 +133,3 @@ def _note(search: "SymbolicSearch", answer: "Found") -> str:
         places = (" and ".join(map(line_text, piece.conditions)) for piece in answer.undefined)
         said.append(f"Where {' or '.join(places)}, the task itself has no Jacobian.")
     return " ".join(said)
-
-
-def _check_moves(points: SingularPoints) -> None:
-    if points.rank == 0:
-        raise TaskError("no joint moves the task at all: its Jacobian is zero everywhere")

@@ -7,10 +7,10 @@ from itertools import combinations
 import numpy as np
 import sympy
 
-from robotics1.analysis.singular_points import SingularPoints, singular_points
+from robotics1.analysis.singular_points import NOTHING_MOVES, SingularPoints, singular_points
 from robotics1.analysis.singular_set import SingularBranch
 from robotics1.analysis.spaces import subspaces
-from robotics1.errors import FormulaError
+from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
@@ -199,6 +199,8 @@ def symbolic_search(
     limit = TimeLimit(seconds)
     found = formulas(robot, task)
     points = singular_points(cleaned(robot)[0], task, box, rng)
+    if points.rank == 0:
+        raise TaskError(NOTHING_MOVES)
     in_world = isinstance(task, FrameTask) and task.reference == "world"
     rows = _rows(found.reading, in_world)
     if any(entry.has_roots for entry in rows.M.flat):

@@ -144,7 +144,7 @@ class Configurations:
     def dimension(self, q: Array) -> int:
         """Return the dimension of the locus at one of its points."""
         replaced = [i for i, _, _ in self._values]
-        moving = [i for i in range(len(q)) if i not in replaced]
+        moving = [i for i in range(len(q)) if i not in replaced and i not in self.pinned]
         gradients = np.array([g.gradient(q)[moving] / max(g.size, 1e-300) for g in self._implicit])
         tied = int(np.linalg.matrix_rank(gradients, tol=1e-9)) if len(gradients) else 0
         return len(moving) - tied

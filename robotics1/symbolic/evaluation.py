@@ -101,8 +101,7 @@ class Evaluated:
         np.add.at(c, (degrees - lowest).astype(int), weights)
         if np.abs(c).max(initial=0.0) <= 1e-13 * max(self.size, 1e-300):
             return []
-        # a double zero is exact as a zero of the derivative, which comes first
-        roots = np.concatenate([np.roots(p[::-1]) for p in (np.polynomial.polynomial.polyder(c), c) if len(p) > 1])
+        roots = np.concatenate([np.roots(p[::-1]) for p in (c, np.polynomial.polynomial.polyder(c)) if len(p) > 1])
         if turns:
             angles = [float(np.angle(z)) / self.unit for z in roots if abs(abs(z) - 1) < 1e-6]
             values = [float(np.angle(np.exp(1j * angle))) for angle in angles]  # up to whole turns

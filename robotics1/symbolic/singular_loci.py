@@ -44,7 +44,7 @@ def largest_pieces(
             real.append((piece, points))
         elif len(piece.locus.implicit) == 1:
             cases.excluded.extend(zero for zero in piece.locus.zeros if zero.part is not None)
-    real.sort(key=lambda item: -item[0].dimension(item[1][0]))
+    real.sort(key=lambda item: (-item[0].dimension(item[1][0]), len(item[0].locus.implicit)))
     kept: list[Configurations] = []
     for piece, points in real:
         if not any(all(larger.contains(q) for q in points) for larger in kept):

@@ -7,7 +7,6 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.trajectories.demands import Demand
-from robotics1.trajectories.instants import distinct_instants
 from robotics1.trajectories.norm_peaks import smooth_ends
 
 
@@ -17,8 +16,7 @@ def growing_and_falling(trajectory: Any, bounds: dict[str, Array]) -> list[Deman
     Raises:
         InputError: the accelerations are not constant between the switching times.
     """
-    T = float(trajectory.duration)
-    ends = np.array([0.0, *distinct_instants(smooth_ends(trajectory)[1:-1], T), T])
+    ends = np.array(smooth_ends(trajectory))
     starts, durations = ends[:-1], np.diff(ends)
     early, late = starts + durations / 4, starts + durations * 3 / 4
     a, last, v = (
