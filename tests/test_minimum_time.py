@@ -104,6 +104,12 @@ def test_a_start_away_from_the_goal_brakes_turns_and_comes_back():
     assert law.switching_times == pytest.approx([1 + sqrt(1.5)])
 
 
+def test_a_bang_bang_from_v_to_v_goes_straight_on():
+    answer = r1.minimum_time(0, 2, r1.MotionLimits(0.5, 1), "bang-bang", v0=0.5, v1=0.5)
+    assert answer.duration == pytest.approx(4)
+    assert [demand.quantity for demand in answer.active] == ["velocity"]
+
+
 def test_a_start_too_fast_to_stop_passes_the_goal_and_returns():
     """v0 = 2, A = 1: it stops 2 m on, and comes 1 m back."""
     answer = r1.minimum_time(0, 1, r1.MotionLimits(acceleration=1), v0=2)

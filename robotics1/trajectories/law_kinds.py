@@ -88,6 +88,7 @@ class BangBang:
             abs(2 * p - v0 - v1) / A for square in squares if square >= 0 for p in (sqrt(square), -sqrt(square))
         ]
         durations += [distance * (2 * p - v0 - v1) / (V**2 - e) for p in (V, -V) if e < V**2 < inf]
+        durations += [2 * distance / (v0 + v1)] if v0 + v1 else []  # without a switch, as from V to V
         for T in sorted([at_least, *(T for T in durations if at_least < T)]):
             if T > 0 and self._keeps(move, T):
                 return T
