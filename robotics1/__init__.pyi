@@ -270,10 +270,10 @@ from .robot.loading import (
 from .robot.model import (
     Robot as Robot,
 )
-from .symbolic.formula import (
+from .symbolic.tasks.formula import (
     formulas as formulas,
 )
-from .symbolic.task_formulas import (
+from .symbolic.tasks.task_formulas import (
     Formulas as Formulas,
 )
 from .tasks.function import (

@@ -6,10 +6,10 @@ from formula_values import real
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyRing
 
-from robotics1.symbolic.composition import Composition
-from robotics1.symbolic.laurent import ROOTS, Frequencies
-from robotics1.symbolic.normal_form import NormalForm
-from robotics1.symbolic.writing import written
+from robotics1.symbolic.polynomials.laurent import ROOTS, Frequencies
+from robotics1.symbolic.tasks.normal_form import NormalForm
+from robotics1.symbolic.writing.composition import Composition
+from robotics1.symbolic.writing.sums_of_angles import written
 
 q1, q2, q3, q4 = Q = real("q1:5")  # three angles and a slide
 a, b, c = LENGTHS = real("a b c")

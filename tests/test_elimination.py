@@ -6,10 +6,10 @@ from polynomials import VALUES, F, a, b, c, equal, poly, q1, q2, q3, q4, value
 from sympy import cos, sin
 from test_locus import BOX, loci
 
-from robotics1.symbolic.configurations import Configurations
-from robotics1.symbolic.elimination import echelon_form, without_divisor
-from robotics1.symbolic.locus import Locus
-from robotics1.symbolic.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.singular_sets.configurations import Configurations
+from robotics1.symbolic.singular_sets.elimination import echelon_form, without_divisor
+from robotics1.symbolic.singular_sets.locus import Locus
 
 PLANAR = [
     [

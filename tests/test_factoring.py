@@ -10,10 +10,10 @@ from arms import ARMS, arm
 from polynomials import F, a, b, c, equal, poly, q1, q2, q3, q4, random_q, sympy_of, value
 from sympy import cos, sin, sqrt
 
-from robotics1.symbolic.chain import chain_to
-from robotics1.symbolic.exact import exact_axis, exact_length, exact_turn
-from robotics1.symbolic.factoring import factors, in_whole_angles, irreducible_parts
-from robotics1.symbolic.half_tangents import from_numerator, highest_multiples, in_half_angles, numerator
+from robotics1.symbolic.kinematics.chain import chain_to
+from robotics1.symbolic.kinematics.exact import exact_axis, exact_length, exact_turn
+from robotics1.symbolic.polynomials.factoring import factors, in_whole_angles, irreducible_parts
+from robotics1.symbolic.polynomials.half_tangents import from_numerator, highest_multiples, in_half_angles, numerator
 
 IRREDUCIBLE = [
     sin(q1),

@@ -19,7 +19,8 @@ from robotics1 import (
     load_robot,
     robot_from_dh,
 )
-from robotics1.symbolic import composition, reading
+from robotics1.symbolic.tasks import reading
+from robotics1.symbolic.writing import composition
 
 H = pi / 2
 q1, q2, q3, q4, q5 = sympy.symbols("q1:6", real=True)

@@ -22,7 +22,7 @@ from robotics1 import (
     robot_from_dh,
 )
 from robotics1.cli.commands import app
-from robotics1.symbolic.printing import latex_text, mathml_text, python_function, unicode_text
+from robotics1.symbolic.writing.printing import latex_text, mathml_text, python_function, unicode_text
 
 H = pi / 2
 

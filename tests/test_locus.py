@@ -10,15 +10,15 @@ from scipy.optimize import brentq
 from sympy import cos, pi, sin
 
 from robotics1.robot.box import JointBox
-from robotics1.symbolic.configurations import Configurations
-from robotics1.symbolic.evaluation import Evaluated
-from robotics1.symbolic.factoring import irreducible_parts
-from robotics1.symbolic.locus import Locus
-from robotics1.symbolic.singular_loci import largest_pieces
-from robotics1.symbolic.solving import CaseDistinction
-from robotics1.symbolic.substitution import Substitution
-from robotics1.symbolic.time_limit import OutOfTime, TimeLimit
-from robotics1.symbolic.zeros import zeros
+from robotics1.symbolic.polynomials.evaluation import Evaluated
+from robotics1.symbolic.polynomials.factoring import irreducible_parts
+from robotics1.symbolic.polynomials.substitution import Substitution
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.singular_sets.configurations import Configurations
+from robotics1.symbolic.singular_sets.locus import Locus
+from robotics1.symbolic.singular_sets.singular_loci import largest_pieces
+from robotics1.symbolic.singular_sets.solving import CaseDistinction
+from robotics1.symbolic.singular_sets.zeros import zeros
 
 BOX = JointBox(
     lower=np.array([-np.pi, -np.pi, -np.pi, -1]),

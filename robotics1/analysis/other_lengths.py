@@ -9,14 +9,14 @@ import sympy
 from robotics1.analysis.singular_set import SingularBranch
 from robotics1.analysis.symbolic_branches import SymbolicSearch
 from robotics1.robot.box import JointBox
-from robotics1.symbolic.configurations import Configurations
-from robotics1.symbolic.evaluation import Evaluated
-from robotics1.symbolic.factoring import factors
-from robotics1.symbolic.locus import Locus
-from robotics1.symbolic.singular_loci import largest_pieces, singular_loci
-from robotics1.symbolic.time_limit import OutOfTime, TimeLimit
-from robotics1.symbolic.writing import written_product
-from robotics1.symbolic.zeros import Zero, value_of_length
+from robotics1.symbolic.polynomials.evaluation import Evaluated
+from robotics1.symbolic.polynomials.factoring import factors
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.singular_sets.configurations import Configurations
+from robotics1.symbolic.singular_sets.locus import Locus
+from robotics1.symbolic.singular_sets.singular_loci import largest_pieces, singular_loci
+from robotics1.symbolic.singular_sets.zeros import Zero, value_of_length
+from robotics1.symbolic.writing.sums_of_angles import written_product
 
 MOST = 6  # equations that are tried
 DRAWS = 20  # lengths that are tried for one of them

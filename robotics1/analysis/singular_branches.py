@@ -8,7 +8,7 @@ import numpy.typing as npt
 from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
 from robotics1.analysis.singular_set import SingularBranch
 from robotics1.inputs import Array
-from robotics1.symbolic.time_limit import TimeLimit
+from robotics1.symbolic.polynomials.time_limit import TimeLimit
 
 ENOUGH = 50  # samples of a branch
 SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one

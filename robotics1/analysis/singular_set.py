@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import sympy
 
     from robotics1.analysis.symbolic_branches import SymbolicSearch
-    from robotics1.symbolic.branch_formulas import BranchFormulas
+    from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,7 @@ from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
 from robotics1.robot.model import Robot
-from robotics1.symbolic.time_limit import TimeLimit
+from robotics1.symbolic.polynomials.time_limit import TimeLimit
 from robotics1.tasks.task import Task
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ def _symbolic(
 
 def _note(search: "SymbolicSearch", answer: "Found") -> str:
     """Say which angles were made exact, and where the task has no Jacobian."""
-    from robotics1.symbolic.printing import line_text
+    from robotics1.symbolic.writing.printing import line_text
 
     said = []
     if search.cleaned > WORTH_TELLING:

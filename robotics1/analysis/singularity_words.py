@@ -65,7 +65,7 @@ def _called(joints: Iterable[str], robot: "Robot", *, symbols: bool) -> list[str
 
 def _besides(found: "SingularSet") -> list[str]:
     """Return what is singular outside the joint limits, or would be at other lengths."""
-    from robotics1.symbolic.printing import line_text
+    from robotics1.symbolic.writing.printing import line_text
 
     lines = []
     if found.outside:
@@ -90,7 +90,7 @@ def intersection_sentences(found: "SingularSet") -> str:
 def place(branch: "SingularBranch") -> str:
     """Return where a branch is: q2 = π/2, or l2·cos(q2) + l3·cos(q2 + q3) = 0."""
     if branch.formulas is not None:
-        from robotics1.symbolic.printing import line_text
+        from robotics1.symbolic.writing.printing import line_text
 
         texts = [(line_text(condition), condition) for condition in branch.conditions]
         return ", ".join(text if len(text) <= WIDEST else _described(condition) for text, condition in texts)
@@ -104,7 +104,7 @@ def _because(branch: "SingularBranch") -> str:
     """Say which relation between the lengths the branch owes itself to."""
     if branch.formulas is None or not branch.formulas.lengths:
         return ""
-    from robotics1.symbolic.printing import line_text
+    from robotics1.symbolic.writing.printing import line_text
 
     return f" (since {enumeration(line_text(equation) for equation in branch.formulas.lengths)})"
 
@@ -155,7 +155,7 @@ def _written(branch: "SingularBranch", name: str) -> str | None:
         return None
     if _operations(basis) > LONGEST * max(basis.cols, 1):
         return None
-    from robotics1.symbolic.printing import line_text
+    from robotics1.symbolic.writing.printing import line_text
 
     return " and ".join(line_text(basis.col(i)) for i in range(basis.cols))
 

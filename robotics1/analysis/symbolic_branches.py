@@ -14,17 +14,17 @@ from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
-from robotics1.symbolic.branch_formulas import BranchFormulas
-from robotics1.symbolic.cleaning import cleaned
-from robotics1.symbolic.configurations import Configurations
-from robotics1.symbolic.convenient_axes import Convenient
-from robotics1.symbolic.formula import formulas
-from robotics1.symbolic.locus import Locus
-from robotics1.symbolic.reading import Reading
-from robotics1.symbolic.singular_loci import POINTS, largest_pieces, singular_loci
-from robotics1.symbolic.solving import CaseDistinction
-from robotics1.symbolic.time_limit import UNLIMITED, OutOfTime, TimeLimit
-from robotics1.symbolic.writing import Groups
+from robotics1.symbolic.kinematics.cleaning import cleaned
+from robotics1.symbolic.kinematics.convenient_axes import Convenient
+from robotics1.symbolic.polynomials.time_limit import UNLIMITED, OutOfTime, TimeLimit
+from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
+from robotics1.symbolic.singular_sets.configurations import Configurations
+from robotics1.symbolic.singular_sets.locus import Locus
+from robotics1.symbolic.singular_sets.singular_loci import POINTS, largest_pieces, singular_loci
+from robotics1.symbolic.singular_sets.solving import CaseDistinction
+from robotics1.symbolic.tasks.formula import formulas
+from robotics1.symbolic.tasks.reading import Reading
+from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import FrameTask, Task
 
 SAMPLES = 50

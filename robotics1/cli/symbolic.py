@@ -7,9 +7,9 @@ from robotics1.cli.output import write_json
 from robotics1.errors import FormulaError, InputError
 from robotics1.notation import enumeration
 from robotics1.robot.model import Robot
-from robotics1.symbolic.formula import formulas
-from robotics1.symbolic.printing import latex_text, unicode_text
-from robotics1.symbolic.task_formulas import Formulas
+from robotics1.symbolic.tasks.formula import formulas
+from robotics1.symbolic.tasks.task_formulas import Formulas
+from robotics1.symbolic.writing.printing import latex_text, unicode_text
 from robotics1.tasks.task import FrameTask
 
 

@@ -9,7 +9,7 @@ import sympy
 from robotics1.exams.comparison import Comparison
 from robotics1.notation import number, vector
 from robotics1.report.named_formulas import FormulaSection, NamedFormula
-from robotics1.symbolic.printing import unicode_text
+from robotics1.symbolic.writing.printing import unicode_text
 
 
 @dataclass(frozen=True, eq=False)

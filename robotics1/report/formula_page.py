@@ -10,7 +10,7 @@ from typing import Any
 
 from robotics1.errors import InputError
 from robotics1.report.named_formulas import FormulaSection, NamedFormula
-from robotics1.symbolic.printing import mathml_text
+from robotics1.symbolic.writing.printing import mathml_text
 
 DOT_ABOVE = "\N{COMBINING DOT ABOVE}"
 

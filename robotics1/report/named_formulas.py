@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy
 
-from robotics1.symbolic.printing import unicode_text
+from robotics1.symbolic.writing.printing import unicode_text
 
 BETWEEN_ROWS = r"\s*⎢\s*⎥\s*"  # a line of a drawn matrix that has nothing in it
 

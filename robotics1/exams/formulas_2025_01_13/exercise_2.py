@@ -5,7 +5,7 @@ import sympy
 from robotics1.exams.exam_2025_01_13 import GOAL, SPACE, Exercise2
 from robotics1.exams.formula_table import FormulaRow, FormulaTable
 from robotics1.notation import vector
-from robotics1.symbolic.formula import formulas
+from robotics1.symbolic.tasks.formula import formulas
 
 VALUE = "Matrix([q3*cos(q2), q3*sin(q2), q1])"
 JACOBIAN = "Matrix([[0, -q3*sin(q2), cos(q2)], [0, q3*cos(q2), sin(q2)], [1, 0, 0]])"

@@ -8,7 +8,7 @@ from robotics1.exams.exam_2025_01_13 import ANGLE, P0, POINT, SPEED, Exercise3
 from robotics1.exams.formula_table import FormulaRow, FormulaTable
 from robotics1.notation import vector
 from robotics1.report.tables import polynomial_text
-from robotics1.symbolic.formula import formulas
+from robotics1.symbolic.tasks.formula import formulas
 from robotics1.trajectories.meeting import MeetingBranch
 from robotics1.trajectories.symbolic_polynomial import polynomial_formula
 

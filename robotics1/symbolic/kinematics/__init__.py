@@ -1,0 +1,1 @@
+"""The robot's kinematics in exact form: the chain of joints, its poses and Jacobians."""

@@ -1,0 +1,1 @@
+"""Trigonometric polynomials: arithmetic, factors, numbers, determinants."""

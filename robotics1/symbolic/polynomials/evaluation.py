@@ -1,0 +1,130 @@
+"""Numbers from trigonometric polynomials."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import sympy
+
+from robotics1.inputs import Array
+from robotics1.symbolic.polynomials.factoring import Part
+from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluated:
+    """f(q) as a function of numbers, with the parameters at given values.
+
+    Attributes:
+        f: a real trigonometric polynomial.
+        parameters: the value of each named length and angle.
+        unit: what the multiples of angles are multiples of: 1, or 1/2 of a polynomial in half angles.
+    """
+
+    f: Laurent
+    parameters: Mapping[sympy.Symbol, float]
+    unit: float = 1.0
+
+    @cached_property
+    def q(self) -> tuple[sympy.Symbol, ...]:
+        """The symbols of the joints."""
+        return self.f.frequencies.q
+
+    @cached_property
+    def _table(self) -> tuple[Array, Array, Array]:
+        """The terms: complex amplitudes (k,), multiples of the joint angles (k, n), powers of prismatic ones."""
+        F = self.f.frequencies
+        amplitudes, multiples, powers = [], [], []
+        for k, c in self.f.terms.items():
+            for m, a in c.terms():
+                value = complex(a.x, a.y)
+                power, multiple = np.zeros(len(self.q)), np.zeros(len(self.q))
+                for symbol, e in zip(F.ring.symbols, m, strict=True):
+                    if symbol in self.q:
+                        power[self.q.index(symbol)] = e
+                    elif e:
+                        value *= self._number(symbol) ** e
+                for symbol, e in zip(F.angles, k, strict=True):
+                    if symbol in self.q:
+                        multiple[self.q.index(symbol)] = e * self.unit
+                    elif e:
+                        value *= np.exp(1j * e * self.unit * self.parameters[symbol])
+                amplitudes.append(value)
+                multiples.append(multiple)
+                powers.append(power)
+        return np.array(amplitudes), np.array(multiples), np.array(powers)
+
+    def _number(self, symbol: sympy.Symbol) -> float:
+        square = ROOTS.get(str(symbol))
+        return float(np.sqrt(square)) if square is not None else self.parameters[symbol]
+
+    def __call__(self, q: Array) -> float:
+        """Return f(q)."""
+        return float(np.sum(self._waves(q)).real)
+
+    @property
+    def amplitudes(self) -> Array:
+        """The terms at q = 0 (prismatic joints at one), (k,) complex."""
+        return self._table[0]
+
+    @property
+    def size(self) -> float:
+        """Σ |cₖ|: what rounding is small beside (prismatic joints at one)."""
+        return float(np.abs(self._table[0]).sum()) if self.f.terms else 0.0
+
+    def complex(self, q: Array) -> complex:
+        """Return f(q) of a polynomial that is not real, such as exp(i α)."""
+        return complex(np.sum(self._waves(q)))
+
+    def gradient(self, q: Array) -> Array:
+        """Return ∂f/∂q, (n,)."""
+        amplitudes, multiples, powers = self._table
+        slopes = (1j * multiples * self._waves(q)[:, None]).sum(axis=0).real
+        for i in np.flatnonzero(powers.any(axis=0)):
+            lower = powers - (powers[:, [i]] > 0) * (np.arange(len(q)) == i)
+            terms = amplitudes * powers[:, i] * np.exp(1j * multiples @ q) * np.prod(q**lower, axis=1)
+            slopes[i] += terms.sum().real
+        return np.asarray(slopes)
+
+    def zeros_in(self, i: int, q: Array) -> list[float]:
+        """Return the values of joint i at which f vanishes, the other joints being as in q; double zeros too."""
+        amplitudes, multiples, powers = self._table
+        at = q.copy()
+        at[i] = 0.0
+        others = np.prod(np.where(np.arange(len(q)) == i, 1.0, at**powers), axis=1)
+        weights = amplitudes * np.exp(1j * multiples @ at) * others
+        turns = bool(multiples[:, i].any())
+        degrees = multiples[:, i] / self.unit if turns else powers[:, i]
+        lowest = int(degrees.min())
+        c = np.zeros(int(degrees.max()) - lowest + 1, dtype=complex)
+        np.add.at(c, (degrees - lowest).astype(int), weights)
+        if np.abs(c).max(initial=0.0) <= 1e-13 * max(self.size, 1e-300):
+            return []
+        roots = np.concatenate([np.roots(p[::-1]) for p in (c, np.polynomial.polynomial.polyder(c)) if len(p) > 1])
+        if turns:
+            angles = [float(np.angle(z)) / self.unit for z in roots if abs(abs(z) - 1) < 1e-6]
+            values = [float(np.angle(np.exp(1j * angle))) for angle in angles]  # up to whole turns
+        else:
+            values = [float(z.real) for z in roots if abs(z.imag) < 1e-6 * max(1.0, abs(z))]
+        found: list[float] = []
+        for x in values:
+            at[i] = x
+            apart = [abs(np.exp(1j * x) - np.exp(1j * y)) if turns else abs(x - y) for y in found]
+            if abs(self(at)) <= 1e-12 * np.abs(c).max() and min(apart, default=1.0) > 1e-6:
+                found.append(x)
+        return found
+
+    def _waves(self, q: Array) -> Array:
+        amplitudes, multiples, powers = self._table
+        if not len(amplitudes):
+            return np.zeros(1)
+        waves = amplitudes * np.exp(1j * multiples @ q)
+        return np.asarray(waves * np.prod(q**powers, axis=1) if powers.any() else waves)
+
+
+def evaluated_part(part: Part, parameters: Mapping[sympy.Symbol, float]) -> Evaluated:
+    """Return an irreducible part as a function of numbers, in half angles where it has some."""
+    if any(part.parity):
+        return Evaluated(part.in_half_angles, parameters, unit=0.5)
+    return Evaluated(part.in_angles, parameters)

@@ -1,0 +1,121 @@
+"""Irreducible factors of a trigonometric polynomial, such as sin(q3), sin(q2 + q3) or a2 cos(q2) + a3 cos(q2 + q3).
+
+The numerator in half-angle tangents is factored over ℚ. There sin(φ) falls into two parts, t = 0 and t = ∞, which
+are sin(φ/2) and cos(φ/2); parts of half angles are multiplied together again where whole angles are wanted.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property, reduce
+from itertools import combinations
+
+import sympy
+from flint import fmpq_mpoly
+
+from robotics1.symbolic.polynomials.half_tangents import (
+    Degrees,
+    context,
+    highest_multiples,
+    in_half_angles,
+    is_multiple,
+    numerator,
+)
+from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, gaussian
+
+
+@dataclass(frozen=True)
+class Part:
+    """N(t) / Πⱼ (1 + tⱼ²)^(eⱼ/2): a real polynomial of the half angles, and of the angles when all eⱼ are even."""
+
+    frequencies: Frequencies
+    numerator: fmpq_mpoly
+    degrees: Degrees  # eⱼ
+
+    @property
+    def parity(self) -> Degrees:
+        """Where half angles are left."""
+        return tuple(e % 2 for e in self.degrees)
+
+    @cached_property
+    def in_half_angles(self) -> Laurent:
+        """The part, with multiples of φ/2 as exponents."""
+        return in_half_angles(self.frequencies, self.numerator, self.degrees)
+
+    @property
+    def whole(self) -> Laurent:
+        """A polynomial in whole angles with the same zeros: the part, or its square if it has half angles."""
+        return (self * self if any(self.parity) else self).in_angles
+
+    @property
+    def symbols(self) -> set[sympy.Symbol]:
+        """The angles and lengths it depends on."""
+        return self.in_half_angles.symbols
+
+    def divides(self, f: Laurent) -> bool:
+        """Return whether an irreducible part is a factor of f."""
+        if not f or not self.symbols <= f.symbols:
+            return not f
+        if not self.numerator.is_constant():
+            return is_multiple(self.frequencies, numerator(f), self.numerator)
+        lengths = len(self.frequencies.ring.symbols)
+        found = numerator(f).degrees()[lengths:]
+        return all(2 * d - int(n) >= e for d, n, e in zip(highest_multiples(f), found, self.degrees, strict=True))
+
+    @property
+    def in_angles(self) -> Laurent:
+        """The part, for even eⱼ."""
+        terms = self.in_half_angles.terms
+        return Laurent(self.frequencies, {tuple(k // 2 for k in half): c for half, c in terms.items()})
+
+    def __mul__(self, other: "Part") -> "Part":
+        degrees = tuple(a + b for a, b in zip(self.degrees, other.degrees, strict=True))
+        return Part(self.frequencies, self.numerator * other.numerator, degrees)
+
+
+def factors(f: Laurent) -> tuple[Laurent, ...]:
+    """Return factors whose product is f, each as often as it occurs: a number, those of lengths alone, and then the
+    others, the shorter first. The number 1 is left out, unless f is 1.
+    """
+    F = f.frequencies
+    number, parts = irreducible_parts(f)
+    found = [part.in_angles for part in in_whole_angles(parts)]
+    found.sort(key=lambda factor: (len(factor.angles), len(factor.terms), sorted(factor.terms)))
+    return tuple(found) if found and number == F.constant(1) else (number, *found)
+
+
+def irreducible_parts(f: Laurent) -> tuple[Laurent, list[Part]]:
+    """Return the number and the irreducible parts whose product is f, each as often as it occurs."""
+    F = f.frequencies
+    N = numerator(f)
+    parts = parts_of(F, N)
+    for j, dj in enumerate(highest_multiples(f)):
+        parts += [at_infinity(F, j)] * (2 * dj - sum(part.degrees[j] for part in parts))
+    return F.constant(gaussian(N.factor()[0])), parts
+
+
+def parts_of(F: Frequencies, N: fmpq_mpoly) -> list[Part]:
+    """Return the irreducible factors of N(t), each as often as it occurs."""
+    lengths = len(F.ring.symbols)
+    _, found = N.factor()
+    return [Part(F, n, tuple(map(int, n.degrees()[lengths:]))) for n, power in found for _ in range(int(power))]
+
+
+def at_infinity(F: Frequencies, j: int) -> Part:
+    """Return cos(φⱼ/2), which vanishes at tⱼ = ∞."""
+    return Part(F, context(F).constant(1), tuple(int(i == j) for i in range(len(F.angles))))
+
+
+def in_whole_angles(parts: list[Part]) -> list[Part]:
+    """Multiply parts of half angles together so that all are of whole angles, two by two where that is enough.
+
+    Of those with the same half angles the two with the shortest product belong together: sin(φ/2) and cos(φ/2).
+    """
+    whole = [part for part in parts if not any(part.parity)]
+    halves = [part for part in parts if any(part.parity)]
+    while True:
+        pairs = [(a, b) for a, b in combinations(range(len(halves)), 2) if halves[a].parity == halves[b].parity]
+        if not pairs:
+            break
+        a, b = min(pairs, key=lambda pair: len((halves[pair[0]] * halves[pair[1]]).in_half_angles.terms))
+        whole.append(halves[a] * halves[b])
+        halves = [part for i, part in enumerate(halves) if i not in (a, b)]
+    return [*whole, reduce(lambda a, b: a * b, halves)] if halves else whole

@@ -1,0 +1,166 @@
+"""Trigonometric polynomials, in the form in which sums of angles and cos² + sin² = 1 come by themselves.
+
+A trigonometric polynomial is a Laurent polynomial in the exponentials zⱼ = exp(i φⱼ) of the angles,
+
+f = Σₖ cₖ exp(i k·φ),  k ∈ ℤⁿ,
+
+with coefficients cₖ that are polynomials in the lengths over ℚ(i). The form is unique, so f = 0 is seen at once.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy.polys.domains import QQ_I
+from sympy.polys.rings import PolyElement, PolyRing
+
+Exponents = tuple[int, ...]
+Matrix = np.ndarray[Any, Any]  # of Laurent polynomials
+ROOTS = {"√2": 2, "√3": 3}  # generators that stand for square roots
+
+
+@dataclass(frozen=True)
+class Frequencies:
+    """What the trigonometric polynomials of a chain are made of.
+
+    Attributes:
+        angles: the symbols φ of the revolute joints and of angles that have names.
+        ring: ℚ(i)[prismatic joints, lengths, √2, √3].
+        q: the symbols of the joints, among both.
+    """
+
+    angles: tuple[sympy.Symbol, ...]
+    ring: PolyRing
+    q: tuple[sympy.Symbol, ...]
+
+    def constant(self, value: Any) -> "Laurent":
+        """Return a coefficient as a polynomial without angles."""
+        coefficient = self.ring(value)
+        return Laurent(self, {self.zero: coefficient} if coefficient else {})
+
+    def exponential(self, multiples: Mapping[sympy.Symbol, int]) -> "Laurent":
+        """Return exp(i k·φ)."""
+        k = tuple(multiples.get(angle, 0) for angle in self.angles)
+        return Laurent(self, {k: self.ring.one})
+
+    def root(self, k: int) -> PolyElement:
+        """Return √k, for k = 1, 2, 3 or 6."""
+        found = self.ring.one
+        for name, square in ROOTS.items():
+            if k % square == 0:
+                found *= self.ring(sympy.Symbol(name))
+        return found
+
+    def turn(self, k: int) -> "Laurent":
+        """Return exp(i k π/12)."""
+        i = self.ring(QQ_I(0, 1))
+        # exp(iπ/12) = exp(iπ/4) exp(−iπ/6); products reduce √2² and √3²
+        step = self.constant(self.root(2) * (1 + i) / 2) * self.constant((self.root(3) - i) / 2)
+        quarters, rest = divmod(k % 24, 6)
+        turn = self.constant(i**quarters)
+        for _ in range(rest):
+            turn = turn * step
+        return turn
+
+    @property
+    def zero(self) -> Exponents:
+        """The exponents k = 0."""
+        return (0,) * len(self.angles)
+
+
+@dataclass(frozen=True, eq=False)
+class Laurent:
+    """f = Σₖ cₖ exp(i k·φ), with the terms k → cₖ that do not vanish."""
+
+    frequencies: Frequencies
+    terms: dict[Exponents, PolyElement]
+
+    @property
+    def angles(self) -> tuple[int, ...]:
+        """The places of the angles it depends on."""
+        return tuple(j for j in range(len(self.frequencies.angles)) if any(k[j] for k in self.terms))
+
+    def __bool__(self) -> bool:
+        return bool(self.terms)
+
+    def __add__(self, other: "Laurent") -> "Laurent":
+        terms = dict(self.terms)
+        for k, c in other.terms.items():
+            terms[k] = terms[k] + c if k in terms else c
+        return Laurent(self.frequencies, {k: c for k, c in terms.items() if c})
+
+    def __neg__(self) -> "Laurent":
+        return Laurent(self.frequencies, {k: -c for k, c in self.terms.items()})
+
+    def __sub__(self, other: "Laurent") -> "Laurent":
+        return self + -other
+
+    def __mul__(self, other: "Laurent") -> "Laurent":
+        terms: dict[Exponents, PolyElement] = {}
+        for k, c in self.terms.items():
+            for m, d in other.terms.items():
+                n = tuple(a + b for a, b in zip(k, m, strict=True))
+                terms[n] = terms[n] + c * d if n in terms else c * d
+        return Laurent(self.frequencies, {k: c for k, c in ((k, reduced(c)) for k, c in terms.items()) if c})
+
+    @property
+    def conjugate(self) -> "Laurent":
+        """The complex conjugate: f itself if it is real, the inverse if it is exp(i α)."""
+        return Laurent(self.frequencies, {tuple(-m for m in k): conjugate(c) for k, c in self.terms.items()})
+
+    @property
+    def symbols(self) -> set[sympy.Symbol]:
+        """The angles and lengths it depends on."""
+        F = self.frequencies
+        used = {F.ring.symbols[i] for c in self.terms.values() for m in c.itermonoms() for i, e in enumerate(m) if e}
+        return {symbol for symbol in used if str(symbol) not in ROOTS} | {F.angles[j] for j in self.angles}
+
+    @property
+    def has_roots(self) -> bool:
+        """Whether √2 or √3 is in a coefficient."""
+        places = _root_places(self.frequencies.ring)
+        return any(m[place] for c in self.terms.values() for m in c.itermonoms() for place in places)
+
+    def derivative(self, symbol: sympy.Symbol) -> "Laurent":
+        """Return ∂f/∂symbol, for an angle or a generator of the ring."""
+        if symbol in self.frequencies.angles:
+            j = self.frequencies.angles.index(symbol)
+            i = self.frequencies.ring(QQ_I(0, 1))
+            return Laurent(self.frequencies, {k: i * k[j] * c for k, c in self.terms.items() if k[j]})
+        generator = self.frequencies.ring(symbol)
+        terms = {k: c.diff(generator) for k, c in self.terms.items()}
+        return Laurent(self.frequencies, {k: c for k, c in terms.items() if c})
+
+
+def gaussian(value: Any) -> Any:
+    """Return a rational number of any kind, with p and q or numerator and denominator, as an element of ℚ(i)."""
+    p, q = (value.p, value.q) if hasattr(value, "p") else (value.numerator, value.denominator)
+    return QQ_I(int(p), 0) / int(q)
+
+
+def reduced(c: PolyElement) -> PolyElement:
+    """Return a coefficient with the squares of the generators √2 and √3 replaced by 2 and 3."""
+    places = _root_places(c.ring)
+    if all(m[place] < 2 for m in c.itermonoms() for place in places):
+        return c
+    return c.rem([c.ring.gens[place] ** 2 - square for place, square in places.items()])
+
+
+@cache
+def _root_places(ring: PolyRing) -> dict[int, int]:
+    """Return the place of each generator that stands for a root → its square."""
+    return {place: ROOTS[str(s)] for place, s in enumerate(ring.symbols) if str(s) in ROOTS}
+
+
+def conjugate(c: PolyElement) -> PolyElement:
+    """Return a coefficient with i replaced by −i."""
+    return c.ring.from_dict({m: QQ_I(a.x, -a.y) for m, a in c.terms()})
+
+
+def polynomial(c: PolyElement) -> sympy.Expr:
+    """Return a coefficient in SymPy, with √2 and √3 as roots."""
+    roots = {symbol: sympy.sqrt(ROOTS[str(symbol)]) for symbol in c.ring.symbols if str(symbol) in ROOTS}
+    return c.as_expr().subs(roots) if roots else c.as_expr()

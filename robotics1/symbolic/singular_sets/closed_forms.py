@@ -1,0 +1,92 @@
+"""The values of a joint in closed form."""
+
+from collections.abc import Mapping
+
+import numpy as np
+import sympy
+
+from robotics1.symbolic.kinematics.exact import exact_turn
+from robotics1.symbolic.polynomials.evaluation import Evaluated
+from robotics1.symbolic.polynomials.factoring import Part
+from robotics1.symbolic.polynomials.laurent import Laurent, polynomial
+from robotics1.symbolic.writing.recognition import recognised
+
+ROUNDING = 1e-13  # of an angle [rad]
+
+
+def angle_of_turn(turn: Laurent) -> sympy.Expr:
+    """Return α of exp(i α), a constant times exponentials of other angles, which are left out."""
+    ((_, c),) = turn.terms.items()
+    number = Evaluated(turn.frequencies.constant(c), {}).complex(np.zeros(len(turn.frequencies.q)))
+    k = exact_turn(float(np.angle(number)), ROUNDING)
+    if k is None:
+        return sympy.Float(np.angle(number))
+    return sympy.Rational(k if k != -12 else 12, 12) * sympy.pi
+
+
+def root_of(
+    part: Part, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
+) -> sympy.Expr | None:
+    """Return the solution of part = 0 for its only joint that has the given value, or None if there is no short one.
+
+    A cos φ + B sin φ + C = 0 has the solutions φ = atan2(B, A) ± acos(−C / √(A² + B²)), A cos φ/2 + B sin φ/2 = 0
+    has φ = 2 atan2(−A, B), and a ℓ + b = 0 has −b/a.
+    """
+    F = part.frequencies
+    if any(part.parity):
+        return _from_half_angle(part.in_half_angles)
+    g = part.in_angles
+    if symbol not in F.angles:
+        slope = g.derivative(symbol)
+        if symbol in slope.symbols:
+            return None
+        rest = sympy.expand(polynomial(g.terms[F.zero])).coeff(symbol, 0)
+        return -rest / polynomial(slope.terms[F.zero])
+    j = F.angles.index(symbol)
+    one = tuple(int(i == j) for i in range(len(F.angles)))
+    if set(g.terms) - {F.zero, one, tuple(-k for k in one)}:
+        return _from_cosine(g, j, value, parameters)
+    c = g.terms[one]
+    A, B = sympy.expand(2 * polynomial(c)).as_real_imag()
+    B = -B
+    C = polynomial(g.terms[F.zero]) if F.zero in g.terms else sympy.S.Zero
+    solutions = _solutions(*recognised([A, B, C]))
+    return _nearest(solutions, value, parameters)
+
+
+def _from_half_angle(half: Laurent) -> sympy.Expr | None:
+    """Return 2 atan2(−A, B) of A cos φ/2 + B sin φ/2 = 0."""
+    if len(half.terms) != 2:
+        return None
+    A, B = sympy.expand(2 * polynomial(max(half.terms.items())[1])).as_real_imag()
+    A, B = recognised([A, B])
+    return 2 * sympy.atan2(-A, -B)
+
+
+def _from_cosine(g: Laurent, j: int, value: float, parameters: Mapping[sympy.Symbol, float]) -> sympy.Expr | None:
+    """Return ± acos of a root of a polynomial of degree two in cos φ: c₀ + 2 c₁ cos φ + 2 c₂ (2 cos² φ − 1) = 0."""
+    c = {k[j]: polynomial(coefficient) for k, coefficient in g.terms.items()}
+    if len(g.angles) > 1 or max(c) > 2 or any(c[k] != c.get(-k) for k in c):
+        return None
+    cosine = sympy.Symbol("c")
+    quadratic = c.get(0, 0) + 2 * c.get(1, 0) * cosine + 2 * c[2] * (2 * cosine**2 - 1)
+    solutions = [sign * sympy.acos(root) for root in sympy.roots(quadratic, cosine) for sign in (1, -1)]
+    return _nearest(solutions, value, parameters)
+
+
+def _nearest(solutions: list[sympy.Expr], value: float, parameters: Mapping[sympy.Symbol, float]) -> sympy.Expr:
+    """Return the solution that is the angle, up to whole turns."""
+    numbers = [complex(x.subs(parameters)) for x in solutions]
+    return solutions[int(np.argmin([abs(np.exp(1j * x) - np.exp(1j * value)) for x in numbers]))]
+
+
+def _solutions(A: sympy.Expr, B: sympy.Expr, C: sympy.Expr) -> list[sympy.Expr]:
+    """Return the solutions of A cos φ + B sin φ + C = 0."""
+    if B == 0:
+        return [sympy.acos(-C / A), -sympy.acos(-C / A)]
+    if A == 0:
+        return [sympy.asin(-C / B), sympy.pi - sympy.asin(-C / B)]
+    if C == 0:
+        return [sympy.atan2(-A, B), sympy.atan2(A, -B)]
+    turn = sympy.acos(-C / sympy.sqrt(A**2 + B**2))
+    return [sympy.atan2(B, A) + turn, sympy.atan2(B, A) - turn]

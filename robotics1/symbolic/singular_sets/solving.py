@@ -1,0 +1,80 @@
+"""Common zeros of trigonometric polynomials, by cases: one factor after the other is taken to be zero."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+import sympy
+
+from robotics1.symbolic.polynomials.laurent import Laurent
+from robotics1.symbolic.polynomials.time_limit import TimeLimit
+from robotics1.symbolic.singular_sets.locus import Locus
+from robotics1.symbolic.singular_sets.zeros import Zero, coincidences, zeros
+
+
+@dataclass(frozen=True, eq=False)
+class CaseDistinction:
+    """The search for common zeros at given lengths.
+
+    Attributes:
+        parameters: the lengths.
+        limit: of the time.
+        excluded: equations that were met and have no solution at these lengths, such as a2 − a3.
+    """
+
+    parameters: Mapping[sympy.Symbol, float]
+    limit: TimeLimit
+    excluded: list[Zero] = field(default_factory=list)
+
+    def common_zeros(self, polynomials: Iterable[Laurent], locus: Locus) -> Iterator[Locus]:
+        """Yield pieces of the locus that together hold all points at which every polynomial vanishes.
+
+        A product vanishes where one of its factors does: the polynomial with the fewest factors is chosen, and each
+        of them is set to zero in turn, which leaves simpler polynomials. Pieces may hold others.
+
+        Raises:
+            OutOfTime: the time is over before the last piece was found.
+        """
+        left = _distinct([f for f in map(locus.reduced, polynomials) if f])
+        if not left:
+            yield from self._at_equal_lengths(locus)
+            return
+        for zero in min(map(self._cases, left), key=_cost):
+            if not zero.real:
+                self.excluded.append(zero)
+                continue
+            part, reopened = locus.where(zero)
+            yield from self.common_zeros([*left, *reopened], part)
+
+    def _at_equal_lengths(self, locus: Locus) -> Iterator[Locus]:
+        """Yield the locus, in pieces if one of its equations falls into factors because two lengths are equal:
+        a cos(q2) + a cos(q2 + q3) = 2 a cos(q2 + q3/2) cos(q3/2).
+        """
+        for part in locus.implicit:
+            relations = coincidences(part.frequencies, self.parameters, part.symbols)
+            g = part.whole
+            for relation in relations:
+                g = relation.substitution(g) if relation.substitution is not None else g
+            cases = [zero for zero in self._cases(g) if zero.real] if relations else []
+            if len(cases) > 1 or any(zero.substitution is not None for zero in cases):
+                reopened: list[Laurent] = []
+                for relation in relations:
+                    locus, changed = locus.where(relation)
+                    reopened += changed
+                yield from self.common_zeros(map(locus.reduced, reopened), locus)
+                return
+        yield locus
+
+    def _cases(self, f: Laurent) -> list[Zero]:
+        self.limit.check()
+        return zeros(f, self.parameters)
+
+
+def _distinct(polynomials: list[Laurent]) -> list[Laurent]:
+    return list({frozenset(f.terms.items()): f for f in polynomials}.values())
+
+
+def _cost(cases: list[Zero]) -> tuple[int, int, int]:
+    """Values of joints first, then few cases, then short equations."""
+    real = [zero for zero in cases if zero.real]
+    implicit = [zero for zero in real if zero.substitution is None]
+    return len(implicit), len(real), sum(len(zero.equation.terms) for zero in implicit)

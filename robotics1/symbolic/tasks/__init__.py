@@ -1,0 +1,1 @@
+"""A task's value, Jacobian, determinant and minors as formulas, compared with Pinocchio."""

@@ -1,0 +1,113 @@
+"""From a robot and a task to formulas: its value, its Jacobian, determinant and minors, in SymPy."""
+
+from collections.abc import Sequence
+from copy import copy
+from functools import lru_cache
+from typing import Any
+
+from robotics1.errors import FormulaError, InputError, UnknownNameError
+from robotics1.inputs import text
+from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.chain import Chain, chain_to
+from robotics1.symbolic.kinematics.cleaning import cleaned
+from robotics1.symbolic.kinematics.frame_motion import Joints
+from robotics1.symbolic.kinematics.points import link_of, with_point
+from robotics1.symbolic.tasks.reading import Reading
+from robotics1.symbolic.tasks.task_formulas import Formulas
+from robotics1.symbolic.tasks.task_map import task_map
+from robotics1.tasks.function import FunctionTask
+from robotics1.tasks.task import FrameTask, Task
+
+
+def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str] | None = None) -> Formulas:
+    """Return the formulas of a task, built from the same file as the robot's numbers.
+
+    Every formula is compared with Pinocchio, at random q and parameters, when it is first asked for.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: r = f(q), on a frame; or r = f(p, R, q), a function written with arithmetic, NumPy or SymPy.
+        point: (3,) a point of the task's frame, in its axes [m], instead of its origin: numbers, names such as "d"
+            that become symbols, or polynomials of names in SymPy.
+        rows: some of the task's rows by name, such as ("y", "ωz") of a pose; w is read as ω, phi as φ.
+
+    Raises:
+        TaskError: the task does not fit the robot.
+        InputError: the point or the rows are none.
+        UnknownNameError: the task has no row, or the robot no frame, of that name.
+        FormulaError: the task's function cannot be read, the file's numbers depend on the parameters in a way that
+            cannot be told, or a formula does not agree with Pinocchio to 1e-9.
+    """
+    if not isinstance(task, FrameTask | FunctionTask):
+        raise FormulaError(f"formulas are written for tasks on a frame and for FunctionTask, not for {task!r}")
+    given = set(robot.parameters)
+    if point is not None:
+        robot, frame = with_point(robot, task.frame, point)
+        task = _on(task, frame)
+    task.check(robot)
+    places = tuple(_places(task.row_names, rows))
+    reading = (_kept_reading if _is_hashable(task) else _reading)(robot, task, places)
+    return Formulas(
+        robot,
+        task,
+        tuple(task.row_names[i] for i in places),
+        reading.chain.q,
+        cleaned(robot)[1],
+        tuple(name for name in robot.parameters if name not in given),
+        reading,
+    )
+
+
+def _reading(robot: Robot, task: FrameTask | FunctionTask, places: tuple[int, ...]) -> Reading:
+    """Return the task read in symbols."""
+    chain = chain_to(robot, link_of(robot, task.frame))
+    _check_names(robot, chain)
+    return Reading(chain, _joints_to_axes(chain, task), task_map(task, chain.q).chosen(list(places)))
+
+
+_kept_reading = lru_cache(maxsize=8)(_reading)  # find_singularities reads the same again
+
+
+def _is_hashable(task: FrameTask | FunctionTask) -> bool:
+    try:
+        hash(task)
+    except TypeError:
+        return False
+    return True
+
+
+def _on(task: FrameTask | FunctionTask, frame: str) -> FrameTask | FunctionTask:
+    """Return the task on another frame."""
+    moved = copy(task)
+    object.__setattr__(moved, "frame", frame)  # as replace() would, if FunctionTask took its own fields
+    return moved
+
+
+def _joints_to_axes(chain: Chain, task: FrameTask | FunctionTask) -> Joints:
+    """Return the joints to the link whose axes the task is told in; none for the world's."""
+    reference = getattr(task, "reference", "world")
+    if reference == "world":
+        return ()
+    link = link_of(chain.robot, None if reference == "tool" else reference)
+    return chain.joints if link == chain.frame else chain_to(chain.robot, link).joints
+
+
+def _check_names(robot: Robot, chain: Chain) -> None:
+    for name in robot.parameters:
+        if name in {symbol.name for symbol in chain.q}:
+            raise FormulaError(f"robot {robot.name!r} has a parameter {name!r}, which in formulas is a joint")
+
+
+def _places(names: tuple[str, ...], rows: Sequence[str] | None) -> list[int]:
+    """Return the places of the chosen rows."""
+    if rows is None:
+        return list(range(len(names)))
+    if isinstance(rows, str) or not isinstance(rows, Sequence) or not rows:
+        raise InputError(f"rows must be names such as {names[:2]}; it is {rows!r}")
+    spelled = [text("a row", row).replace("w", "ω").replace("phi", "φ") for row in rows]
+    for row, name in zip(rows, spelled, strict=True):
+        if name not in names:
+            raise UnknownNameError("row of the task named", row, names)
+    if len(set(spelled)) != len(spelled):
+        raise InputError(f"rows must be distinct; they are {tuple(rows)}")
+    return [names.index(name) for name in spelled]

@@ -1,0 +1,198 @@
+"""The formulas of a task, each compared with Pinocchio when it is asked for."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+import sympy
+
+from robotics1.errors import TaskError
+from robotics1.inputs import Array, one_of
+from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.chain import Chain
+from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
+from robotics1.symbolic.tasks.rates import rate_of, velocity_product_of
+from robotics1.symbolic.tasks.reading import Reading
+from robotics1.symbolic.tasks.verification import Point, Trials, numeric_jacobian, numeric_value, rate
+from robotics1.symbolic.writing.printing import python_function
+from robotics1.symbolic.writing.sums_of_angles import Groups
+from robotics1.tasks.task import Task
+
+PRINTED = {
+    "value": "r = f(q)",
+    "jacobian": "J(q)",
+    "determinant": "det J(q)",
+    "jacobian_rate": "dJ/dt",
+    "velocity_product": "dJ/dt qdot",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Formulas:
+    """The formulas of a task, in q1, q2, ... and the robot's named parameters.
+
+    Each is compared with Pinocchio at random q and parameters when it is first asked for, and a FormulaError is
+    raised where they differ by more than 1e-9.
+
+    Attributes:
+        robot, task: of what; with a chosen point, the robot has one more frame, and the task is on it.
+        row_names: the rows of J.
+        q: the symbols q1, q2, ...
+        cleaned: the largest correction that made an angle of the file exact, as 1.5708 to π/2 [rad].
+        unvalued: the names of a chosen point that no number is known for.
+    """
+
+    robot: Robot
+    task: Task
+    row_names: tuple[str, ...]
+    q: tuple[sympy.Symbol, ...]
+    cleaned: float
+    unvalued: tuple[str, ...]
+    reading: Reading = field(repr=False)
+
+    @cached_property
+    def value(self) -> sympy.Matrix:
+        """The value r = f(q): a column; of an orientation (3, 3), of a pose the homogeneous (4, 4)."""
+        r = self.reading.value
+        self._trials.verify(r, self._value_at, "the value", difference=self._difference)
+        return r
+
+    @cached_property
+    def jacobian(self) -> sympy.Matrix:
+        """J(q), (m, n)."""
+        J = self.reading.jacobian
+        self._trials.verify(J, self._jacobian_at, "J")
+        return J
+
+    @cached_property
+    def qdot(self) -> tuple[sympy.Symbol, ...]:
+        """The velocities q̇1, q̇2, ..., in the formulas of J̇."""
+        return tuple(sympy.symbols(f"qdot1:{len(self.q) + 1}", real=True))
+
+    @cached_property
+    def jacobian_rate(self) -> sympy.Matrix:
+        """J̇(q, q̇) = dJ/dt, (m, n)."""
+        rates = rate_of(self.jacobian, self.q, self.qdot)
+        self._trials.verify(rates, self._jacobian_rate_at, "J̇")
+        return rates
+
+    @cached_property
+    def velocity_product(self) -> sympy.Matrix:
+        """J̇ q̇, (m, 1), of r̈ = J q̈ + J̇ q̇."""
+        product = velocity_product_of(self.jacobian, self.q, self.qdot)
+        self._trials.verify(product, lambda point: self._jacobian_rate_at(point) @ point.qdot, "J̇ q̇")
+        return product
+
+    @cached_property
+    def determinant(self) -> sympy.Expr:
+        """Det J(q), reduced and factored.
+
+        Raises:
+            TaskError: J is not square.
+            FormulaError: it cannot be reduced, or does not agree with Pinocchio.
+        """
+        m, n = len(self.row_names), len(self.q)
+        if m != n:
+            raise TaskError(f"J is {m} × {n}: it has minors, but no determinant")
+        return self.minors[()]
+
+    @cached_property
+    def minors(self) -> dict[tuple[int, ...], sympy.Expr]:
+        """The largest minors: the columns (or, of a tall J, rows) that are left out, from 0 → the minor, factored.
+
+        Raises:
+            FormulaError: they cannot be reduced, or do not agree with Pinocchio.
+        """
+        found = {out: self.reading.written_minor(minor) for out, minor in self.reading.minors.items()}
+
+        def numeric(point: Point) -> Array:
+            J = self._jacobian_at(point)
+            wide = J.shape[1] > J.shape[0]
+            return np.array([np.linalg.det(np.delete(J, out, axis=int(wide))) for out in found])
+
+        self._trials.verify(sympy.Matrix(list(found.values())), numeric, "a minor of J")
+        return found
+
+    @cached_property
+    def gram_determinant(self) -> sympy.Expr:
+        """Det(J Jᵀ) of a square or wide J, det(Jᵀ J) of a tall one: zero where J loses rank; reduced and factored.
+
+        Raises:
+            FormulaError: it cannot be reduced, or does not agree with Pinocchio.
+        """
+        found = self.reading.gram_determinant
+
+        def numeric(point: Point) -> Array:
+            J = self._jacobian_at(point)
+            return np.array(np.linalg.det(J @ J.T if J.shape[0] <= J.shape[1] else J.T @ J))
+
+        self._trials.verify(sympy.Matrix([found]), numeric, "det(J Jᵀ)")
+        return found
+
+    @property
+    def determinant_factors(self) -> tuple[Laurent, ...]:
+        """Factors of det J; of a task with quotients, of the polynomials of which the rows of J are combined."""
+        _ = self.determinant
+        ((_, found),) = self.reading.minors[()]
+        return found
+
+    @property
+    def chain(self) -> Chain:
+        """The joints from the world to the frame."""
+        return self.reading.chain
+
+    @property
+    def groups(self) -> Groups:
+        """The angles that are added up: of consecutive joints with parallel axes."""
+        return self.reading.groups
+
+    @property
+    def rows(self) -> Matrix:
+        """J as trigonometric polynomials; of a task with quotients, those of which the rows of J are combined."""
+        return self.reading.rows
+
+    def python(self, name: str = "jacobian") -> str:
+        """Return the source of a function f(q) of NumPy: f(q, qdot) for J̇ and J̇ q̇, parameters by keyword.
+
+        Args:
+            name: "value", "jacobian", "determinant", "jacobian_rate" or "velocity_product".
+
+        Raises:
+            InputError: there is no such formula.
+        """
+        one_of("name", name, tuple(PRINTED))
+        formula = getattr(self, name)
+        column = name == "velocity_product" or (name == "value" and formula.cols == 1)
+        vectors = {"q": self.q}
+        if name in ("jacobian_rate", "velocity_product"):
+            vectors["qdot"] = self.qdot
+        values = {key: None if key in self.unvalued else value for key, value in self.robot.parameters.items()}
+        rows = f"; rows {', '.join(self.row_names)}" if name in ("jacobian", "jacobian_rate") else ""
+        summary = f"{PRINTED[name]} of {self.robot.name}, joints {', '.join(self.robot.joint_names)}{rows}"
+        return python_function(name, list(formula) if column else formula, vectors, values, summary)
+
+    @cached_property
+    def _trials(self) -> Trials:
+        return Trials(self.robot, self.q, self.qdot)
+
+    @property
+    def _places(self) -> list[int]:
+        return [self.task.row_names.index(name) for name in self.row_names]
+
+    def _value_at(self, point: Point) -> Array:
+        r = numeric_value(self.task, point.robot, point.q)
+        return r[self._places] if r.shape == (len(self.task.row_names),) else r
+
+    def _difference(self, ours: Array, theirs: Array) -> Array:
+        """Return ours − theirs; angles of a task on a frame count up to whole turns."""
+        difference = ours - theirs
+        if self.reading.task.wraps and difference.shape == (len(self.row_names), 1):
+            angles = [self.task.row_units[i] == "rad" for i in self._places]
+            difference[angles] = np.angle(np.exp(1j * difference[angles]))
+        return difference
+
+    def _jacobian_at(self, point: Point) -> Array:
+        return numeric_jacobian(self.task, point.robot, point.q)[self._places]
+
+    def _jacobian_rate_at(self, point: Point) -> Array:
+        return rate(lambda t: self._jacobian_at(point._replace(q=point.q + t * point.qdot)))

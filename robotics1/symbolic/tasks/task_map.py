@@ -1,0 +1,117 @@
+"""A task read as formulas: r = g(p, R, q) and ṙ = S V + D q̇, in symbols for the entries of p and R.
+
+S and D depend on p, R and q; V = (v, ω) is the velocity of the frame. The built-in tasks say g and S themselves, and
+D = 0. Of a function f of the user's own, with Ṙ = [ω]× R,
+
+    S = [∂f/∂p   Σᵢⱼ ∂f/∂Rᵢⱼ ([e_k]× R)ᵢⱼ],  D = ∂f/∂q.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from robotics1.errors import FormulaError
+from robotics1.orientation.elementary import cross_matrix
+from robotics1.symbolic.kinematics.exact import exact_length
+from robotics1.symbolic.tasks.readable import Readable
+from robotics1.tasks.function import FunctionTask
+from robotics1.tasks.task import FrameTask, Task
+
+Expressions = np.ndarray[Any, Any]  # of sympy.Expr
+
+
+@dataclass(frozen=True, eq=False)
+class TaskMap:
+    """A task in symbols.
+
+    Attributes:
+        p, R: (3,) and (3, 3) symbols of the frame's position and axes.
+        value: r = g(p, R, q), in the task's own shape.
+        S: (m, 6).
+        D: (m, n).
+        wraps: whether an angle of r counts up to whole turns.
+    """
+
+    p: Expressions
+    R: Expressions
+    value: Expressions
+    S: Expressions
+    D: Expressions
+    wraps: bool
+
+    def chosen(self, rows: list[int]) -> "TaskMap":
+        """Return the map with some of the rows; a value that is no column is kept whole."""
+        value = self.value[rows] if self.value.shape == (len(self.S),) else self.value
+        return TaskMap(self.p, self.R, value, self.S[rows], self.D[rows], self.wraps)
+
+
+def task_map(task: Task, q: tuple[sympy.Symbol, ...]) -> TaskMap:
+    """Return a task in symbols.
+
+    Raises:
+        FormulaError: it is neither a task on a frame nor a function of p, R and q that can be read.
+    """
+    p = np.array([sympy.Dummy(f"p{axis}", real=True) for axis in "xyz"])
+    R = np.array([[sympy.Dummy(f"R{i}{j}", real=True) for j in (1, 2, 3)] for i in (1, 2, 3)])
+    if isinstance(task, FrameTask):
+        S = _exact(task.S(p, R))
+        return TaskMap(p, R, _exact(task.g(p, R)), S, np.full((len(S), len(q)), sympy.S.Zero), wraps=True)
+    if isinstance(task, FunctionTask):
+        r = _read(task, p, R, q)
+        return TaskMap(p, R, r, *_derivatives(r, p, R, q), wraps=False)
+    raise FormulaError(f"formulas are written for tasks on a frame and for FunctionTask, not for {task!r}")
+
+
+def _read(task: FunctionTask, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]) -> Expressions:
+    """Return f(p, R, q), (m,)."""
+    entries = [each(Readable, np.array(a, dtype=object)) for a in (p, R, q)]
+    try:
+        r = _exact(task.f(*entries))
+    except Exception as error:
+        raise FormulaError(
+            f"the task's function cannot be read as a formula: {error!r}; write it with arithmetic and with the "
+            f"functions of NumPy or SymPy, such as np.sin, np.arctan2 or np.linalg.norm, without conditions, math.* "
+            f"or float()"
+        ) from error
+    if r.shape != (task.rows,):
+        raise FormulaError(f"the task's function must return shape ({task.rows},); it returned shape {r.shape}")
+    for f in r:
+        unknown = f.free_symbols.difference(p, R.flat, q)
+        if unknown or f.atoms(AppliedUndef) or f.has(sympy.I, sympy.nan, sympy.zoo, sympy.oo):
+            raise FormulaError(f"the task's function must be a real function of p, R and q alone; it returned {f}")
+    return r
+
+
+def _derivatives(
+    r: Expressions, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]
+) -> tuple[Expressions, Expressions]:
+    """Return S (m, 6) and D (m, n)."""
+    moved = [cross_matrix(e) @ R for e in np.eye(3, dtype=int)]  # ∂R along the rotation about each axis
+    S = [[*(f.diff(x) for x in p), *(_along(f, R, dR) for dR in moved)] for f in r]
+    return np.array(S, dtype=object), np.array([[f.diff(x) for x in q] for f in r], dtype=object)
+
+
+def _along(f: sympy.Expr, R: Expressions, dR: Expressions) -> sympy.Expr:
+    return sympy.Add(*(f.diff(x) * dx for x, dx in zip(R.flat, dR.flat, strict=True)))
+
+
+def _exact(values: Any) -> Expressions:
+    """Return numbers and expressions as expressions with exact numbers."""
+    return each(_exact_entry, np.array(values, dtype=object))
+
+
+def _exact_entry(value: Any) -> sympy.Expr:
+    e = sympy.sympify(value)
+    return e.xreplace({x: sympy.Rational(exact_length(float(x))) for x in e.atoms(sympy.Float)})
+
+
+def each(function: Callable[[Any], Any], values: Expressions) -> Expressions:
+    """Return the function of each entry."""
+    found = np.empty(values.shape, dtype=object)
+    for index, value in np.ndenumerate(values):
+        found[index] = function(value)
+    return found

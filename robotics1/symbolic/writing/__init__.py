@@ -1,0 +1,1 @@
+"""From polynomials to the formulas that a person writes, and to text."""

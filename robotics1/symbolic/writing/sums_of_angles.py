@@ -1,0 +1,100 @@
+"""Trigonometric polynomials written as a person writes them.
+
+Angles of joints with parallel axes are added up, cos(q2 + q3); those of others stand beside each other,
+cos(q1) cos(q2 + q3). What all terms share stands in front.
+"""
+
+from typing import Any, NamedTuple
+
+import sympy
+from sympy.polys.domains import QQ_I
+from sympy.polys.rings import PolyElement
+
+from robotics1.symbolic.polynomials.laurent import Exponents, Laurent, polynomial
+
+LONGEST_DENOMINATOR = 10**12
+
+Groups = tuple[tuple[int, ...], ...]  # the places of angles that are added up
+
+
+class Wave(NamedTuple):
+    """cos(m·φ) or sin(m·φ), with the first multiple that is not zero positive."""
+
+    multiples: tuple[int, ...]
+    sine: bool
+
+
+def written(f: Laurent, groups: Groups) -> sympy.Expr:
+    """Return a real trigonometric polynomial in SymPy, angles added up within the groups."""
+    terms = _in_waves(f, groups)
+    if not terms:
+        return sympy.S.Zero
+    waves = [set(key) for key in terms]
+    shared = set.intersection(*waves)
+    lengths = _shared_monomial(list(terms.values()))
+    total = sympy.Add(
+        *(
+            polynomial(c.quo(lengths)) * sympy.Mul(*(_wave(wave, f) for wave in key if wave not in shared))
+            for key, c in sorted(terms.items(), key=lambda item: str(item[0]), reverse=True)
+        )
+    )
+    front = [polynomial(lengths), *(_wave(wave, f) for wave in shared)]
+    if total.is_Add and total.could_extract_minus_sign():
+        return sympy.Mul(-1, *front, -total)
+    return sympy.Mul(*front, total)
+
+
+def _in_waves(f: Laurent, groups: Groups) -> dict[tuple[Wave, ...], PolyElement]:
+    """Return f as a sum of products of waves, one of each group at most; one group after the other."""
+    zero = f.frequencies.ring.zero
+    terms: dict[tuple[tuple[Wave, ...], Exponents], PolyElement] = {((), k): c for k, c in f.terms.items()}
+    for group in groups:
+        changed: dict[tuple[tuple[Wave, ...], Exponents], PolyElement] = {}
+        for (waves, k), c in terms.items():
+            m = tuple(value if j in group else 0 for j, value in enumerate(k))
+            rest = tuple(0 if j in group else value for j, value in enumerate(k))
+            for wave, factor in _exponential(m):
+                key = ((*waves, *wave), rest)
+                changed[key] = changed.get(key, zero) + (c if factor is None else c.mul_ground(factor))
+        terms = {key: c for key, c in changed.items() if c}
+    return {waves: c for (waves, _), c in terms.items()}
+
+
+def _exponential(m: Exponents) -> list[tuple[tuple[Wave, ...], Any]]:
+    """Return exp(i m·φ) as cos ± i sin, each wave with its factor; None is 1."""
+    first = next((value for value in m if value), 0)
+    if first == 0:
+        return [((), None)]
+    positive = m if first > 0 else tuple(-value for value in m)
+    return [((Wave(positive, False),), None), ((Wave(positive, True),), QQ_I(0, 1 if first > 0 else -1))]
+
+
+def _shared_monomial(coefficients: list[PolyElement]) -> PolyElement:
+    """Return the product of lengths that divides all coefficients."""
+    ring = coefficients[0].ring
+    powers = [min(powers) for powers in zip(*(m for c in coefficients for m in c.itermonoms()), strict=True)]
+    return ring.from_dict({tuple(powers): ring.domain.one})
+
+
+def _wave(wave: Wave, f: Laurent) -> sympy.Expr:
+    angle = sum(m * phi for m, phi in zip(wave.multiples, f.frequencies.angles, strict=True))
+    return sympy.sin(angle) if wave.sine else sympy.cos(angle)
+
+
+def written_product(factors: tuple[Laurent, ...], groups: Groups) -> sympy.Expr:
+    """Return a product of trigonometric polynomials in SymPy: one number in front, and each factor without its own."""
+    number: sympy.Expr = sympy.S.One
+    parts = []
+    for factor in factors:
+        content, part = written(factor, groups).as_content_primitive()
+        if part.could_extract_minus_sign():
+            content, part = -content, -part
+        number *= content
+        parts.append(part)
+    return number * sympy.Mul(*parts)
+
+
+def with_decimals(e: sympy.Expr) -> sympy.Expr:
+    """Return an expression with decimals for the fractions that nobody reads."""
+    long = [x for x in e.atoms(sympy.Rational) if x.q > LONGEST_DENOMINATOR]
+    return e.xreplace({x: sympy.Float(float(x)) for x in long})
