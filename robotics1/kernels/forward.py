@@ -1,0 +1,72 @@
+"""Where the frame of a chain is, and its Jacobian, at one configuration."""
+
+import math
+
+import numpy as np
+
+from robotics1.inputs import Array
+from robotics1.kernels.chain import ChainArrays, Indices
+from robotics1.kernels.compilation import compiled
+
+
+@compiled(contract=True)
+def place_joints(
+    placements: Array, prismatic: Indices, coordinate: Indices, ratio: Array, q: Array, T: Array, lines: Array
+) -> None:
+    """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to lines, (k, 6).
+
+    T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
+    """
+    for i in range(3):
+        for j in range(4):
+            T[i, j] = placements[0, i, j]
+    for joint in range(len(coordinate)):
+        for i in range(3):
+            lines[joint, i], lines[joint, 3 + i] = T[i, 2], T[i, 3]
+        motion = ratio[joint] * q[coordinate[joint]]
+        P = placements[joint + 1]
+        if prismatic[joint]:
+            for i in range(3):
+                T[i, 3] += motion * T[i, 2]
+        else:
+            c, s = math.cos(motion), math.sin(motion)
+            for i in range(3):
+                x, y = T[i, 0], T[i, 1]
+                T[i, 0], T[i, 1] = c * x + s * y, c * y - s * x
+        for i in range(3):
+            x, y, z, p = T[i, 0], T[i, 1], T[i, 2], T[i, 3]
+            for j in range(3):
+                T[i, j] = x * P[0, j] + y * P[1, j] + z * P[2, j]
+            T[i, 3] = x * P[0, 3] + y * P[1, 3] + z * P[2, 3] + p
+
+
+@compiled(contract=True)
+def geometric_jacobian(prismatic: Indices, coordinate: Indices, ratio: Array, T: Array, lines: Array, J: Array) -> None:
+    """Write J, (6, n), from what `place_joints` found: the columns (z × (p − o), z) and, of a prismatic joint, (z, 0).
+
+    Joints that share a coordinate add up.
+    """
+    J[:] = 0.0
+    for joint in range(len(coordinate)):
+        column, r = coordinate[joint], ratio[joint]
+        x, y, z = r * lines[joint, 0], r * lines[joint, 1], r * lines[joint, 2]
+        if prismatic[joint]:
+            J[0, column] += x
+            J[1, column] += y
+            J[2, column] += z
+        else:
+            dx, dy, dz = T[0, 3] - lines[joint, 3], T[1, 3] - lines[joint, 4], T[2, 3] - lines[joint, 5]
+            J[0, column] += y * dz - z * dy
+            J[1, column] += z * dx - x * dz
+            J[2, column] += x * dy - y * dx
+            J[3, column] += x
+            J[4, column] += y
+            J[5, column] += z
+
+
+def pose_and_jacobian(chain: ChainArrays, q: Array, nv: int) -> tuple[Array, Array]:
+    """Return the pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
+    T, lines, J = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv))
+    place_joints(*chain, q, T, lines)
+    geometric_jacobian(*chain[1:], T, lines, J)
+    return T, J

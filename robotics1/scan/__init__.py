@@ -1,0 +1,1 @@
+"""Singularity measures over many configurations: sampling, chunks, reductions, and the worst refined."""
