@@ -297,64 +297,112 @@ from .tasks.position import (
 from .tasks.task import (
     Task as Task,
 )
-from .trajectories.bounds_along_path import (
-    TimingBounds as TimingBounds,
-)
-from .trajectories.bounds_along_path import (
-    timing_bounds as timing_bounds,
-)
-from .trajectories.coordination import (
-    MinimumTime as MinimumTime,
-)
-from .trajectories.coordination import (
-    minimum_time as minimum_time,
-)
-from .trajectories.demands import (
-    Demand as Demand,
-)
-from .trajectories.followed_trajectory import (
-    FollowedTrajectory as FollowedTrajectory,
-)
-from .trajectories.followed_trajectory import (
-    FollowingVerdict as FollowingVerdict,
-)
-from .trajectories.given_duration import (
-    bang_bang as bang_bang,
-)
-from .trajectories.given_duration import (
-    cruise_profile as cruise_profile,
-)
-from .trajectories.given_duration import (
-    double_s as double_s,
-)
-from .trajectories.given_duration import (
-    trapezoidal as trapezoidal,
-)
-from .trajectories.joint_laws import (
+from .trajectories.composition.joint_laws import (
     JointLaws as JointLaws,
 )
-from .trajectories.joint_rates import (
+from .trajectories.composition.path_trajectory import (
+    PathTrajectory as PathTrajectory,
+)
+from .trajectories.composition.stretching import (
+    stretched as stretched,
+)
+from .trajectories.composition.trajectory_sequence import (
+    Join as Join,
+)
+from .trajectories.composition.trajectory_sequence import (
+    TrajectorySequence as TrajectorySequence,
+)
+from .trajectories.following.followed_trajectory import (
+    FollowedTrajectory as FollowedTrajectory,
+)
+from .trajectories.following.followed_trajectory import (
+    FollowingVerdict as FollowingVerdict,
+)
+from .trajectories.following.joint_rates import (
     JointAcceleration as JointAcceleration,
 )
-from .trajectories.joint_rates import (
+from .trajectories.following.joint_rates import (
     JointVelocity as JointVelocity,
 )
-from .trajectories.joint_rates import (
+from .trajectories.following.joint_rates import (
     RateVerdict as RateVerdict,
 )
-from .trajectories.joint_rates import (
+from .trajectories.following.joint_rates import (
     joint_acceleration as joint_acceleration,
 )
-from .trajectories.joint_rates import (
+from .trajectories.following.joint_rates import (
     joint_velocity as joint_velocity,
 )
-from .trajectories.knot_times import (
-    times_of_points as times_of_points,
+from .trajectories.following.path_following import (
+    follow_trajectory as follow_trajectory,
 )
-from .trajectories.limits import (
+from .trajectories.following.path_following import (
+    follow_trajectory_by_acceleration as follow_trajectory_by_acceleration,
+)
+from .trajectories.following.resolution import (
+    Resolution as Resolution,
+)
+from .trajectories.following.task_rates import (
+    TaskTrajectory as TaskTrajectory,
+)
+from .trajectories.following.task_rates import (
+    jacobian_rate as jacobian_rate,
+)
+from .trajectories.laws.given_duration import (
+    bang_bang as bang_bang,
+)
+from .trajectories.laws.given_duration import (
+    cruise_profile as cruise_profile,
+)
+from .trajectories.laws.given_duration import (
+    double_s as double_s,
+)
+from .trajectories.laws.given_duration import (
+    trapezoidal as trapezoidal,
+)
+from .trajectories.laws.profiles import (
+    ProfileLaw as ProfileLaw,
+)
+from .trajectories.laws.trigonometric import (
+    cosine as cosine,
+)
+from .trajectories.laws.trigonometric import (
+    cycloidal as cycloidal,
+)
+from .trajectories.limits.bounds_along_path import (
+    TimingBounds as TimingBounds,
+)
+from .trajectories.limits.bounds_along_path import (
+    timing_bounds as timing_bounds,
+)
+from .trajectories.limits.coordination import (
+    MinimumTime as MinimumTime,
+)
+from .trajectories.limits.coordination import (
+    minimum_time as minimum_time,
+)
+from .trajectories.limits.demands import (
+    Demand as Demand,
+)
+from .trajectories.limits.minimum_duration import (
+    shortest_duration as shortest_duration,
+)
+from .trajectories.limits.motion_limits import (
+    MotionLimits as MotionLimits,
+)
+from .trajectories.limits.norm_limits import (
+    NormLimits as NormLimits,
+)
+from .trajectories.limits.time_scaling import (
+    TimeScaling as TimeScaling,
+)
+from .trajectories.limits.time_scaling import (
+    scale_to_limits as scale_to_limits,
+)
+from .trajectories.limits.violations import (
     LimitViolation as LimitViolation,
 )
-from .trajectories.limits import (
+from .trajectories.limits.violations import (
     limit_violations as limit_violations,
 )
 from .trajectories.meeting import (
@@ -369,68 +417,41 @@ from .trajectories.meeting import (
 from .trajectories.meeting import (
     rendezvous as rendezvous,
 )
-from .trajectories.minimum_duration import (
-    shortest_duration as shortest_duration,
-)
-from .trajectories.mixed_degrees import (
-    mixed_spline as mixed_spline,
-)
-from .trajectories.mixed_degrees import (
-    polynomial_through as polynomial_through,
-)
-from .trajectories.mixed_degrees import (
-    virtual_point_spline as virtual_point_spline,
-)
-from .trajectories.motion_limits import (
-    MotionLimits as MotionLimits,
-)
-from .trajectories.norm_limits import (
-    NormLimits as NormLimits,
-)
-from .trajectories.norm_peaks import (
+from .trajectories.peaks.norm_peaks import (
     AccelerationSplit as AccelerationSplit,
 )
-from .trajectories.norm_peaks import (
+from .trajectories.peaks.norm_peaks import (
     NormPeak as NormPeak,
 )
-from .trajectories.norm_peaks import (
+from .trajectories.peaks.norm_peaks import (
     acceleration_split as acceleration_split,
 )
-from .trajectories.norm_peaks import (
+from .trajectories.peaks.norm_peaks import (
     peak_norm as peak_norm,
 )
-from .trajectories.passing_over import (
-    overfly as overfly,
-)
-from .trajectories.path_following import (
-    follow_trajectory as follow_trajectory,
-)
-from .trajectories.path_following import (
-    follow_trajectory_by_acceleration as follow_trajectory_by_acceleration,
-)
-from .trajectories.path_trajectory import (
-    PathTrajectory as PathTrajectory,
-)
-from .trajectories.piecewise import (
+from .trajectories.polynomials.piecewise import (
     PiecewiseTrajectory as PiecewiseTrajectory,
 )
-from .trajectories.polynomial import (
+from .trajectories.polynomials.polynomial import (
     PolynomialTrajectory as PolynomialTrajectory,
 )
-from .trajectories.polynomial import (
+from .trajectories.polynomials.polynomial import (
     cubic as cubic,
 )
-from .trajectories.polynomial import (
+from .trajectories.polynomials.polynomial import (
     quintic as quintic,
 )
-from .trajectories.polynomial import (
+from .trajectories.polynomials.polynomial import (
     septic as septic,
 )
-from .trajectories.polynomial_law import (
+from .trajectories.polynomials.polynomial_law import (
     PolynomialLaw as PolynomialLaw,
 )
-from .trajectories.profiles import (
-    ProfileLaw as ProfileLaw,
+from .trajectories.polynomials.symbolic_polynomial import (
+    PolynomialFormula as PolynomialFormula,
+)
+from .trajectories.polynomials.symbolic_polynomial import (
+    polynomial_formula as polynomial_formula,
 )
 from .trajectories.protocols import (
     Peak as Peak,
@@ -441,23 +462,26 @@ from .trajectories.protocols import (
 from .trajectories.protocols import (
     Trajectory as Trajectory,
 )
-from .trajectories.resolution import (
-    Resolution as Resolution,
-)
-from .trajectories.splines import (
+from .trajectories.splines.cubic_splines import (
     cubic_spline as cubic_spline,
 )
-from .trajectories.splines import (
+from .trajectories.splines.cubic_splines import (
     cubics_through as cubics_through,
 )
-from .trajectories.stretching import (
-    stretched as stretched,
+from .trajectories.splines.knot_times import (
+    times_of_points as times_of_points,
 )
-from .trajectories.symbolic_polynomial import (
-    PolynomialFormula as PolynomialFormula,
+from .trajectories.splines.mixed_degrees import (
+    mixed_spline as mixed_spline,
 )
-from .trajectories.symbolic_polynomial import (
-    polynomial_formula as polynomial_formula,
+from .trajectories.splines.mixed_degrees import (
+    polynomial_through as polynomial_through,
+)
+from .trajectories.splines.mixed_degrees import (
+    virtual_point_spline as virtual_point_spline,
+)
+from .trajectories.splines.passing_over import (
+    overfly as overfly,
 )
 from .trajectories.target_motion import (
     FunctionMotion as FunctionMotion,
@@ -467,30 +491,6 @@ from .trajectories.target_motion import (
 )
 from .trajectories.target_motion import (
     TargetMotion as TargetMotion,
-)
-from .trajectories.task_rates import (
-    TaskTrajectory as TaskTrajectory,
-)
-from .trajectories.task_rates import (
-    jacobian_rate as jacobian_rate,
-)
-from .trajectories.time_scaling import (
-    TimeScaling as TimeScaling,
-)
-from .trajectories.time_scaling import (
-    scale_to_limits as scale_to_limits,
-)
-from .trajectories.trajectory_sequence import (
-    Join as Join,
-)
-from .trajectories.trajectory_sequence import (
-    TrajectorySequence as TrajectorySequence,
-)
-from .trajectories.trigonometric import (
-    cosine as cosine,
-)
-from .trajectories.trigonometric import (
-    cycloidal as cycloidal,
 )
 from .viewer.animation import (
     animate as animate,

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
-from robotics1.trajectories.polynomial import PolynomialTrajectory
+from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
 
 
 @dataclass(frozen=True, eq=False)

@@ -226,7 +226,7 @@ def test_joint_velocities_that_run_away_at_once_give_no_motion():
 
 
 def test_a_gain_that_needs_too_many_steps_stops_the_integration(monkeypatch):
-    monkeypatch.setattr("robotics1.trajectories.path_following.STEPS", 30)
+    monkeypatch.setattr("robotics1.trajectories.following.path_following.STEPS", 30)
     found = r1.follow_trajectory(two_r(), XY, line_from(two_r(), START, [-0.3, 0.2]), START, gain=1e6)
     assert found.verdict is FollowingVerdict.STOPPED
     assert 0 < found.duration < 2

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import robotics1 as r1
-from robotics1.trajectories.extremes import extremes_of
+from robotics1.trajectories.peaks.extremes import extremes_of
 
 bound = st.floats(0.2, 5)
 

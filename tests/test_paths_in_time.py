@@ -12,9 +12,9 @@ from test_paths import PATHS, rate
 
 import robotics1 as r1
 from robotics1 import InputError
-from robotics1.trajectories.piecewise import PiecewiseTrajectory
-from robotics1.trajectories.polynomial import PolynomialTrajectory
-from robotics1.trajectories.polynomial_law import PolynomialLaw
+from robotics1.trajectories.polynomials.piecewise import PiecewiseTrajectory
+from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
+from robotics1.trajectories.polynomials.polynomial_law import PolynomialLaw
 
 
 def law_to(end, duration=2.0, start=0.0):

@@ -10,7 +10,7 @@ from test_paths_in_time import law_to, trapezoid
 
 import robotics1 as r1
 from robotics1 import InputError
-from robotics1.trajectories.motion_limits import MotionLimits
+from robotics1.trajectories.limits.motion_limits import MotionLimits
 from robotics1.viewer import plot_curves, plot_laws, plot_motions
 from robotics1.viewer.plot_figures import line_style
 

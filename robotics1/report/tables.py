@@ -8,7 +8,7 @@ from robotics1.ik.iterate import IKIteration
 from robotics1.inputs import Array
 from robotics1.notation import number, vector
 from robotics1.robot.model import Robot
-from robotics1.trajectories.polynomial import PolynomialTrajectory
+from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
 
 
 def matrix_table(values: Array, rows: tuple[str, ...] = (), columns: tuple[str, ...] = (), title: str = "") -> Table:

@@ -17,8 +17,8 @@ from robotics1.inputs import Array, per_joint, real_array, real_number
 from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.trajectories.limits import LimitViolation, limit_violations
-from robotics1.trajectories.polynomial import PolynomialTrajectory, cubic
+from robotics1.trajectories.limits.violations import LimitViolation, limit_violations
+from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory, cubic
 from robotics1.trajectories.target_motion import TargetMotion
 
 INSTANTS = 4000  # at which an event is looked at before its zero is refined

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
-from robotics1.trajectories.polynomial import PolynomialTrajectory
+from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.page import write_page
 from robotics1.viewer.scene import Color, Scene

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 
 from robotics1.inputs import text
-from robotics1.trajectories.motion_limits import MotionLimits
-from robotics1.trajectories.norm_peaks import smooth_ends
+from robotics1.trajectories.limits.motion_limits import MotionLimits
+from robotics1.trajectories.peaks.norm_peaks import smooth_ends
 from robotics1.trajectories.protocols import TimingLaw
 from robotics1.viewer.plot_figures import new_figure, smooth_samples, write_svg
 

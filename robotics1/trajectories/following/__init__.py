@@ -1,0 +1,1 @@
+"""Inverse differential kinematics, at one state and along a trajectory."""

@@ -1,0 +1,179 @@
+"""The joint trajectory that follows a task trajectory, and how well."""
+
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import NotConverged
+from robotics1.inputs import Array
+from robotics1.trajectories.following.differences import derivative_inside
+from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
+from robotics1.trajectories.instants import times_inside
+from robotics1.trajectories.protocols import Peak, Side
+
+ON_PATH = 1e-6  # |r_d − r| in the task's units: less is no error
+INSTANTS = 201  # at which the error, the residual and σ are looked at, and as many in each segment as fall to it
+
+
+class FollowingVerdict(Enum):
+    """Whether the joints stay on the path."""
+
+    FOLLOWS = "the path is followed: |r_d − r| ≤ 1e-6 all along"
+    RETURNS = "the path is left, or begun beside, and regained: at the end |r_d − r| ≤ 1e-6"
+    DEVIATES = "the end of the path is missed"
+    STOPPED = "the joint velocities grow, or change, without bound, as near a singularity: stopped there"
+
+
+@dataclass(frozen=True, eq=False)
+class Segment:
+    """The solution from one switching time to the next.
+
+    Attributes:
+        start, end: [s].
+        state: t → the state.
+    """
+
+    start: float
+    end: float
+    state: Any
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedTrajectory:
+    """q(t), (n,) for a number and (k, n) for (k,) times, from the inverse differential kinematics of a task trajectory.
+
+    Attributes:
+        flow: the differential equation.
+        segments: its solution.
+        start: the state at t = 0.
+        asked_duration: that of the task trajectory [s].
+    """
+
+    flow: VelocityFlow | AccelerationFlow
+    segments: tuple[Segment, ...]
+    start: Array
+    asked_duration: float
+
+    @property
+    def duration(self) -> float:
+        """T [s], of the task trajectory; less where it stopped before."""
+        return self.segments[-1].end if self.segments else 0.0
+
+    @property
+    def switching_times(self) -> Array:
+        """Those of the task trajectory [s]."""
+        return np.array([segment.end for segment in self.segments[:-1]])
+
+    def __call__(self, t: npt.ArrayLike) -> Array:
+        """Return q(t) [rad or m].
+
+        Raises:
+            InputError: a time is outside the trajectory.
+        """
+        return self._each(t, "right", lambda x, _: self._state(x)[: self.flow.robot.nv])
+
+    def velocity(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
+        """Return q̇(t), from the differential equation."""
+        return self._each(t, side, lambda x, _side: self.command(x, side=_side).qdot)
+
+    def acceleration(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
+        """Return q̈(t), the derivative of q̇ along the solution by differences: exact to about 1e-8."""
+        return self._each(t, side, self._acceleration)
+
+    def jerk(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
+        """Return the third derivative of q(t), by differences again: exact to about 1e-5."""
+        return self._each(t, side, lambda x, _side: derivative_inside(self._acceleration, x, self._ends, _side))
+
+    def command(self, t: float, *, side: Side = "right") -> Command:
+        """Return the error, the residual and the smallest singular value at one instant."""
+        return self.flow.command(t, self._state(t), side)
+
+    @cached_property
+    def record(self) -> tuple[Array, list[Command]]:
+        """The instants that were looked at [s], and the commands there."""
+        t = np.unique(np.concatenate([np.linspace(0.0, self.duration, INSTANTS), self._ends]))
+        return t, [self.command(float(x)) for x in t]
+
+    @property
+    def largest_error(self) -> Peak:
+        """Where |r_d − r| is largest, of 201 instants and the switching times."""
+        return self._largest(lambda command: float(np.linalg.norm(command.error)))
+
+    @property
+    def largest_residual(self) -> Peak:
+        """Where the part of the asked ṙ, or r̈, that is not realised is largest, of the same instants."""
+        return self._largest(lambda command: float(np.linalg.norm(command.residual)))
+
+    @property
+    def least_singular_value(self) -> Peak:
+        """Where the smallest singular value of the Jacobian is least, of the same instants."""
+        least = self._largest(lambda command: -command.sigma)
+        return Peak(-least.value, least.time)
+
+    @property
+    def final_error(self) -> float:
+        """|r_d − r| at the end."""
+        return float(np.linalg.norm(self.record[1][-1].error))
+
+    @property
+    def verdict(self) -> FollowingVerdict:
+        """Whether the joints stay on the path."""
+        if self.duration < self.asked_duration:
+            return FollowingVerdict.STOPPED
+        if self.final_error > ON_PATH:
+            return FollowingVerdict.DEVIATES
+        return FollowingVerdict.FOLLOWS if self.largest_error.value <= ON_PATH else FollowingVerdict.RETURNS
+
+    @property
+    def explanation(self) -> str:
+        """The verdict with its numbers, in a sentence."""
+        error, least = self.largest_error, self.least_singular_value
+        return (
+            f"{self.verdict.value}; t = {self.duration:.6g} of {self.asked_duration:.6g} s, largest |r_d − r| = "
+            f"{error.value:.3g} at t = {error.time:.4g} s, smallest σ = {least.value:.3g} at t = {least.time:.4g} s"
+        )
+
+    def require(self) -> "FollowedTrajectory":
+        """Return the trajectory itself if its end is on the path.
+
+        Raises:
+            NotConverged: it is not.
+        """
+        if self.verdict in (FollowingVerdict.DEVIATES, FollowingVerdict.STOPPED):
+            raise NotConverged(self.explanation, self)
+        return self
+
+    @property
+    def _ends(self) -> list[float]:
+        return [0.0, *(segment.end for segment in self.segments)]
+
+    def _state(self, t: float) -> Array:
+        for segment in self.segments:
+            if t <= segment.end:
+                return np.asarray(segment.state(t))
+        return self.start if not self.segments else np.asarray(self.segments[-1].state(t))
+
+    def _acceleration(self, t: float, side: Side) -> Array:
+        """Return dq̇/dt: the derivative of q̇(x, state + (x − t) rate) at x = t."""
+        state = self._state(t)
+        rate = self.flow.command(t, state, side).rate
+
+        def velocity(x: float, at: Side) -> Array:
+            return self.flow.command(x, state + (x - t) * rate, at).qdot
+
+        return derivative_inside(velocity, t, self._ends, side)
+
+    def _largest(self, of: Any) -> Peak:
+        t, commands = self.record
+        values = [of(command) for command in commands]
+        i = int(np.argmax(values))
+        return Peak(values[i], float(t[i]))
+
+    def _each(self, t: npt.ArrayLike, side: Side, f: Any) -> Array:
+        times = times_inside(t, self.duration, side)
+        values = np.array([f(float(np.clip(x, 0.0, self.duration)), side) for x in np.atleast_1d(times)])
+        return values if times.ndim else values[0]

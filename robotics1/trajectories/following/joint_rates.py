@@ -1,0 +1,203 @@
+"""Inverse differential kinematics at one state: q̇ from ṙ, and q̈ from r̈, with what cannot be realised."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.analysis.spaces import RANK_TOLERANCE, subspaces
+from robotics1.inputs import Array, real_array
+from robotics1.kinematics import directional_derivative
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
+
+NEAR = 1e-2  # σ_min/σ_max: below, joint velocities become large
+
+
+class RateVerdict(Enum):
+    """Whether what is asked of the task is realised."""
+
+    REALISED = "realised"
+    REALISED_ALL_THE_SAME = "realised, although the Jacobian has lost rank: what is asked is in its range"
+    DAMPED = "in the range of the Jacobian, but the damping leaves a part of it"
+    OUT_OF_RANGE = "not in the range of the Jacobian: a part of it cannot be realised"
+
+
+@dataclass(frozen=True, eq=False)
+class Resolved:
+    """The inputs u that realise b = A u best.
+
+    Attributes:
+        inputs: (k,) u; the joint velocities or accelerations themselves unless there is an input matrix.
+        realised: (m,) A u.
+        residual: (m,) b − A u: what is not realised.
+        unrealisable: (m,) the part of b outside the range of A, which no inputs realise; zero where there is none.
+        singular_values: of A, descending.
+        rank: of A.
+        damping: the λ that was used.
+        verdict: whether b is realised.
+    """
+
+    inputs: Array
+    realised: Array
+    residual: Array
+    unrealisable: Array
+    singular_values: Array
+    rank: int
+    damping: float
+    verdict: RateVerdict
+
+    @property
+    def feasible(self) -> bool:
+        """Whether b is in the range of A, so that some inputs realise it."""
+        return not self.unrealisable.any()
+
+    @property
+    def near_singular(self) -> bool:
+        """Whether the rank is lost, or σ_min ≤ 0.01 σ_max."""
+        return bool(self.singular_values[-1] <= NEAR * self.singular_values[0])
+
+    @property
+    def explanation(self) -> str:
+        """The verdict with its numbers, in a sentence."""
+        least, most = self.singular_values[-1], self.singular_values[0]
+        rank = f"rank {self.rank} of {min(len(self.realised), len(self.inputs))}"
+        near = f", near a singularity: σ_min/σ_max = {least / most:.2g}" if self.near_singular and least > 0 else ""
+        left = float(np.linalg.norm(self.residual))
+        rest = "" if self.verdict.name.startswith("REALISED") else f"; |residual| = {left:.6g}"
+        return f"{self.verdict.value} ({rank}{near}{rest})"
+
+
+@dataclass(frozen=True, eq=False)
+class JointVelocity(Resolved):
+    """The joint velocities for a task velocity.
+
+    Attributes:
+        qdot: (nv,) q̇ = G u [rad/s or m/s].
+    """
+
+    qdot: Array
+
+
+@dataclass(frozen=True, eq=False)
+class JointAcceleration(Resolved):
+    """The joint accelerations for a task acceleration.
+
+    Attributes:
+        qddot: (nv,) q̈ = G u̇ + Ġ u [rad/s² or m/s²].
+        drift: (m,) J̇ q̇, or with an input matrix d(J G)/dt u: the task acceleration when the inputs are steady.
+    """
+
+    qddot: Array
+    drift: Array
+
+
+def joint_velocity(
+    robot: Robot,
+    task: Task,
+    q: npt.ArrayLike,
+    rdot: npt.ArrayLike,
+    *,
+    resolution: Resolution | None = None,
+    null_velocity: npt.ArrayLike | None = None,
+) -> JointVelocity:
+    """Return the joint velocities q̇ = J# ṙ + (1 − J⁺J) q̇₀ for a task velocity, and what of it is not realised.
+
+    Args:
+        robot: the robot.
+        task: r = f(q).
+        q: (nq,) configuration [rad or m].
+        rdot: (m,) ṙ, one number for each row of J.
+        resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
+        null_velocity: (nv,) q̇₀, or (k,) of inputs, of which the part that does not move the task is added.
+
+    Raises:
+        InputError: a shape is wrong.
+        TaskError: the task does not fit the robot.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.5.
+    """
+    resolution = resolution_or_default(resolution)
+    q = robot.configuration(q)
+    rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
+    G = resolution.inputs(robot, q)
+    A = task.jacobian(robot, q) @ G
+    u, damping = resolution.solve(A, rdot, _wish("null_velocity", null_velocity, A))
+    return JointVelocity(*_report(A, rdot, u, damping, float(np.linalg.norm(rdot))), G @ u)
+
+
+def joint_acceleration(
+    robot: Robot,
+    task: Task,
+    q: npt.ArrayLike,
+    qdot: npt.ArrayLike,
+    rddot: npt.ArrayLike,
+    *,
+    resolution: Resolution | None = None,
+    null_acceleration: npt.ArrayLike | None = None,
+) -> JointAcceleration:
+    """Return the joint accelerations q̈ = J# (r̈ − J̇ q̇) + (1 − J⁺J) q̈₀ for a task acceleration, and what is not realised.
+
+    With an input matrix G(q): u̇ = (J G)# (r̈ − d(J G)/dt u) + …, and q̈ = G u̇ + Ġ u.
+
+    Args:
+        robot: the robot.
+        task: r = f(q).
+        q: (nq,) configuration [rad or m].
+        qdot: (nv,) q̇ [rad/s or m/s]; with an input matrix (k,), the inputs u.
+        rddot: (m,) r̈, one number for each row of J.
+        resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
+        null_acceleration: (nv,) q̈₀, or (k,) of inputs, of which the part that does not accelerate the task is added.
+
+    Raises:
+        InputError: a shape is wrong.
+        TaskError: the task does not fit the robot.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
+    """
+    resolution = resolution_or_default(resolution)
+    q = robot.configuration(q)
+    rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
+    G = resolution.inputs(robot, q)
+    u = real_array("qdot", qdot, (G.shape[1],), "one number for each joint, or each input")
+    A = task.jacobian(robot, q) @ G
+    drift, turning = drifts(robot, task, resolution, q, u)
+    udot, damping = resolution.solve(A, rddot - drift, _wish("null_acceleration", null_acceleration, A))
+    parts = _report(A, rddot - drift, udot, damping, float(np.linalg.norm(rddot) + np.linalg.norm(drift)))
+    return JointAcceleration(parts[0], parts[1] + drift, *parts[2:], G @ udot + turning, drift)
+
+
+def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array) -> tuple[Array, Array]:
+    """Return d(J G)/dt u, (m,), and Ġ u, (nv,): the accelerations of the task and of the joints when u is steady."""
+    qdot = resolution.inputs(robot, q) @ u
+
+    def rates(x: Array) -> Array:
+        G = resolution.inputs(robot, x)
+        return np.concatenate([task.jacobian(robot, x) @ G @ u, G @ u])
+
+    rate = directional_derivative(rates, robot, q, qdot)
+    return rate[: task.rows], rate[task.rows :]
+
+
+def _wish(name: str, value: npt.ArrayLike | None, A: Array) -> Array | None:
+    return None if value is None else real_array(name, value, (A.shape[1],), "one number for each joint, or each input")
+
+
+def _report(
+    A: Array, b: Array, u: Array, damping: float, size: float
+) -> tuple[Array, Array, Array, Array, Array, int, float, RateVerdict]:
+    """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding."""
+    spaces = subspaces(A)
+    inside = bool(np.linalg.norm(spaces.unrealisable(b)) <= RANK_TOLERANCE * size)
+    residual = b - A @ u
+    if not inside:
+        verdict = RateVerdict.OUT_OF_RANGE
+    elif damping > 0 and np.linalg.norm(residual) > RANK_TOLERANCE * size:
+        verdict = RateVerdict.DAMPED
+    else:
+        lost = spaces.rank < min(A.shape)
+        verdict = RateVerdict.REALISED_ALL_THE_SAME if lost else RateVerdict.REALISED
+    unrealisable = np.zeros(len(b)) if inside else spaces.unrealisable(b)
+    return u, A @ u, residual, unrealisable, spaces.singular_values, spaces.rank, damping, verdict

@@ -1,0 +1,114 @@
+"""The differential equation of joints that follow a task trajectory, of first and second order."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.inputs import Array, real_array
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+from robotics1.trajectories.following.joint_rates import drifts
+from robotics1.trajectories.following.resolution import Resolution
+from robotics1.trajectories.protocols import Side
+
+SOFT = 1e-4  # σ/σ₁ below which an inverse without damping is softened; elsewhere it is exact
+Wish = npt.ArrayLike | Callable[..., npt.ArrayLike] | None
+
+
+@dataclass(frozen=True, eq=False)
+class Command:
+    """What is asked of the task at one instant, and what the joints make of it.
+
+    Attributes:
+        qdot: (nv,) q̇.
+        rate: the derivative of the state: q̇, or (q̇, u̇).
+        error: (m,) r_d − r.
+        residual: (m,) the part of the asked ṙ or r̈ that is not realised.
+        jacobian: (m, k) A = J G.
+    """
+
+    qdot: Array
+    rate: Array
+    error: Array
+    residual: Array
+    jacobian: Array
+
+    @property
+    def sigma(self) -> float:
+        """The smallest singular value of A."""
+        return float(np.linalg.svd(self.jacobian, compute_uv=False)[-1])
+
+
+@dataclass(frozen=True, eq=False)
+class VelocityFlow:
+    """q̇ = G J# (ṙ_d + K (r_d − r)) + null motion: the state is q.
+
+    Attributes:
+        robot, task, trajectory: r = f(q), and r_d(t).
+        resolution: the inverse.
+        gain: (m,) K.
+        wish: q̇₀, a vector or a function of q.
+    """
+
+    robot: Robot
+    task: Task
+    trajectory: Any
+    resolution: Resolution
+    gain: Array
+    wish: Wish
+
+    def command(self, t: float, state: Array, side: Side) -> Command:
+        """Return what is asked at t and what the joints do."""
+        G = self.resolution.inputs(self.robot, state)
+        A = self.task.jacobian(self.robot, state) @ G
+        error = self.task.error(self.robot, state, self.trajectory(t))
+        asked = self.trajectory.velocity(t, side=side) + self.gain * error
+        u, _ = self.resolution.solve(A, asked, wished(self.wish, A, state), soft=SOFT)
+        qdot = G @ u
+        return Command(qdot, qdot, error, asked - A @ u, A)
+
+
+@dataclass(frozen=True, eq=False)
+class AccelerationFlow:
+    """u̇ = (J G)# (r̈_d + K_D (ṙ_d − ṙ) + K_P (r_d − r) − d(J G)/dt u) + null motion: the state is (q, u).
+
+    Attributes:
+        robot, task, trajectory: r = f(q), and r_d(t).
+        resolution: the inverse.
+        gains: (2, m) K_P and K_D.
+        wish: q̈₀, a vector or a function of q and u.
+    """
+
+    robot: Robot
+    task: Task
+    trajectory: Any
+    resolution: Resolution
+    gains: Array
+    wish: Wish
+
+    def command(self, t: float, state: Array, side: Side) -> Command:
+        """Return what is asked at t and what the joints do."""
+        q, u = state[: self.robot.nv], state[self.robot.nv :]
+        G = self.resolution.inputs(self.robot, q)
+        A = self.task.jacobian(self.robot, q) @ G
+        error = self.task.error(self.robot, q, self.trajectory(t))
+        rate_error = self.trajectory.velocity(t, side=side) - A @ u
+        asked = self.trajectory.acceleration(t, side=side) + self.gains[1] * rate_error + self.gains[0] * error
+        b = asked - drifts(self.robot, self.task, self.resolution, q, u)[0]
+        udot, _ = self.resolution.solve(A, b, wished(self.wish, A, q, u), soft=SOFT)
+        return Command(G @ u, np.concatenate([G @ u, udot]), error, b - A @ udot, A)
+
+
+def wished(wish: Wish, A: Array, *state: Array) -> Array | None:
+    """Return the wished inputs, (k,), of a vector or a function of the state.
+
+    Raises:
+        InputError: they have another shape, or are not finite.
+    """
+    if wish is None:
+        return None
+    value = wish(*state) if callable(wish) else wish
+    return real_array("the null motion", value, (A.shape[1],), "one number for each joint, or each input")

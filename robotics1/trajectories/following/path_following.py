@@ -1,0 +1,169 @@
+"""From a task trajectory to a joint trajectory, by integrating the inverse differential kinematics."""
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import InputError
+from robotics1.inputs import Array, per_joint, real_array
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, Segment
+from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow, Wish
+from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
+from robotics1.trajectories.peaks.norm_peaks import refuse_no_motion, smooth_ends
+from robotics1.trajectories.protocols import Side, Trajectory
+
+PRECISION = 1e-10  # relative, of the integration
+RUNAWAY = 1e4  # rad or m in the duration: joints that move so fast have met a singularity
+STEPS = 1000  # from one switching time to the next: a well-behaved motion takes some tens
+
+
+def follow_trajectory(
+    robot: Robot,
+    task: Task,
+    trajectory: Trajectory,
+    q0: npt.ArrayLike,
+    *,
+    resolution: Resolution | None = None,
+    gain: npt.ArrayLike = 0.0,
+    null_velocity: Wish = None,
+) -> FollowedTrajectory:
+    """Return the joint trajectory of q̇ = J# (ṙ_d + K (r_d − f(q))) + (1 − J⁺J) q̇₀ from q(0) = q0.
+
+    Without a gain the velocity alone is followed, and an error stays; with K it decays as exp(−K t). An inverse without
+    damping is softened where σ_min < 1e-4 σ_max, so that a singularity can be passed where nothing is lost in it.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: r = f(q).
+        trajectory: r_d(t), in the form of the task's value: a path with a timing law.
+        q0: (n,) where the joints start [rad or m]; off the path, the error is told.
+        resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
+        gain: K [1/s], one number or (m,), not negative.
+        null_velocity: q̇₀, (n,) or a function of q: the part of it that does not move the task is added.
+
+    Raises:
+        InputError: a shape is wrong, a gain is negative, or the robot has joints with several degrees of freedom.
+        TaskError: the task does not fit the robot, or its axes move with it.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1 (closed-loop inverse kinematics).
+    """
+    q0 = _start(robot, task, trajectory, q0)
+    K = _gain("gain", gain, task.rows)
+    flow = VelocityFlow(robot, task, trajectory, resolution_or_default(resolution), K, null_velocity)
+    return _integrated(flow, q0)
+
+
+def follow_trajectory_by_acceleration(
+    robot: Robot,
+    task: Task,
+    trajectory: Trajectory,
+    state: tuple[npt.ArrayLike, npt.ArrayLike],
+    *,
+    resolution: Resolution | None = None,
+    gains: tuple[npt.ArrayLike, npt.ArrayLike] = (0.0, 0.0),
+    null_acceleration: Wish = None,
+) -> FollowedTrajectory:
+    """Return the joint trajectory of q̈ = J# (r̈_d + K_D ė + K_P e − J̇ q̇) + (1 − J⁺J) q̈₀ from (q0, q̇0).
+
+    The error obeys ë + K_D ė + K_P e = 0 while what is asked is in the range of J.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: r = f(q).
+        trajectory: r_d(t), in the form of the task's value.
+        state: q0 (n,) and q̇0 (n,), with an input matrix u0 (k,).
+        resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
+        gains: K_P [1/s²] and K_D [1/s], each one number or (m,), not negative.
+        null_acceleration: q̈₀, (n,) or a function of q and q̇, such as lambda q, v: -2 * v.
+
+    Raises:
+        InputError: a shape is wrong, a gain is negative, or the robot has joints with several degrees of freedom.
+        TaskError: the task does not fit the robot, or its axes move with it.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
+    """
+    q0, u0 = _pair("state", state)
+    q0 = _start(robot, task, trajectory, q0)
+    resolution = resolution_or_default(resolution)
+    inputs = resolution.inputs(robot, q0).shape[1]
+    u0 = real_array("state[1]", u0, (inputs,), "one number for each joint, or each input")
+    K = np.array([_gain("gains", value, task.rows) for value in _pair("gains", gains)])
+    flow = AccelerationFlow(robot, task, trajectory, resolution, K, null_acceleration)
+    return _integrated(flow, np.concatenate([q0, u0]))
+
+
+def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> FollowedTrajectory:
+    """Integrate from one switching time of the trajectory to the next, to the end or to where it cannot go on."""
+    ends = smooth_ends(flow.trajectory)
+    fastest = RUNAWAY / ends[-1]
+    if np.abs(flow.command(0.0, start, "right").qdot).max() > fastest:
+        return FollowedTrajectory(flow, (), start, ends[-1])
+    segments: list[Segment] = []
+    state = start
+    for a, b in pairwise(ends):
+        segment, state = _segment(flow, a, b, state, fastest)
+        segments += [segment] if segment.end > a else []
+        if segment.end < b:
+            break
+    return FollowedTrajectory(flow, tuple(segments), start, ends[-1])
+
+
+def _segment(
+    flow: VelocityFlow | AccelerationFlow, a: float, b: float, state: Array, fastest: float
+) -> tuple[Segment, Array]:
+    """Integrate from a to b; stop where a joint is faster than `fastest`, or the steps become too many."""
+    from scipy.integrate import DOP853, OdeSolution
+
+    def rate(t: float, y: Array) -> Array:
+        side: Side = "right" if t < b else "left"
+        return flow.command(t, y, side).rate
+
+    solver = DOP853(rate, a, state, b, rtol=PRECISION, atol=PRECISION)
+    times: list[float] = [a]
+    pieces: list[Any] = []
+    while solver.status == "running" and len(pieces) < STEPS:
+        solver.step()
+        if solver.status == "failed":
+            break
+        times.append(float(solver.t))
+        pieces.append(solver.dense_output())
+        if np.abs(solver.f[: flow.robot.nv]).max() > fastest:  # the first derivatives of the state are q̇
+            break
+    solution = OdeSolution(times, pieces) if pieces else None
+    return Segment(a, times[-1], solution), np.asarray(solver.y)
+
+
+def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Array:
+    if robot.nq != robot.nv:
+        raise InputError(
+            f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and prismatic "
+            f"joints can follow a trajectory"
+        )
+    task.check_integrable(robot)
+    refuse_no_motion(trajectory)
+    rates = np.shape(trajectory.velocity(0.0))
+    if rates != (task.rows,):
+        raise InputError(
+            f"the trajectory's velocity must have one number for each of {', '.join(task.row_names)}; it has the shape "
+            f"{rates}"
+        )
+    return robot.configuration(q0)
+
+
+def _gain(name: str, value: npt.ArrayLike, m: int) -> Array:
+    K = per_joint(name, value, m)
+    if (K < 0).any():
+        raise InputError(f"{name} must not be negative; it is {K.tolist()}")
+    return K
+
+
+def _pair(name: str, value: Any) -> tuple[Any, Any]:
+    try:
+        first, second = value
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} must be two values; it is {value!r}") from error
+    return first, second

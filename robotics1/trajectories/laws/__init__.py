@@ -1,0 +1,1 @@
+"""Timing laws: velocity profiles and sines."""

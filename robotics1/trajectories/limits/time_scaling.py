@@ -1,0 +1,60 @@
+"""Uniform time scaling: a motion slowed down, or sped up, until it just touches its bounds."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from robotics1.errors import InputError
+from robotics1.trajectories.composition.stretching import stretched
+from robotics1.trajectories.limits.demands import Demand, Limits
+from robotics1.trajectories.protocols import require_motion
+
+
+@dataclass(frozen=True, eq=False)
+class TimeScaling:
+    """A motion in the shortest time to which its bounds let it be scaled.
+
+    Attributes:
+        factor: k = T_new/T; above 1 the motion had to be slowed down.
+        trajectory: q(t/k).
+        active: the bounds that it touches; they decide k.
+        demands: what the motion asked of each bound before.
+    """
+
+    factor: float
+    trajectory: Any
+    active: tuple[Demand, ...]
+    demands: tuple[Demand, ...]
+
+    @property
+    def duration(self) -> float:
+        """The new duration [s]."""
+        return float(self.trajectory.duration)
+
+
+def scale_to_limits(trajectory: Any, limits: Limits, *, speed_up: bool = True) -> TimeScaling:
+    """Return q(t/k) with the least k for which the bounds hold: q̇ is divided by k, q̈ by k².
+
+    k = max over the bounds of max|q̇|/V, √(max|q̈|/A), ∛(max|d³q/dt³|/J), from the exact extremes. All velocities scale,
+    those at the ends too; `shortest_duration` keeps those.
+
+    Args:
+        trajectory: any, in joint space or Cartesian.
+        limits: MotionLimits of the joints, or NormLimits of a point's velocity and acceleration.
+        speed_up: whether a motion that has time to spare is sped up to the bounds; else k ≥ 1.
+
+    Raises:
+        InputError: nothing moves, or no bound is given, so that every k will do.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 7.7.
+    """
+    if not hasattr(limits, "demands"):
+        raise InputError(f"limits must be MotionLimits(...) or NormLimits(...); it is {limits!r}")
+    require_motion("trajectory", trajectory)
+    demands = limits.demands(trajectory)
+    k = max((demand.stretch for demand in demands), default=0.0)
+    if not speed_up:
+        k = max(k, 1.0)
+    if k == 0:
+        raise InputError("every duration keeps the bounds: there is none, or nothing moves")
+    scaled = stretched(trajectory, k)
+    return TimeScaling(k, scaled, tuple(demand for demand in limits.demands(scaled) if demand.active), demands)

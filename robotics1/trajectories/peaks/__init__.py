@@ -1,0 +1,1 @@
+"""The exact extremes of motions, of their coordinates and of norms."""

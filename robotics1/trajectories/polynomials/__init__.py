@@ -1,0 +1,1 @@
+"""Motions made of polynomials: one, one after the other, and as formulas."""
