@@ -73,9 +73,6 @@ from .ik.iterate import (
     IKIteration as IKIteration,
 )
 from .ik.iterate import (
-    IKStatus as IKStatus,
-)
-from .ik.iterate import (
     iterate_ik as iterate_ik,
 )
 from .ik.solutions import (
@@ -86,6 +83,21 @@ from .ik.solutions import (
 )
 from .ik.solutions import (
     ik_solutions as ik_solutions,
+)
+from .ik.result import (
+    IKBatch as IKBatch,
+)
+from .ik.result import (
+    IKResult as IKResult,
+)
+from .ik.solver import (
+    IKSolver as IKSolver,
+)
+from .ik.solver import (
+    solve_ik as solve_ik,
+)
+from .ik.status import (
+    IKStatus as IKStatus,
 )
 from .kinematics import (
     forward_kinematics as forward_kinematics,
@@ -539,9 +551,12 @@ __all__ = [
     "FunctionTask",
     "GainChoice",
     "GainVerdict",
+    "IKBatch",
     "IKIterate",
     "IKIteration",
+    "IKResult",
     "IKSolutions",
+    "IKSolver",
     "IKStatus",
     "IKVerdict",
     "InputError",
@@ -675,6 +690,7 @@ __all__ = [
     "simulate_tracking",
     "skew",
     "smallest_gain",
+    "solve_ik",
     "spline_path",
     "stretched",
     "subspaces",

@@ -17,7 +17,7 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.pose import OrientationTask, PoseTask
 from robotics1.tasks.task import FrameTask
 
-MATRICES = {OrientationTask: (3, 3), PoseTask: (4, 4)}
+MATRICES: dict[type, tuple[int, int]] = {OrientationTask: (3, 3), PoseTask: (4, 4)}
 SHOWN = 16  # solutions of an infinite family that are printed
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy.typing as npt
 
 from robotics1.analysis.spaces import RANK_TOLERANCE, numeric_rank
 from robotics1.errors import NotConverged, TaskError
+from robotics1.ik.status import IKStatus
 from robotics1.ik.steps import damped_step, gradient_step, newton_step, pseudoinverse_step
 from robotics1.inputs import Array, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
@@ -17,16 +17,6 @@ from robotics1.tasks.task import Task
 
 METHODS = ("newton", "pseudoinverse", "gradient", "damped")
 TOO_FAR = 1e6  # a joint value beyond this says that the iteration diverges [rad or m]
-
-
-class IKStatus(Enum):
-    """Why an iteration stopped."""
-
-    CONVERGED = "the error is within the tolerance"
-    SINGULAR = "J is singular, so Newton's step does not exist; 'pseudoinverse' or 'damped' go on from here"
-    STALLED = "Jᵀe = 0 with e ≠ 0: no step along J reduces the error; start elsewhere"
-    MAX_ITERATIONS = "the number of iterations is used up"
-    DIVERGED = "the iterates grow without bound; a smaller gain or 'damped' would not"
 
 
 class IKIterate(NamedTuple):

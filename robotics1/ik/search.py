@@ -1,72 +1,24 @@
 """The search for inverse kinematics solutions: descents from random starts, and what they have found."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
-from robotics1.ik.steps import damped_step
+from robotics1.ik.descent import REACHED, Descent, End
 from robotics1.inputs import Array
-from robotics1.robot.box import JointBox
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
-from robotics1.tasks.units import unitless_jacobian, unitless_rows
+from robotics1.tasks.units import unitless_jacobian
 
-REACHED = 1e-9  # |e| of a solution, lengths in units of the reach
 SAME = 1e-6  # distance of two solutions that are one
 NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one
 ASIDE = 0.05  # step along the null space that looks for a neighbouring solution, in units
 
-End = tuple[Array, float]
-
 
 @dataclass(frozen=True, eq=False)
-class SolutionSearch:
+class SolutionSearch(Descent):
     """The search for the q in a box with f(q) = target; `points` is the singular set of the task."""
 
-    robot: Robot
-    task: Task
-    target: Any
-    box: JointBox
     points: SingularPoints
-
-    def error(self, q: Array) -> Array:
-        """Return e(q), (m,), lengths in units of the reach."""
-        return unitless_rows(self.robot, self.task) * self.task.error(self.robot, q, self.target)
-
-    def descend(self, q: Array, iterations: int = 80) -> End:
-        """Return the best configuration of a damped least squares descent inside the box, and its |e|.
-
-        The damping λ² = 1e-10 + |e|²/20 fades with the error, so that the descent ends as Newton's method.
-        """
-        best, least, stuck = q, np.inf, 0
-        for _ in range(iterations):
-            e = self.error(q)
-            error = float(np.linalg.norm(e))
-            stuck = 0 if error < 0.9 * least else stuck + 1
-            if error < least:
-                best, least = q, error
-            if least < 1e-14 or stuck > 12 or (least < REACHED and stuck > 2):
-                break
-            J = unitless_jacobian(self.robot, self.task, q)
-            step = damped_step(J, e, float(np.sqrt(1e-10 + 0.05 * error**2)))
-            q = self.box.nearest(q + self.robot.units * step)
-        return best, least
-
-    def nearest_miss(self, q: Array) -> Array:
-        """Return the configuration near q with the least |e| inside the box."""
-        open_ended = self.box.circular
-        found = least_squares(
-            self.error,
-            np.clip(q, self.box.lower, self.box.upper),
-            jac=lambda x: -unitless_rows(self.robot, self.task)[:, None] * self.task.jacobian(self.robot, x),
-            bounds=(np.where(open_ended, -np.inf, self.box.lower), np.where(open_ended, np.inf, self.box.upper)),
-            x_scale=self.robot.units,
-            xtol=1e-12,
-        )
-        return self.box.nearest(found.x)
 
     def distinct(self, ends: list[End]) -> list[Array]:
         """Return the solutions among the ends, each once, in ascending order."""

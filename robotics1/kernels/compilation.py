@@ -37,3 +37,8 @@ def compiled(*, parallel: bool = False, contract: bool = False) -> Callable[[Fun
             return cast(Function, numba.njit(**options)(function))
 
     return compile_later
+
+
+def threads() -> int:
+    """Return on how many cores `prange` runs."""
+    return int(numba.get_num_threads()) if COMPILED else 1

@@ -5,18 +5,17 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import ChainArrays, Indices
+from robotics1.kernels.chain import ChainArrays
 from robotics1.kernels.compilation import compiled
 
 
 @compiled(contract=True)
-def place_joints(
-    placements: Array, prismatic: Indices, coordinate: Indices, ratio: Array, q: Array, T: Array, lines: Array
-) -> None:
+def place_joints(chain: ChainArrays, q: Array, T: Array, lines: Array) -> None:
     """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to lines, (k, 6).
 
     T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
     """
+    placements, prismatic, coordinate, ratio = chain
     for i in range(3):
         for j in range(4):
             T[i, j] = placements[0, i, j]
@@ -41,11 +40,12 @@ def place_joints(
 
 
 @compiled(contract=True)
-def geometric_jacobian(prismatic: Indices, coordinate: Indices, ratio: Array, T: Array, lines: Array, J: Array) -> None:
+def geometric_jacobian(chain: ChainArrays, T: Array, lines: Array, J: Array) -> None:
     """Write J, (6, n), from what `place_joints` found: the columns (z × (p − o), z) and, of a prismatic joint, (z, 0).
 
     Joints that share a coordinate add up.
     """
+    _, prismatic, coordinate, ratio = chain
     J[:] = 0.0
     for joint in range(len(coordinate)):
         column, r = coordinate[joint], ratio[joint]
@@ -67,6 +67,6 @@ def geometric_jacobian(prismatic: Indices, coordinate: Indices, ratio: Array, T:
 def pose_and_jacobian(chain: ChainArrays, q: Array, nv: int) -> tuple[Array, Array]:
     """Return the pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
     T, lines, J = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv))
-    place_joints(*chain, q, T, lines)
-    geometric_jacobian(*chain[1:], T, lines, J)
+    place_joints(chain, q, T, lines)
+    geometric_jacobian(chain, T, lines, J)
     return T, J

@@ -65,6 +65,20 @@ class PlanarPoseTask(FrameTask):
         e[2] = wrapped(e[2])
         return e
 
+    @property
+    def pose_rows(self) -> tuple[int, ...]:
+        """The coordinates, and the turn about n."""
+        a, b = (AXES.index(axis) for axis in self.plane)
+        return (a, b, 6 - a - b)
+
+    def goal(self, robot: Robot, target: Any) -> Array:
+        """Return the pose of the target; the tilt out of the plane is that of every pose of the robot."""
+        r = self.target(target)
+        here = self._pose(robot, pin.neutral(robot.model))
+        a, b = (np.eye(3)[AXES.index(axis)] for axis in self.plane)
+        turn = pin.exp3((r[2] - self.g(here.translation, here.rotation)[2]) * np.cross(a, b))
+        return np.asarray(pin.SE3(turn @ here.rotation, r[0] * a + r[1] * b).homogeneous)
+
     def check(self, robot: Robot) -> None:
         """Raise TaskError if the frame leaves the plane, or its x axis stands on it."""
         _check_planar(robot, self)

@@ -8,6 +8,8 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.orientation.elementary import cross_matrix, unit_vector
+from robotics1.orientation.pointing import align_direction
+from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
 
 NAMED = {sign + name: factor * row for sign, factor in (("", 1), ("-", -1))
@@ -62,6 +64,22 @@ class PointingTask(FrameTask):
     def difference(self, target: Array, value: Array) -> Array:
         """Return r_d − r, (3,)."""
         return target - value
+
+    @property
+    def pose_rows(self) -> tuple[int, ...]:
+        """The rows of the rotation, of which the turn about the axis does not count."""
+        return (3, 4, 5)
+
+    @property
+    def pointed_axis(self) -> Array:
+        """(3,) the axis a."""
+        return np.array(self._a, dtype=float)
+
+    def goal(self, robot: Robot, target: Any) -> Array:
+        """Return a pose with R_d a = r_d: the least turn from a to r_d."""
+        T = np.eye(4)
+        T[:3, :3] = align_direction(self.pointed_axis, self.target(target)).rotation
+        return T
 
     @property
     def _a(self) -> Array:

@@ -9,18 +9,15 @@ import pinocchio as pin
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
+from robotics1.robot.model import Robot
 from robotics1.robot.placements import homogeneous
 from robotics1.tasks.representations import RotationItself, SequenceAngles, representation
 from robotics1.tasks.task import FrameTask
 
 
 @dataclass(frozen=True)
-class OrientationTask(FrameTask):
-    """r = R, (3, 3); ṙ stands for ω [rad/s]; e = log3(R_d Rᵀ), the rotation vector that is still missing.
-
-    With angles= it is r = φ, (3,), the angles of a sequence; ṙ = φ̇ = T(φ)⁻¹ ω, whose J is the analytic Jacobian; and
-    e = φ_d − φ, each wrapped into (−π, π]. Of the two φ of an orientation the first is told: cos φ₂ > 0 of ZYX and
-    its like, sin φ₂ > 0 of ZYZ and its like. A target may be either. Where T is singular TaskError is raised.
+class _WithOrientation(FrameTask):
+    """A task that tells an orientation, by the rotation itself or by the angles of a sequence.
 
     Attributes:
         angles: a sequence such as "ZYZ", "XYZ" or "Z-YX"; None for the rotation itself.
@@ -39,6 +36,20 @@ class OrientationTask(FrameTask):
     def told(self) -> RotationItself | SequenceAngles:
         """How the orientation is told."""
         return representation(self.angles, self.fixed)
+
+
+@dataclass(frozen=True)
+class OrientationTask(_WithOrientation):
+    """r = R, (3, 3); ṙ stands for ω [rad/s]; e = log3(R_d Rᵀ), the rotation vector that is still missing.
+
+    With angles= it is r = φ, (3,), the angles of a sequence; ṙ = φ̇ = T(φ)⁻¹ ω, whose J is the analytic Jacobian; and
+    e = φ_d − φ, each wrapped into (−π, π]. Of the two φ of an orientation the first is told: cos φ₂ > 0 of ZYX and
+    its like, sin φ₂ > 0 of ZYZ and its like. A target may be either. Where T is singular TaskError is raised.
+
+    Attributes:
+        angles: a sequence such as "ZYZ", "XYZ" or "Z-YX"; None for the rotation itself.
+        fixed: rotations about the axes of the fixed frame, as roll-pitch-yaw; otherwise about those already moved.
+    """
 
     @property
     def row_names(self) -> tuple[str, ...]:
@@ -66,9 +77,20 @@ class OrientationTask(FrameTask):
         """Return log3(R_d Rᵀ), (3,) [rad]; with angles= φ_d − φ."""
         return self.told.difference(target, value)
 
+    @property
+    def pose_rows(self) -> tuple[int, ...]:
+        """The rows of the rotation."""
+        return (3, 4, 5)
+
+    def goal(self, robot: Robot, target: Any) -> Array:
+        """Return a pose with the orientation of the target."""
+        T = np.eye(4)
+        T[:3, :3] = self.told.rotation(self.target(target))
+        return T
+
 
 @dataclass(frozen=True)
-class PoseTask(FrameTask):
+class PoseTask(_WithOrientation):
     """r = T, a `pin.SE3`; ṙ stands for (v, ω); e = (p_d − p, log3(R_d Rᵀ)), so that e ≈ J Δq.
 
     With angles= it is r = (p, φ), (6,), φ being the angles of a sequence as in `OrientationTask`.
@@ -77,19 +99,6 @@ class PoseTask(FrameTask):
         angles: a sequence such as "ZYZ", "XYZ" or "Z-YX"; None for the pose itself.
         fixed: rotations about the axes of the fixed frame, as roll-pitch-yaw; otherwise about those already moved.
     """
-
-    angles: str | None = None
-    fixed: bool = False
-
-    def __post_init__(self) -> None:
-        """Refuse a sequence that is none."""
-        super().__post_init__()
-        representation(self.angles, self.fixed)
-
-    @cached_property
-    def told(self) -> RotationItself | SequenceAngles:
-        """How the orientation is told."""
-        return representation(self.angles, self.fixed)
 
     @property
     def row_names(self) -> tuple[str, ...]:
@@ -129,3 +138,20 @@ class PoseTask(FrameTask):
             return np.concatenate([target[:3] - value[:3], self.told.difference(target[3:], value[3:])])
         turn = self.told.difference(target.rotation, value.rotation)
         return np.concatenate([target.translation - value.translation, turn])
+
+    @property
+    def pose_rows(self) -> tuple[int, ...]:
+        """All."""
+        return tuple(range(6))
+
+    @property
+    def takes_poses(self) -> bool:
+        """Whether a target is a `pin.SE3`: so it is without angles=."""
+        return self.angles is None
+
+    def goal(self, robot: Robot, target: Any) -> Array:
+        """Return the pose of the target."""
+        T = self.target(target)
+        if self.angles is None:
+            return np.asarray(T.homogeneous)
+        return np.asarray(pin.SE3(self.told.rotation(T[3:]), T[:3]).homogeneous)

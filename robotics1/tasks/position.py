@@ -7,6 +7,7 @@ import numpy as np
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
+from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
 
 AXES = "xyz"
@@ -54,6 +55,17 @@ class PositionTask(FrameTask):
     def difference(self, target: Array, value: Array) -> Array:
         """Return r_d − r, (m,)."""
         return target - value
+
+    @property
+    def pose_rows(self) -> tuple[int, ...]:
+        """The chosen rows of p_d − p."""
+        return tuple(self._rows)
+
+    def goal(self, robot: Robot, target: Any) -> Array:
+        """Return a pose with the coordinates of the target."""
+        T = np.eye(4)
+        T[self._rows, 3] = self.target(target)
+        return T
 
     @property
     def _rows(self) -> list[int]:

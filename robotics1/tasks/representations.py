@@ -33,6 +33,10 @@ class RotationItself:
         """Return the target as a rotation matrix (3, 3)."""
         return rotation_matrix("the target", target)
 
+    def rotation(self, value: Array) -> Array:
+        """Return R, (3, 3)."""
+        return value
+
     def difference(self, target: Array, value: Array) -> Array:
         """Return log3(R_d Rᵀ), (3,) [rad]."""
         return np.asarray(pin.log3(target @ value.T))
@@ -66,6 +70,11 @@ class SequenceAngles:
             raise TaskError(f"the target's {self._not_determined}")
         first = angles if sine * sequence.sign > 0 else other_solution(sequence, angles)
         return np.array([wrapped(angle) for angle in first])
+
+    def rotation(self, value: Array) -> Array:
+        """Return R(φ), (3, 3)."""
+        R1, R2, R3 = self.sequence.turns(value)
+        return np.asarray(R1 @ R2 @ R3, dtype=float)
 
     def difference(self, target: Array, value: Array) -> Array:
         """Return φ_d − φ, (3,), each angle wrapped into (−π, π]."""

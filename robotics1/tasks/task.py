@@ -4,6 +4,7 @@ from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
@@ -94,6 +95,29 @@ class FrameTask:
     @abstractmethod
     def difference(self, target: Any, value: Any) -> Array:
         """Return r_d − r, (m,)."""
+
+    @property
+    @abstractmethod
+    def pose_rows(self) -> tuple[int, ...]:
+        """Which of the six rows of the pose error (p_d − p, log3(R_d Rᵀ)) vanish where this task's error does."""
+
+    @property
+    def pointed_axis(self) -> Array:
+        """(3,) the axis of the frame whose direction alone counts, of the three of R; zero if all of R does."""
+        return np.zeros(3)
+
+    @property
+    def takes_poses(self) -> bool:
+        """Whether a target is a `pin.SE3`, and its own goal."""
+        return False
+
+    @abstractmethod
+    def goal(self, robot: Robot, target: Any) -> Array:
+        """Return (4, 4), a pose T_d at which the task has the target's value; rows that do not count are arbitrary.
+
+        Raises:
+            InputError: the target has the wrong form.
+        """
 
     @property
     def rows(self) -> int:

@@ -1,0 +1,148 @@
+"""The robust search in the kernels: for tasks whose error is made of rows of the pose error."""
+
+from collections.abc import Callable
+from functools import partial
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pinocchio as pin
+
+from robotics1.errors import InputError
+from robotics1.ik.batch_starts import starts_of_all
+from robotics1.ik.descent import Descent
+from robotics1.ik.pose_problem import pose_problem
+from robotics1.ik.reach import excess
+from robotics1.ik.result import IKBatch, IKResult
+from robotics1.ik.status import IKStatus
+from robotics1.inputs import Array
+from robotics1.kernels.compilation import threads
+from robotics1.kernels.inverse import solve, solve_all
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import FrameTask
+
+GROUP = 64  # starts of which the one nearest to the target is taken
+FIRST_STARTS = 16 * GROUP  # of the table that every target begins with
+LATER_STARTS = 256  # of each table after that, all of them tried
+CHUNK = 4096  # targets between two calls of progress
+Table = tuple[Array, Array, int]  # starts, their poses, and how many of them share a group
+
+
+class CompiledSearch:
+    """Damped least squares in the kernels: from q0, then from random starts near the target, until one arrives."""
+
+    def __init__(
+        self, robot: Robot, task: FrameTask, *, prefer: str, seed: int, tolerance: float, time_limit: float
+    ) -> None:
+        self.robot, self.task, self.seed = robot, task, seed
+        self.tolerance, self.time_limit, self.near = tolerance, time_limit, prefer == "near"
+        self.problem, self.takes_poses = pose_problem(robot, task), task.takes_poses
+        self.middle = self.problem.middle
+        self.wished = self.middle if prefer == "middle" else np.full(robot.nq, np.nan)
+        constants: tuple[Any, ...] = (*self.problem.arrays, tolerance)
+        self.solve_one: Callable[..., tuple[int, float]] = partial(solve, *constants)
+        self.solve_many: Callable[..., None] = partial(solve_all, *constants)
+        self.first_table: Table = (*self.problem.table(np.random.default_rng(seed), FIRST_STARTS), GROUP)
+
+    def __call__(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
+        """Return the answer for one target."""
+        goal = self._goal(target)
+        start, first = (self.middle, 0) if q0 is None else (self._start(q0), -1)
+        wished = start if self.near else self.wished
+        q = np.empty_like(self.middle)
+        tried, error = self.solve_one(goal, start, wished, *self.first_table, first, q)
+        if error <= self.tolerance:
+            return IKResult(IKStatus.CONVERGED, q, error, tried)
+        if tried < 0:
+            self.task.target(target)  # raises, and says what is wrong with it
+            self.robot.configuration(start)  # so does this
+        batch = IKBatch(q[None], np.array([IKStatus.NOT_FOUND]), np.array([error]), np.array([tried]))
+        self._go_on([target], goal[None], start[None], wished[None], batch)
+        return batch[0]
+
+    def batch(
+        self, targets: list[Any], q0: npt.ArrayLike | None, progress: Callable[[int, int], None] | None
+    ) -> IKBatch:
+        """Return the answers for many targets."""
+        k, nq = len(targets), self.robot.nq
+        goals = np.array([self._numbered_goal(i, target) for i, target in enumerate(targets)])
+        starts, first = (np.tile(self.middle, (k, 1)), 0) if q0 is None else (starts_of_all(self.robot, q0, k), -1)
+        wished = starts if self.near else np.tile(self.wished, (k, 1))
+        batch = IKBatch(np.empty((k, nq)), np.full(k, IKStatus.CONVERGED), np.empty(k), np.empty(k, dtype=np.int64))
+        for i in range(0, k, CHUNK):
+            some = np.arange(i, min(i + CHUNK, k))
+            batch.q[some], batch.starts[some], batch.error[some] = self._round(
+                goals[some], starts[some], wished[some], self.first_table, first
+            )
+            if progress is not None:
+                progress(len(some) + i, k)
+        for refused in np.flatnonzero(batch.starts < 0).tolist():
+            self._numbered_goal(refused, targets[refused], task_checks=True)
+        self._go_on(targets, goals, starts, wished, batch)
+        return batch
+
+    def _start(self, q0: npt.ArrayLike) -> Array:
+        """Return q0 as the kernel reads it; whether it is finite is left to the kernel too."""
+        if type(q0) is np.ndarray and q0.dtype == float and q0.shape == self.middle.shape and q0.flags.c_contiguous:
+            return q0
+        return self.robot.configuration(q0)
+
+    def _goal(self, target: Any) -> Array:
+        """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
+        if self.takes_poses and isinstance(target, pin.SE3):
+            return np.asarray(target.homogeneous)
+        return self.task.goal(self.robot, target)
+
+    def _numbered_goal(self, i: int, target: Any, *, task_checks: bool = False) -> Array:
+        """Return the pose of target i of many; an error tells i."""
+        try:
+            return self.task.goal(self.robot, target) if task_checks else self._goal(target)
+        except InputError as error:
+            raise InputError(f"target {i} of the batch: {error}") from error
+
+    def _round(
+        self, goals: Array, starts: Array, wished: Array, table: Table, first: int
+    ) -> tuple[Array, npt.NDArray[np.int64], Array]:
+        """Return what the starts of a table lead to: q (k, nq), how many were tried, and |e|, (k,)."""
+        k = len(goals)
+        q, tried, errors = np.empty((k, self.robot.nq)), np.empty(k, dtype=np.int64), np.empty(k)
+        if k == 1:  # spares a user of single targets the compilation of the parallel kernel
+            tried[0], errors[0] = self.solve_one(goals[0], starts[0], wished[0], *table, first, q[0])
+        else:
+            self.solve_many(goals, starts, wished, *table, first, q, tried, errors)
+        return q, tried, errors
+
+    def _go_on(self, targets: list[Any], goals: Array, starts: Array, wished: Array, batch: IKBatch) -> None:
+        """Try further starts for what was not reached, until the time is over; then look around the nearest misses."""
+        missed = np.flatnonzero(batch.error > self.tolerance)
+        proven = np.array([self._out_of_reach(goals[i]) for i in missed], dtype=bool)
+        batch.status[missed] = [IKStatus.UNREACHABLE if out else IKStatus.NOT_FOUND for out in proven]
+        left, spent, number = missed[~proven], 0.0, 0
+        while left.size and spent < self.time_limit:
+            begin, number = perf_counter(), number + 1
+            table: Table = (*self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1)
+            q, tried, errors = self._round(goals[left], starts[left], wished[left], table, 0)
+            batch.starts[left] += tried
+            better = errors < batch.error[left]
+            batch.q[left[better]], batch.error[left[better]] = q[better], errors[better]
+            left = left[batch.error[left] > self.tolerance]
+            spent += (perf_counter() - begin) * min(1.0, threads() / max(1, left.size))
+        for i in missed[batch.error[missed] > self.tolerance]:
+            self._look_around(i, targets[i], batch)
+        batch.status[missed[batch.error[missed] <= self.tolerance]] = IKStatus.CONVERGED
+
+    def _out_of_reach(self, goal: Array) -> bool:
+        """Whether the goal is farther than the chain is long, by more than the tolerance."""
+        scaled = goal.copy()
+        scaled[:3, 3] /= self.problem.unit
+        length = excess(self.problem.chain, self.problem.limits, self.problem.counted, scaled)
+        return length * self.problem.unit > self.tolerance
+
+    def _look_around(self, i: int, target: Any, batch: IKBatch) -> None:
+        """Move the nearest miss of target i to where |e| is least around it."""
+        descent = Descent(self.robot, self.task, self.task.target(target), self.problem.box)
+        q = descent.nearest_miss(batch.q[i])
+        error = float(np.linalg.norm(self.task.error(self.robot, q, target)))
+        if error < batch.error[i]:
+            batch.q[i], batch.error[i] = q, error

@@ -1,0 +1,133 @@
+"""Inverse kinematics that keeps to the joint limits, and reports a success only when forward kinematics verifies it."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy.typing as npt
+
+from robotics1.errors import InputError
+from robotics1.ik.compiled_search import CompiledSearch
+from robotics1.ik.general_search import GeneralSearch
+from robotics1.ik.result import IKBatch, IKResult
+from robotics1.inputs import counting_number, one_of, real_number
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import FrameTask, Task
+
+PREFERENCES = ("any", "near", "middle")
+
+
+class IKSolver:
+    """Solves f(q) = r_d for one robot and one task: what does not depend on the target is prepared once.
+
+    Damped least squares, q ← q + Jᵀ(JJᵀ + λ²1)⁻¹e, with a damping that fades with the error and an active set of
+    joint limits; from q0, then from random starts near the target, until one arrives or the time is over.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: r = f(q).
+        seed: of the random starts.
+        time_limit: for one target [s]. Solutions come in microseconds; only a target that is hard, or cannot be
+            reached, uses it up.
+        tolerance: on |e| = |r_d − f(q)| in the task's units [m, rad].
+        prefer: which of the solutions of a redundant arm: "any" takes the first; "near" moves it along the null
+            space as near to q0 as that leads, "middle" to the middle of the joint ranges.
+
+    Raises:
+        TaskError: the task does not fit the robot, its axes move with it, or no joint moves its frame.
+        InputError: an option has a wrong value, or the robot has joints with several degrees of freedom.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7; Sugihara, IEEE Trans. Robotics 27, 2011.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        task: Task,
+        *,
+        seed: int = 0,
+        time_limit: float = 0.5,
+        tolerance: float = 1e-6,
+        prefer: str = "any",
+    ) -> None:
+        self.robot, self.task = robot, task
+        options: dict[str, Any] = {
+            "prefer": one_of("prefer", prefer, PREFERENCES),
+            "seed": counting_number("seed", seed),
+            "tolerance": real_number("tolerance", tolerance, positive=True),
+            "time_limit": real_number("time_limit", time_limit, positive=True),
+        }
+        self._search: CompiledSearch | GeneralSearch
+        if isinstance(task, FrameTask):
+            self._search = CompiledSearch(robot, task, **options)
+        else:
+            self._search = GeneralSearch(robot, task, **options)
+
+    def __call__(self, target: Any, q0: npt.ArrayLike | None = None) -> IKResult:
+        """Return the answer for one target: a solution inside the joint limits, or the nearest miss and why.
+
+        A solution is near q0 where a descent from q0 finds one; a joint that can make whole turns stays within half
+        a turn of its value in q0, where its limits allow.
+
+        Args:
+            target: r_d, in the form of the task's value.
+            q0: (nq,) where to start, moved inside the limits; None starts at random, the same each time.
+
+        Raises:
+            InputError: the target or q0 has the wrong form, or is not finite.
+        """
+        return self._search(target, q0)
+
+    def solve_batch(
+        self, targets: Any, q0: npt.ArrayLike | None = None, *, progress: Callable[[int, int], None] | None = None
+    ) -> IKBatch:
+        """Return the answers for many targets, on all cores.
+
+        Targets that no start reaches share their time: each is given `time_limit` seconds of one core.
+
+        Args:
+            targets: k targets, in the form of the task's value: a sequence, or an array with k for its first size.
+            q0: (nq,) the start for all, or (k, nq) one for each; None starts at random.
+            progress: called with the numbers of targets done, and of all, now and then.
+
+        Raises:
+            InputError: there is no target; one has the wrong form, and the message tells which; or q0 has.
+        """
+        return self._search.batch(list_of_targets(targets), q0, progress)
+
+
+def solve_ik(
+    robot: Robot,
+    task: Task,
+    target: Any,
+    q0: npt.ArrayLike | None = None,
+    *,
+    seed: int = 0,
+    time_limit: float = 0.5,
+    tolerance: float = 1e-6,
+    prefer: str = "any",
+) -> IKResult:
+    """Return a solution of f(q) = r_d inside the joint limits, or the nearest miss and why.
+
+    The same as `IKSolver(robot, task, ...)(target, q0)`, where the arguments are told; for more than one target make
+    the solver once.
+
+    Raises:
+        TaskError, InputError: as `IKSolver` does.
+    """
+    solver = IKSolver(robot, task, seed=seed, time_limit=time_limit, tolerance=tolerance, prefer=prefer)
+    return solver(target, q0)
+
+
+def list_of_targets(targets: Any) -> list[Any]:
+    """Return targets as a list.
+
+    Raises:
+        InputError: there is none, or it is no sequence.
+    """
+    try:
+        listed = list(targets)
+    except TypeError as error:
+        raise InputError(f"targets must be a sequence of targets, not {type(targets).__name__}") from error
+    if not listed:
+        raise InputError("there is no target in targets")
+    return listed

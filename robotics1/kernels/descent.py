@@ -1,0 +1,95 @@
+"""Inverse kinematics of one target: damped least squares from a start, and from new starts until one arrives."""
+
+import math
+
+import numpy as np
+
+from robotics1.inputs import Array
+from robotics1.kernels.chain import ChainArrays
+from robotics1.kernels.compilation import compiled
+from robotics1.kernels.damped_step import damped_step
+from robotics1.kernels.forward import geometric_jacobian, place_joints
+from robotics1.kernels.pose_error import leave_out, pose_error
+
+DAMPING = 1e-9  # λ² at the target: small beside σ_min² of what still counts as regular
+DAMPING_SLOPE = 0.05  # λ² = DAMPING + DAMPING_SLOPE |e|²: far away a short step, near the target Newton's
+STEPS = 40  # of one descent
+PATIENCE = 5  # steps without progress, after which the descent is given up
+PROGRESS = 0.9  # what counts as progress: |e| falls below 0.9 of the least so far
+STEPS_ASIDE = 60  # along the null space of a solution
+LONGEST_ASIDE = 0.2  # of one of them [rad]
+
+
+@compiled()
+def descend(
+    chain: ChainArrays, limits: Array, counted: Array, axis: Array, unit: float, tolerance: float, goal: Array,
+    x: Array, best: Array,
+) -> float:  # fmt: skip
+    """Move x, (n,), towards the goal; write the best configuration on the way to best, (n,), and return its |e|.
+
+    x ← x + Jᵀ (J Jᵀ + λ² 1)⁻¹ e with λ² = 1e-9 + 0.05 |e|², inside the limits, until |e| is within the tolerance,
+    the steps are used up, or no progress is made. Lengths are in units; |e| is told in [m, rad], and so is tolerance.
+
+    Source: Sugihara, IEEE Trans. Robotics 27 (2011): a damping that fades with the error converges like Newton's
+    method and passes singularities.
+    """
+    n = len(x)
+    T, lines, M, columns = np.empty((3, 4)), np.empty((len(chain[2]), 6)), np.empty((3, 3)), np.empty((n, 6))
+    e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.zeros(n), np.empty(n)
+    least, stuck = np.inf, 0
+    for _ in range(STEPS):
+        place_joints(chain, x, T, lines)
+        pose_error(goal, axis, T, M, e)
+        linear = counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2]
+        angular = counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5]
+        error = math.sqrt(unit * unit * linear + angular)
+        stuck = 0 if error < PROGRESS * least else stuck + 1
+        if error < least:
+            least = error
+            best[:] = x
+        if error <= tolerance or stuck == PATIENCE:
+            break
+        geometric_jacobian(chain, T, lines, columns.T)
+        leave_out(counted, axis, T, columns, e)
+        damped_step(columns, e, wish, DAMPING + DAMPING_SLOPE * (linear + angular), limits, x, held, A, y, step)
+        move(limits, step, x)
+    return least
+
+
+@compiled()
+def approach(
+    chain: ChainArrays, limits: Array, counted: Array, axis: Array, goal: Array, wished: Array, x: Array
+) -> None:
+    """Move a solution x, (n,), along its null space, as near to a wished configuration as that leads.
+
+    x ← x + w + Jᵀ (J Jᵀ + λ² 1)⁻¹ (e − J w) with w = x_wished − x, the projected gradient of −½ |x_wished − x|².
+    The solution is kept but for terms of second order.
+
+    Source: Liégeois, IEEE Trans. Systems, Man and Cybernetics 7 (1977).
+    """
+    n = len(x)
+    T, lines, M, columns = np.empty((3, 4)), np.empty((len(chain[2]), 6)), np.empty((3, 3)), np.empty((n, 6))
+    e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
+    for _ in range(STEPS_ASIDE):
+        place_joints(chain, x, T, lines)
+        pose_error(goal, axis, T, M, e)
+        geometric_jacobian(chain, T, lines, columns.T)
+        leave_out(counted, axis, T, columns, e)
+        distance = 0.0
+        for j in range(n):
+            wish[j] = wished[j] - x[j]
+            distance += wish[j] * wish[j]
+        if distance > LONGEST_ASIDE * LONGEST_ASIDE:
+            for j in range(n):
+                wish[j] *= LONGEST_ASIDE / math.sqrt(distance)
+        damped_step(columns, e, wish, DAMPING, limits, x, held, A, y, step)
+        move(limits, step, x)
+
+
+@compiled()
+def move(limits: Array, step: Array, x: Array) -> None:
+    """Add a step to x, (n,), and put joints that it takes past a limit on the limit."""
+    for j in range(len(x)):
+        x[j] += step[j]
+        if limits[2, j] == 0.0:
+            x[j] = min(max(x[j], limits[0, j]), limits[1, j])
