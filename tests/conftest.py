@@ -1,10 +1,24 @@
-"""Hypothesis profiles and robots."""
+"""Hypothesis profiles, robots, and a browser."""
 
 import os
+import shutil
 
 import pytest
 from arms import arm
 from hypothesis import settings
+
+CHROMIUM = shutil.which("chromium")
+FLAGS = [
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
 
 settings.register_profile("default", deadline=None, derandomize=True, max_examples=40, database=None)
 settings.register_profile("ci", parent=settings.get_profile("default"), max_examples=60, print_blob=True)
@@ -35,3 +49,18 @@ def spatial():
 @pytest.fixture(scope="session")
 def one_joint():
     return arm("one_joint")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """Chromium without a window; closed after each module, since Playwright's event loop runs until then."""
+    if CHROMIUM is None:
+        if os.environ.get("CI"):
+            pytest.fail("chromium is not installed, and CI must see the pages")
+        pytest.skip("chromium is not installed")
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield browser
+        browser.close()

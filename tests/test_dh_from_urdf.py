@@ -1,6 +1,4 @@
-import re
 from math import pi
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +13,6 @@ from robotics1.robot.dh import dh_to_urdf, robot_from_dh
 from robotics1.robot.dh_from_urdf import urdf_to_dh
 
 TOOLS = {"two_tips": "camera"}  # which frame, where there is no tool
-DOCUMENT = Path(__file__).parents[1] / "docs" / "dh_tables.md"
 
 
 def pose(robot, q, frame=None):
@@ -332,17 +329,3 @@ def test_a_modified_table_says_whose_a_and_alpha_it_shows():
     assert lines[:2] == ["modified DH table", "i  type  aᵢ₋₁    αᵢ₋₁  d  θ"]
     assert lines[3] == "2  R     1.2000  0     0  q2"
     assert lines[4] == "tool: p = (0.8000, 0, 0), rpy = (0, 0, 0)"
-
-
-def test_the_code_of_the_document_runs_and_says_what_it_says(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    blocks = re.findall(r"```python\n(.*?)```", DOCUMENT.read_text(encoding="utf-8"), flags=re.DOTALL)
-    assert blocks
-    scope = {}
-    for block in blocks:
-        exec(compile(block, "dh_tables.md", "exec"), scope)
-    assert scope["T"].translation == pytest.approx([0.616243, 0.190626, 0.632169], abs=1e-6)
-    assert (tmp_path / "camera_arm.urdf").is_file()
-    printed = re.findall(r"```text\n(.*?)```", DOCUMENT.read_text(encoding="utf-8"), flags=re.DOTALL)
-    assert [text.strip() for text in printed] == [str(scope["table"])]
-    assert scope["again"].nv == 3

@@ -1,8 +1,6 @@
 """Following a task trajectory: integration of first and second order, corrections, null motion, singularities."""
 
-import re
 from math import cos, sin
-from pathlib import Path
 
 import numpy as np
 import pinocchio as pin
@@ -279,16 +277,3 @@ CALLS = [
 def test_misuse_of_following_is_a_typed_error(call, kind, message):
     with pytest.raises(kind, match=message):
         call(two_r())
-
-
-def test_the_code_of_the_page_on_differential_kinematics_runs(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    page = (Path(__file__).parents[1] / "docs" / "differential_kinematics.md").read_text("utf-8")
-    blocks = re.findall(r"```python\n(.*?)```", page, flags=re.DOTALL)
-    assert len(blocks) >= 4
-    scope = {}
-    for block in blocks:
-        exec(compile(block, "differential_kinematics.md", "exec"), scope)
-    assert scope["lost"].verdict is r1.RateVerdict.OUT_OF_RANGE
-    assert scope["run"].verdict is FollowingVerdict.FOLLOWS
-    assert (tmp_path / "joints.svg").is_file()

@@ -4,7 +4,6 @@ import re
 
 import pytest
 import sympy
-from test_pages import browser  # noqa: F401 (a fixture)
 
 from robotics1 import InputError
 from robotics1.report.formula_page import write_formula_page
@@ -93,7 +92,7 @@ def test_an_old_page_is_replaced_as_a_whole(tmp_path):
 
 
 @pytest.fixture
-def shown(browser, tmp_path):  # noqa: F811
+def shown(browser, tmp_path):
     """Return a function that opens the page in a window, with what went wrong in it."""
     path = write_formula_page(tmp_path / "f.html", SECTIONS, title="Formulas")
     pages = []

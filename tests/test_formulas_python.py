@@ -130,7 +130,9 @@ def test_latex_terminal_and_page_forms():
     assert page.startswith('<math display="block">')
     assert page.endswith("</math>")
     assert re.sub(r"<[^>]*>|&InvisibleTimes;", "", page) == "l2cos(q2)"
-    assert "<msub><mi>q̇</mi><mi>1</mi></msub>" in mathml_text(sympy.Symbol("qdot1"))
+    dotted = "<mover><mi>q</mi><mo>˙</mo></mover>"
+    assert f"<msub>{dotted}<mi>1</mi></msub>" in mathml_text(sympy.Symbol("qdot1"))
+    assert re.sub(r"<[^>]*>", "", mathml_text(-sympy.Symbol("x"))) == "−x"
 
 
 def test_the_command_prints_the_python_function():

@@ -254,3 +254,10 @@ def test_a_tolerance_is_a_non_negative_number(tolerance):
     for function in (nearest_rotation, rotation_to_axis_angle, rotation_to_quaternion):
         with pytest.raises(InputError, match="tolerance"):
             function(np.eye(3), tolerance=tolerance)
+
+
+def test_the_angle_is_atan2_of_the_skew_part_and_the_trace():
+    for angle in (0.3, 1.9, 3.1):
+        R = axis_angle_to_rotation([1, -2, 2], angle)
+        formula = np.arctan2(np.linalg.norm(R - R.T) / np.sqrt(8), (np.trace(R) - 1) / 2)
+        assert rotation_to_axis_angle(R).angle == pytest.approx(formula, abs=1e-14)

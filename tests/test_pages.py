@@ -1,44 +1,16 @@
-import os
 import re
-import shutil
 
 import numpy as np
 import pytest
 
 from robotics1 import InputError, LinearMotion, animate, cubic, forward_kinematics, load_robot, view
 
-CHROMIUM = shutil.which("chromium")
-FLAGS = [
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 SEEK = "t => { const s = document.getElementById('time'); s.value = t; s.oninput(); }"
 POSITION = """path => {
     let node = window.robotics1.viewer.scene_tree.find(path).object;
     node.updateWorldMatrix(true, false);
     return node.matrixWorld.toArray();
 }"""
-
-
-@pytest.fixture(scope="module")
-def browser():
-    if CHROMIUM is None:
-        if os.environ.get("CI"):
-            pytest.fail("chromium is not installed, and CI must see the pages")
-        pytest.skip("chromium is not installed")
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield browser
-        browser.close()
 
 
 @pytest.fixture

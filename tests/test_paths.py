@@ -1,8 +1,6 @@
 """Lines, arcs, circles, ellipses, helices, splines, formulas: values, derivatives, lengths, curvature, frames."""
 
-import re
 from math import cos, pi, sin, sqrt
-from pathlib import Path as File
 
 import numpy as np
 import pytest
@@ -358,19 +356,6 @@ def test_a_jump_is_seen_from_its_larger_side_and_the_first_of_equals_counts():
     assert (found.at, found.value) == (1.0, 1.0)
     assert largest(lambda x, side: np.cos(x) ** 2, [0.0, 7.0]).at == 0
     assert not largest(lambda x, side: np.sqrt(np.abs(x - 1 / pi)), [0.0, 1.0]).resolved
-
-
-def test_the_code_of_the_page_on_paths_runs(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    page = (File(__file__).parents[1] / "docs" / "paths.md").read_text("utf-8")
-    blocks = re.findall(r"```python\n(.*?)```", page, flags=re.DOTALL)
-    assert len(blocks) >= 4
-    scope = {}
-    for block in blocks:
-        exec(compile(block, "paths.md", "exec"), scope)
-    assert scope["frame"].curvature == pytest.approx(0.3 / 0.1)
-    assert scope["bounds"].velocity == pytest.approx(1 / sqrt(0.1))
-    assert sorted(file.name for file in tmp_path.iterdir()) == ["law.svg", "motion.svg", "path.svg"]
 
 
 def test_formulas_may_be_typed():

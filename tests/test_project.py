@@ -48,13 +48,6 @@ def test_the_code_of_the_readme_runs_and_says_what_it_says(tmp_path, monkeypatch
     assert (tmp_path / "meeting.html").is_file()
 
 
-def test_the_code_of_the_page_on_robots_runs():
-    (block,) = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "robots.md").read_text("utf-8"), flags=re.DOTALL)
-    scope = {}
-    exec(compile(block, "robots.md", "exec"), scope)
-    assert scope["robot"].parameters == {"l2": 0.5, "l3": 0.4}
-
-
 def test_the_commands_of_the_readme_run(tmp_path, monkeypatch):
     from typer.testing import CliRunner
 

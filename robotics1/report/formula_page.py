@@ -1,18 +1,14 @@
 """Named formulas as one HTML page that needs no network and no script."""
 
 import html
-import re
 from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Any
 
 from robotics1.errors import InputError
 from robotics1.report.named_formulas import FormulaSection, NamedFormula
 from robotics1.symbolic.writing.printing import mathml_text
-
-DOT_ABOVE = "\N{COMBINING DOT ABOVE}"
 
 
 def write_formula_page(path: str | Path, sections: Sequence[FormulaSection], *, title: str) -> Path:
@@ -49,14 +45,8 @@ def _section(section: FormulaSection) -> str:
 
 def _entry(formula: NamedFormula) -> str:
     number = f'<p class="number">= {html.escape(formula.number)}</p>' if formula.number else ""
-    return f"<div><dt>{html.escape(formula.name)}</dt><dd>{_mathml(formula.equation)}{number}</dd></div>"
+    return f"<div><dt>{html.escape(formula.name)}</dt><dd>{mathml_text(formula.equation)}{number}</dd></div>"
 
 
 def _paragraphs(lines: Sequence[str]) -> list[str]:
     return [f"<p>{html.escape(line)}</p>" for line in lines]
-
-
-def _mathml(formula: Any) -> str:
-    """Return the formula as MathML, the velocities qdot, rdot, ... with a dot above, and a minus for a hyphen."""
-    text = re.sub(f"<mi>(\\w)(dot|{DOT_ABOVE})</mi>", "<mover><mi>\\1</mi><mo>˙</mo></mover>", mathml_text(formula))
-    return re.sub("<(mo|mn|mi)>-", "<\\1>−", text)

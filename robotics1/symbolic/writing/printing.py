@@ -25,8 +25,10 @@ def latex_text(formula: Any) -> str:
 
 
 def mathml_text(formula: Any) -> str:
-    """Return a formula as a MathML element of an HTML page."""
-    text = sympy.mathml(formula, printer="presentation").replace("<mi>qdot</mi>", "<mi>q̇</mi>")
+    """Return a formula as a MathML element of an HTML page: q̇ with its dot above, and − for a hyphen."""
+    text = sympy.mathml(formula, printer="presentation")
+    text = re.sub(r"<mi>(\w)dot</mi>", r"<mover><mi>\1</mi><mo>˙</mo></mover>", text)
+    text = re.sub("<(mo|mn|mi)>-", r"<\1>−", text)
     return f'<math display="block">{text}</math>'
 
 
