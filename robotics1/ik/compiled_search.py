@@ -25,6 +25,7 @@ from robotics1.tasks.task import FrameTask
 GROUP = 64  # starts of which the one nearest to the target is taken
 FIRST_STARTS = 16 * GROUP  # of the table that every target begins with
 LATER_STARTS = 256  # of each table after that, all of them tried
+FINER = 1e-3  # tolerance on the turn where a task tells it by angles
 CHUNK = 4096  # targets between two calls of progress
 Table = tuple[Array, Array, int]  # starts, their poses, and how many of them share a group
 
@@ -36,11 +37,12 @@ class CompiledSearch:
         self, robot: Robot, task: FrameTask, *, prefer: str, seed: int, tolerance: float, time_limit: float
     ) -> None:
         self.robot, self.task, self.seed = robot, task, seed
-        self.tolerance, self.time_limit, self.near = tolerance, time_limit, prefer == "near"
+        self.tolerance = tolerance * (FINER if task.tells_angles else 1.0)
+        self.time_limit, self.near = time_limit, prefer == "near"
         self.problem, self.takes_poses = pose_problem(robot, task), task.takes_poses
         self.middle = self.problem.middle
         self.wished = self.middle if prefer == "middle" else np.full(robot.nq, np.nan)
-        constants: tuple[Any, ...] = (*self.problem.arrays, tolerance)
+        constants: tuple[Any, ...] = (*self.problem.arrays, self.tolerance)
         self.solve_one: Callable[..., tuple[int, float]] = partial(solve, *constants)
         self.solve_many: Callable[..., None] = partial(solve_all, *constants)
         self.first_table: Table = (*self.problem.table(np.random.default_rng(seed), FIRST_STARTS), GROUP)

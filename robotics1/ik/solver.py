@@ -28,7 +28,8 @@ class IKSolver:
         seed: of the random starts.
         time_limit: for one target [s]. Solutions come in microseconds; only a target that is hard, or cannot be
             reached, uses it up.
-        tolerance: on |e| = |r_d − f(q)| in the task's units [m, rad].
+        tolerance: on |e| = |r_d − f(q)| in the task's units [m, rad]. Where a task tells an orientation by angles, e
+            holds the rotation vector log3(R_d Rᵀ) in their place, and is brought to a thousandth of the tolerance.
         prefer: which of the solutions of a redundant arm: "any" takes the first; "near" moves it along the null
             space as near to q0 as that leads, "middle" to the middle of the joint ranges.
 

@@ -1,6 +1,8 @@
 """The compiler of the kernels: Numba where it can be imported, else Python itself runs the same functions."""
 
+import logging
 from collections.abc import Callable
+from functools import cache
 from typing import Any, TypeVar, cast
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -12,6 +14,7 @@ except ImportError:  # the kernels are plain Python on NumPy arrays, so they ser
 
 COMPILED = numba is not None
 prange = numba.prange if COMPILED else range
+log = logging.getLogger(__name__)
 
 
 def compiled(*, parallel: bool = False, contract: bool = False) -> Callable[[Function], Function]:
@@ -24,6 +27,8 @@ def compiled(*, parallel: bool = False, contract: bool = False) -> Callable[[Fun
         parallel: `prange` runs on all cores.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
+    if COMPILED:
+        _announce_the_first()
     options: dict[str, Any] = {"nogil": True, "parallel": parallel, "error_model": "numpy"}
     if contract:
         options["fastmath"] = {"contract", "reassoc", "nsz", "arcp"}
@@ -42,3 +47,20 @@ def compiled(*, parallel: bool = False, contract: bool = False) -> Callable[[Fun
 def threads() -> int:
     """Return on how many cores `prange` runs."""
     return int(numba.get_num_threads()) if COMPILED else 1
+
+
+@cache
+def _announce_the_first() -> None:
+    """Have the first function that is compiled, and not found on disk, say why the call takes seconds."""
+    from numba.core.event import Listener, register, unregister
+
+    class Announcement(Listener):
+        def on_start(self, event: Any) -> None:
+            if event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
+                log.warning("compiling the kernels: some seconds, once; the machine code is kept for the next time")
+                unregister("numba:compile", self)
+
+        def on_end(self, event: Any) -> None:
+            pass
+
+    register("numba:compile", Announcement())

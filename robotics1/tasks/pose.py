@@ -37,6 +37,11 @@ class _WithOrientation(FrameTask):
         """How the orientation is told."""
         return representation(self.angles, self.fixed)
 
+    @property
+    def tells_angles(self) -> bool:
+        """Whether a sequence was given."""
+        return self.angles is not None
+
 
 @dataclass(frozen=True)
 class OrientationTask(_WithOrientation):
@@ -147,7 +152,7 @@ class PoseTask(_WithOrientation):
     @property
     def takes_poses(self) -> bool:
         """Whether a target is a `pin.SE3`: so it is without angles=."""
-        return self.angles is None
+        return not self.tells_angles
 
     def goal(self, robot: Robot, target: Any) -> Array:
         """Return the pose of the target."""

@@ -107,6 +107,11 @@ class FrameTask:
         return np.zeros(3)
 
     @property
+    def tells_angles(self) -> bool:
+        """Whether the task's error is one of angles, which near their singularity are many times the turn missing."""
+        return False
+
+    @property
     def takes_poses(self) -> bool:
         """Whether a target is a `pin.SE3`, and its own goal."""
         return False
