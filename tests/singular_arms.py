@@ -8,6 +8,33 @@ from math import pi
 
 import numpy as np
 from arms import arm
+from dh_arms import (
+    CABLE,
+    EQUAL_3R,
+    EQUAL_RRP,
+    GANTRY,
+    NAMED_CABLE,
+    NUMBERED,
+    POLAR_ARM,
+    SCARA,
+    SPATIAL_4R,
+    TILTED,
+    TWISTED,
+    ZYZ,
+    P,
+    R,
+    dh,
+    five,
+    four_links,
+    orthogonal,
+    planar_rpr,
+    puma,
+    shoulder_arm,
+    skewed,
+    srs,
+    stanford,
+    ur5,
+)
 
 from robotics1 import (
     FunctionTask,
@@ -16,85 +43,12 @@ from robotics1 import (
     PointingTask,
     PoseTask,
     PositionTask,
-    robot_from_dh,
 )
 
 H = pi / 2
 X, Y, Z, XY, XYZ = (PositionTask(axes) for axes in ("x", "y", "z", "xy", "xyz"))
 PLANE, TURN, POSE, POINT = PlanarPoseTask("xy"), OrientationTask(), PoseTask(), PointingTask("z")
 POLAR = FunctionTask(lambda p, R, q: [np.hypot(p[0], p[1]), np.arctan2(p[1], p[0])], 2)  # distance and azimuth
-
-
-def R(a, alpha, d, theta=0):
-    return ("R", a, alpha, d, theta)
-
-
-def P(alpha, theta=0):
-    return ("P", 0, alpha, 0, theta)
-
-
-def dh(*rows, tool=0, **lengths):
-    """The robot of a DH table, its tool on the last z axis."""
-    tool_placement = np.eye(4)
-    tool_placement[2, 3] = tool
-    return robot_from_dh(rows, parameters=lengths, tool_placement=tool_placement)
-
-
-def four_links(**lengths):
-    return dh(*(R(name, 0, 0) for name in "abcd"), **lengths)
-
-
-def shoulder_arm(a1):
-    return dh(R("a1", H, "d1"), R("a2", 0, "d2"), R("a3", 0, 0), a1=a1, d1=0.3, a2=0.4, d2=0.15, a3=0.3)
-
-
-def skewed(alpha):
-    return dh(R("a", alpha, 0), R("b", alpha, 0), R("c", 0, 0), a=0.2, b=0.4, c=0.3)
-
-
-def orthogonal(a2, a3):
-    """Each axis turned by a quarter from the one before; the first two meet."""
-    return dh(R(0, H, 0), R("a2", H, 0), R("a3", 0, 0), a2=a2, a3=a3)
-
-
-def five(**lengths):
-    rows = (R(0, H, "d1"), R("a2", 0, 0), R("a3", 0, 0), R(0, H, 0), R(0, 0, "d5"))
-    return dh(*rows, **{"d1": 0.3, "a2": 0.4, "a3": 0.33, "d5": 0.1} | lengths)
-
-
-def srs():
-    rows = (R(0, -H, 0), R(0, H, 0), R(0, H, "ds"), R(0, -H, 0), R(0, -H, "de"), R(0, H, 0), R(0, 0, "dw"))
-    return dh(*rows, ds=0.4, de=0.39, dw=0.08)
-
-
-def stanford():
-    rows = (R(0, -H, "d1"), R(0, H, "d2"), P(0), R(0, -H, 0), R(0, H, 0), R(0, 0, "d6"))
-    return dh(*rows, d1=0.4, d2=0.15, d6=0.26)
-
-
-def puma():
-    rows = (R(0, H, 0), R("a2", 0, 0), R("a3", -H, "d3"), R(0, H, "d4"), R(0, -H, 0), R(0, 0, 0))
-    return dh(*rows, a2=0.4318, a3=0.0203, d3=0.15, d4=0.4318)
-
-
-def ur5():
-    rows = (R(0, H, "d1"), R("a2", 0, 0), R("a3", 0, 0), R(0, H, "d4"), R(0, -H, "d5"), R(0, 0, "d6"))
-    return dh(*rows, d1=0.0892, a2=-0.425, a3=-0.39225, d4=0.10915, d5=0.09465, d6=0.0823)
-
-
-ZYZ = (R(0, -H, 0), R(0, H, 0), R(0, 0, "d6"))
-POLAR_ARM = (R(0, H, 1), R(0, H, 0), P(0))
-RPR = (R(0, H, 0, H), P(-H), R("L", 0, 0, -H))
-SCARA = (R("a1", 0, "d1"), R("a2", pi, 0), P(0), R(0, 0, 0))
-SPATIAL_4R = (R(0, H, 0), R(0, H, 0), R(0, H, "L"), R("L", 0, 0))
-CABLE = (R(0, -H, 0), R(0, H, 0), R(0.045, -H, 0.55), R(-0.045, H, 0))
-NAMED_CABLE = (R(0, -H, 0), R(0, H, 0), R("a3", -H, "d3"), R("-a3", H, 0))
-TILTED = (R("a1", -H, "d1"), R("a2", pi / 3, "d2", H), R(0, 0, "d3"))
-EQUAL_RRP = (R("a1", -H, "d1", H), R("a2", -H, 0, H), P(H))
-EQUAL_3R = (R("a1", H, 0, H), R("a2", pi / 3, "d2", H), R("a3", H, 0, H))
-TWISTED = (R(0, "alpha", 0.3), R(0, "-alpha", 0.2), R(0, 0, 0))
-NUMBERED = (R(0, H, 0.4), R(0.5, 0, 0), R(0.5, 0, 0))
-GANTRY = (P(H), P(H, H), P(H, H), *ZYZ)
 
 scara = {"a1": 0.4, "a2": 0.3, "d1": 0.5}
 STRETCHED = {"q2 = 0 | pi": 1}
@@ -123,8 +77,8 @@ CASES = {
     "PRR xy": (lambda: arm("prr"), XY, 2, {UPRIGHT: 1}),
     "PRR, l2 = l3, xy": (lambda: arm("prr", l2=0.5, l3=0.5), XY, 2, {UPRIGHT: 1}),
     "PRR y": (lambda: arm("prr"), Y, 1, {UPRIGHT: 0}),
-    "RPR xy": (lambda: dh(*RPR, L=0.5), XY, 2, {"q2 = 0; q3 = -pi/2 | pi/2": 1}),
-    "RPR pose": (lambda: dh(*RPR, L=0.5), PLANE, 3, {"q2 = 0": 2}),
+    "RPR xy": (planar_rpr, XY, 2, {"q2 = 0; q3 = -pi/2 | pi/2": 1}),
+    "RPR pose": (planar_rpr, PLANE, 3, {"q2 = 0": 2}),
     "RRP xyz": (lambda: dh(*POLAR_ARM), XYZ, 3, {"q2 = 0 | pi": 2, "q3 = 0": 1}),
     "RRP twist": (lambda: dh(*POLAR_ARM), POSE, 3, {}),
     "RRP pointing": (lambda: dh(*POLAR_ARM), POINT, 2, {"q2 = 0 | pi": 1}),

@@ -9,6 +9,7 @@ from math import pi
 import numpy as np
 import pytest
 import sympy
+from dh_arms import CABLE, SPATIAL_4R, dh
 from formula_values import number, real, same
 from sympy import Matrix, cos, sin
 
@@ -28,8 +29,6 @@ q1, q2, q3, q4, q5 = real("q1:6")
 THREE = [("R", 0.2, H, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.5, 0, 0, 0)]
 ANTHROPOMORPHIC = [("R", 0, H, "d1", 0), ("R", "a2", 0, 0, 0), ("R", "a3", 0, 0, 0)]
 SCARA = [("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)]
-CABLE = [("R", 0, -H, 0, 0), ("R", 0, H, 0, 0), ("R", 0.045, -H, 0.55, 0), ("R", -0.045, H, 0, 0)]
-FOUR = [("R", 0, H, 0, 0), ("R", 0, H, 0, 0), ("R", 0, H, 1, 0), ("R", 1, 0, 0, 0)]
 CART = [("P", 0, H, 0, H), ("P", 0, H, 0, H), ("R", 0, H, "d0", 0), ("R", "l2", 0, 0, 0), ("R", "l3", 0, 0, 0)]
 CART_BASE = [[0, 0, 1, 0], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]  # the slides along x and y, joint 3 upwards
 
@@ -122,7 +121,7 @@ def test_2011_06_17_ab_tip_velocities_of_a_2r_with_bounded_joint_speeds(second, 
 
 
 def test_2009_12_17_1_geometric_jacobian_of_the_first_four_joints_of_a_7r_arm():
-    robot, q = robot_from_dh(FOUR), [0, 3 * pi / 4, pi, pi]
+    robot, q = dh(*SPATIAL_4R, L=1.0), [0, 3 * pi / 4, pi, pi]
     wanted = [
         [0, -1.414214, 0, -0.707107],
         [0, 0, -1, 0],

@@ -6,6 +6,7 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 import sympy
+from dh_arms import NAMED_CABLE, POLAR_ARM, SPATIAL_4R, TWISTED, dh, offset_arm, planar_rpr
 from formula_values import real, same
 from singular_checks import numbers, read, spans_range, written
 from sympy import Matrix, cos, sin
@@ -29,12 +30,6 @@ XY, XYZ, TURN = PositionTask("xy"), PositionTask("xyz"), OrientationTask()
 q1, q2, q3, q4 = real("q1:5")
 L, L1, L2, L3, l1, l2, l3, d3, a3, alpha = real("L L1 L2 L3 l1 l2 l3 d3 a3 alpha")
 
-RPR = [("R", 0, H, 0, H), ("P", 0, -H, 0, 0), ("R", "L", 0, 0, -H)]
-WRIST = [("R", 0, "alpha", "d4", 0), ("R", 0, "-alpha", "d5", 0), ("R", 0, 0, 0, 0)]
-RRP = [("R", 0, H, 1, 0), ("R", 0, H, 0, 0), ("P", 0, 0, 0, 0)]
-CABLE = [("R", 0, -H, 0, 0), ("R", 0, H, 0, 0), ("R", "a3", -H, "d3", 0), ("R", "-a3", H, 0, 0)]
-OFFSET = [("R", "L1", H, "D", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
-FOUR = [("R", 0, H, 0, 0), ("R", 0, H, 0, 0), ("R", 0, H, 1, 0), ("R", 1, 0, 0, 0)]
 PRP = [("P", 0, H, 0, 0), ("R", 0, H, 0, 0), ("P", 0, 0, 0, 0)]
 PRP_BASE = [[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]
 PRP_TOOL = [[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1]]
@@ -57,14 +52,6 @@ MOBILE = """<robot name="mobile">
 def planar(*lengths):
     names = [f"l{i}" for i in range(1, len(lengths) + 1)]
     return robot_from_dh([("R", name, 0, 0, 0) for name in names], parameters=dict(zip(names, lengths, strict=True)))
-
-
-def rpr():
-    return robot_from_dh(RPR, parameters={"L": 0.5})
-
-
-def offset_arm():
-    return robot_from_dh(OFFSET, parameters={"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3})
 
 
 def prp():
@@ -113,14 +100,14 @@ def test_2012_09_10_6_angular_velocities_of_a_3r_arm_have_rank_2_everywhere():
 
 
 def test_2012_06_11_2b_planar_rpr_is_singular_at_q2_0_and_c3_0():
-    found = find_singularities(rpr(), XY)
+    found = find_singularities(planar_rpr(), XY)
     assert ranks(found) == wanted(found.robot, rank_1="q2 = 0; q3 = -pi/2 | pi/2")
     assert found.complete
 
 
 def test_2012_06_11_2c_four_subspaces_of_the_planar_rpr_at_q2_0_q3_half_pi():
-    branch = at(find_singularities(rpr(), XY), "q2 = 0; q3 = pi/2")
-    J = formulas(rpr(), XY).jacobian.subs({q2: 0, q3: sympy.pi / 2})
+    branch = at(find_singularities(planar_rpr(), XY), "q2 = 0; q3 = pi/2")
+    J = formulas(planar_rpr(), XY).jacobian.subs({q2: 0, q3: sympy.pi / 2})
     assert same_span(branch.formulas.range, span((cos(q1), sin(q1))))
     assert same_span(branch.formulas.left_null, span((sin(q1), -cos(q1))))
     assert same_span(branch.formulas.null, span((1, 0, -1), (1, L, 0)))
@@ -128,7 +115,7 @@ def test_2012_06_11_2c_four_subspaces_of_the_planar_rpr_at_q2_0_q3_half_pi():
 
 
 def test_2012_02_09_1b_wrist_with_twists_alpha_and_minus_alpha_is_singular_at_s2_0():
-    robot = robot_from_dh(WRIST, parameters={"alpha": 1.0, "d4": 0.3, "d5": 0.2})
+    robot = dh(*TWISTED, alpha=1.0)
     found = find_singularities(robot, TURN)
     assert same(formulas(robot, TURN).determinant, -sin(q2) * sin(alpha) ** 2)
     assert ranks(found) == wanted(robot, rank_2="q2 = 0 | pi")
@@ -136,7 +123,7 @@ def test_2012_02_09_1b_wrist_with_twists_alpha_and_minus_alpha_is_singular_at_s2
 
 
 def test_2012_02_09_2b_polar_arm_has_rank_1_at_q3_0_and_2_at_s2_0():
-    found = find_singularities(robot_from_dh(RRP), XYZ)
+    found = find_singularities(dh(*POLAR_ARM), XYZ)
     assert same(formulas(found.robot, XYZ).determinant, sin(q2) * q3**2)
     assert ranks(found) == wanted(found.robot, rank_1="q3 = 0", rank_2="q2 = 0 | pi")
     both = {written(piece.conditions): piece.rank for piece in found.intersections}
@@ -144,7 +131,7 @@ def test_2012_02_09_2b_polar_arm_has_rank_1_at_q3_0_and_2_at_s2_0():
 
 
 def test_2012_02_09_3a_a_segment_through_the_axis_of_joint_1_needs_q1_along_it():
-    robot = robot_from_dh(RRP, lower=[None, None, 0], upper=[None, None, 5])
+    robot = robot_from_dh(POLAR_ARM, lower=[None, None, 0], upper=[None, None, 5])
     path, tangent = line_path([1, 1, 1], [-1, -1, 3]), Matrix([-1, -1, 1]) / sympy.sqrt(3)
     assert path.length == pytest.approx(3.464102, abs=1e-6)
     assert path(1.732051) == pytest.approx([0, 0, 2], abs=1e-6)
@@ -184,7 +171,7 @@ def test_2011_07_04_5_cable_arm_has_rank_2_with_q2_q3_q4_at_0_inside_its_limits(
     """The matrix printed for frame 2 is the one in base axes; in frame 2 the second row is zero."""
     limits = np.radians([[-150, 150], [-113, 113], [-157, 157], [-50, 180]])
     lower, upper = limits.T
-    robot = robot_from_dh(CABLE, parameters={"a3": 0.045, "d3": 0.55}, lower=lower, upper=upper)
+    robot = robot_from_dh(NAMED_CABLE, parameters={"a3": 0.045, "d3": 0.55}, lower=lower, upper=upper)
     in_base = formulas(robot, PositionTask(frame="link4"), point=(0, 0, "L")).jacobian.subs({q2: 0, q3: 0, q4: 0})
     in_two = formulas(robot, PositionTask(frame="link4", reference="link2"), point=(0, 0, "L"))
     J = in_two.jacobian.subs({q2: 0, q3: 0, q4: 0})
@@ -197,7 +184,9 @@ def test_2011_07_04_5_cable_arm_has_rank_2_with_q2_q3_q4_at_0_inside_its_limits(
 def test_2011_07_04_5_cable_arm_is_singular_at_q2_0_q4_0_whatever_the_others():
     tool = np.eye(4)
     tool[2, 3] = 0.35
-    found = find_singularities(robot_from_dh(CABLE, parameters={"a3": 0.045, "d3": 0.55}, tool_placement=tool), XYZ)
+    found = find_singularities(
+        robot_from_dh(NAMED_CABLE, parameters={"a3": 0.045, "d3": 0.55}, tool_placement=tool), XYZ
+    )
     assert at(found, "q2 = 0; q4 = 0").free_joints == ("q1", "q3")
     assert any(branch.contains(np.array([0.3, 0, 0, 0])) for branch in found.branches)
     assert found.complete
@@ -231,7 +220,7 @@ def test_2010_02_11_d_folded_2r_reaches_a_tangent_along_y_with_least_joint_speed
 
 
 def test_2009_12_17_2_and_5_spatial_4r_realises_the_twist_and_its_linear_part_has_rank_3():
-    robot, q = robot_from_dh(FOUR), [0, 3 * pi / 4, pi, pi]
+    robot, q = dh(*SPATIAL_4R, L=1.0), [0, 3 * pi / 4, pi, pi]
     whole, linear = (subspaces(task.jacobian(robot, q)) for task in (PoseTask(), XYZ))
     assert (whole.rank, linear.rank) == (4, 3)
     assert whole.contains([0, 0, -1, 0, -1 / sqrt(2), 0])

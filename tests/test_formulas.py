@@ -5,6 +5,8 @@ import pinocchio as pin
 import pytest
 import sympy
 from arms import arm
+from dh_arms import puma, stanford, ur5
+from formula_values import number, real
 from sympy import cos, sin
 
 from robotics1 import (
@@ -23,19 +25,11 @@ from robotics1.symbolic.tasks import reading
 from robotics1.symbolic.writing import composition
 
 H = pi / 2
-q1, q2, q3, q4, q5 = sympy.symbols("q1:6", real=True)
-
-
-def lengths(names):
-    return sympy.symbols(names, real=True)
-
-
-def same(a, b):
-    return sympy.expand(sympy.expand_trig(a - b)) == 0
+q1, q2, q3, q4, q5 = real("q1:6")
 
 
 def test_prr_planar_pose_is_q1_l2_c2_l3_c23_and_q2_plus_q3():
-    l2, l3 = lengths("l2 l3")
+    l2, l3 = real("l2 l3")
     f = formulas(load_robot("prr"), PlanarPoseTask("xy"))
     assert list(f.value) == [q1 + l2 * cos(q2) + l3 * cos(q2 + q3), l2 * sin(q2) + l3 * sin(q2 + q3), q2 + q3]
     assert f.jacobian == sympy.Matrix(
@@ -50,7 +44,7 @@ def test_prr_planar_pose_is_q1_l2_c2_l3_c23_and_q2_plus_q3():
 
 
 def test_prr_position_minors_are_l2_l3_s3_and_l3_c23_and_l2_c2_plus_l3_c23():
-    l2, l3 = lengths("l2 l3")
+    l2, l3 = real("l2 l3")
     f = formulas(load_robot("prr"), PositionTask("xy"))
     assert f.minors == {
         (0,): l2 * l3 * sin(q3),
@@ -68,7 +62,7 @@ def test_cylindrical_determinant_is_minus_q3():
 
 
 def test_planar_3r_determinant_is_l1_l2_s2():
-    l1, l2, l3 = lengths("l1 l2 l3")
+    l1, l2, l3 = real("l1 l2 l3")
     rows = [("R", name, 0, 0, 0) for name in ("l1", "l2", "l3")]
     robot = robot_from_dh(rows, parameters={"l1": 0.5, "l2": 0.4, "l3": 0.3})
     f = formulas(robot, PlanarPoseTask())
@@ -77,7 +71,7 @@ def test_planar_3r_determinant_is_l1_l2_s2():
 
 
 def test_anthropomorphic_determinant_is_a2_a3_s3_times_the_shoulder():
-    a2, a3, d1 = lengths("a2 a3 d1")
+    a2, a3, d1 = real("a2 a3 d1")
     rows = [("R", 0, H, "d1", 0), ("R", "a2", 0, 0, 0), ("R", "a3", 0, 0, 0)]
     f = formulas(robot_from_dh(rows, parameters={"a2": 0.5, "a3": 0.4, "d1": 0.3}), PositionTask())
     assert f.value[0] == cos(q1) * (a2 * cos(q2) + a3 * cos(q2 + q3))
@@ -86,47 +80,22 @@ def test_anthropomorphic_determinant_is_a2_a3_s3_times_the_shoulder():
 
 
 def test_ur5_determinant_with_symbolic_lengths_has_s3_and_s5_in_front():
-    a2, a3, d5 = lengths("a2 a3 d5")
-    rows = [
-        ("R", 0, H, "d1", 0),
-        ("R", "a2", 0, 0, 0),
-        ("R", "a3", 0, 0, 0),
-        ("R", 0, H, "d4", 0),
-        ("R", 0, -H, "d5", 0),
-        ("R", 0, 0, "d6", 0),
-    ]
-    values = {"d1": 0.089, "a2": -0.425, "a3": -0.392, "d4": 0.109, "d5": 0.095, "d6": 0.082}
-    f = formulas(robot_from_dh(rows, parameters=values), PoseTask())
+    a2, a3, d5 = real("a2 a3 d5")
+    f = formulas(ur5(), PoseTask())
     rest = a2 * cos(q2) + a3 * cos(q2 + q3) + d5 * sin(q2 + q3 + q4)
     assert f.determinant == a2 * a3 * sin(q3) * sin(q5) * rest
 
 
 def test_puma_determinant_is_elbow_times_shoulder_times_wrist():
-    a2, a3, d4 = lengths("a2 a3 d4")
-    rows = [
-        ("R", 0, H, 0, 0),
-        ("R", "a2", 0, 0, 0),
-        ("R", "a3", -H, "d3", 0),
-        ("R", 0, H, "d4", 0),
-        ("R", 0, -H, 0, 0),
-        ("R", 0, 0, 0, 0),
-    ]
-    f = formulas(robot_from_dh(rows, parameters={"a2": 0.43, "a3": 0.02, "d3": 0.15, "d4": 0.43}), PoseTask())
+    a2, a3, d4 = real("a2 a3 d4")
+    f = formulas(puma(), PoseTask())
     elbow = a3 * sin(q3) + d4 * cos(q3)
     shoulder = a2 * cos(q2) + a3 * cos(q2 + q3) - d4 * sin(q2 + q3)
     assert f.determinant == a2 * elbow * shoulder * sin(q5)
 
 
 def test_stanford_determinant_is_q3_squared_s2_s5():
-    rows = [
-        ("R", 0, -H, "d1", 0),
-        ("R", 0, H, "d2", 0),
-        ("P", 0, 0, 0, 0),
-        ("R", 0, -H, 0, 0),
-        ("R", 0, H, 0, 0),
-        ("R", 0, 0, "d6", 0),
-    ]
-    f = formulas(robot_from_dh(rows, parameters={"d1": 0.4, "d2": 0.15, "d6": 0.2}), PoseTask())
+    f = formulas(stanford(), PoseTask())
     assert f.determinant == q3**2 * sin(q2) * sin(q5)
 
 
@@ -162,17 +131,14 @@ def test_a_turn_by_k_twelfths_of_pi_is_exact(k):
 def test_the_pose_jacobian_of_every_test_arm_is_pinocchios(name, reference):
     robot = arm(name)
     f = formulas(robot, PoseTask(reference=reference))
-    at = dict(zip(f.q, np.random.default_rng(3).uniform(-2, 2, robot.nq), strict=True))
-    named = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
-    numbers = np.array(f.jacobian.subs(named | at).evalf(), dtype=float)
-    assert numbers == pytest.approx(frame_jacobian(robot, list(at.values()), reference=reference), abs=1e-9)
+    q = np.random.default_rng(3).uniform(-2, 2, robot.nq)
+    assert number(f.jacobian, f, q) == pytest.approx(frame_jacobian(robot, q, reference=reference), abs=1e-9)
 
 
 def test_the_jacobian_of_a_position_is_the_derivative_of_its_value():
     f = formulas(arm("spatial"), PositionTask())
     difference = f.value.jacobian(sympy.Matrix(f.q)) - f.jacobian
-    at = dict(zip(f.q, np.random.default_rng(4).uniform(-2, 2, 5), strict=True))
-    assert np.abs(np.array(difference.subs(at).evalf(), dtype=float)).max() < 1e-14
+    assert np.abs(number(difference, f, np.random.default_rng(4).uniform(-2, 2, 5))).max() < 1e-14
 
 
 def test_angles_that_are_rounded_in_the_file_are_made_exact_and_that_is_said(tmp_path):
@@ -239,4 +205,4 @@ def test_the_value_of_a_pose_is_its_homogeneous_matrix(planar_2r):
 def test_gram_determinant_of_a_wide_jacobian_is_the_sum_of_the_squares_of_the_minors():
     f = formulas(load_robot("prr"), PositionTask("xy"))
     assert sympy.simplify(f.gram_determinant - sum(minor**2 for minor in f.minors.values())) == 0
-    assert formulas(load_robot("prr"), PlanarPoseTask("xy")).gram_determinant == lengths("l2") ** 2 * cos(q2) ** 2
+    assert formulas(load_robot("prr"), PlanarPoseTask("xy")).gram_determinant == real("l2") ** 2 * cos(q2) ** 2

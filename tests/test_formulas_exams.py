@@ -5,6 +5,7 @@ from math import pi
 import numpy as np
 import pytest
 import sympy
+from dh_arms import NAMED_CABLE, dh, offset_arm, planar_rpr
 from formula_values import number, real, same
 from sympy import Matrix, cos, sin, sqrt
 
@@ -14,19 +15,12 @@ H = pi / 2
 q1, q2, q3, q4 = real("q1:5")
 L, L1, L2, L3, alpha = real("L L1 L2 L3 alpha")
 
-RPR = [("R", 0, H, 0, H), ("P", 0, -H, 0, 0), ("R", "L", 0, 0, -H)]
 CAMERA = [("R", 0, H, "L1", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
 CAMERA_TOOL = [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]]
-OFFSET = [("R", "L1", H, "D", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
-CABLE = [("R", 0, -H, 0, 0), ("R", 0, H, 0, 0), ("R", "a3", -H, "d3", 0), ("R", "-a3", H, 0, 0)]
-
-
-def offset_arm():
-    return robot_from_dh(OFFSET, parameters={"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3})
 
 
 def test_2012_06_11_2a_planar_rpr_tip_and_its_2x3_jacobian():
-    f = formulas(robot_from_dh(RPR, parameters={"L": 0.5}), PositionTask("xy"))
+    f = formulas(planar_rpr(), PositionTask("xy"))
     x, y = q2 * cos(q1) + L * cos(q1 + q3), q2 * sin(q1) + L * sin(q1 + q3)
     assert same(f.value, Matrix([x, y]))
     assert same(f.jacobian, Matrix([[-y, cos(q1), -L * sin(q1 + q3)], [x, sin(q1), L * cos(q1 + q3)]]))
@@ -34,13 +28,13 @@ def test_2012_06_11_2a_planar_rpr_tip_and_its_2x3_jacobian():
 
 def test_2012_06_11_2b_planar_rpr_minors():
     """That of the first two columns is −(q2 + L c3); the printed sign is an erratum."""
-    f = formulas(robot_from_dh(RPR, parameters={"L": 0.5}), PositionTask("xy"))
+    f = formulas(planar_rpr(), PositionTask("xy"))
     wanted = {(2,): -(q2 + L * cos(q3)), (1,): L * q2 * sin(q3), (0,): L * cos(q3)}
     assert {out: sympy.expand(minor - wanted[out]) for out, minor in f.minors.items()} == dict.fromkeys(wanted, 0)
 
 
 def test_2012_06_11_2c_planar_rpr_where_all_minors_vanish():
-    f = formulas(robot_from_dh(RPR, parameters={"L": 0.5}), PositionTask("xy"))
+    f = formulas(planar_rpr(), PositionTask("xy"))
     J = f.jacobian.subs({q2: 0, q3: sympy.pi / 2})
     assert same(J, Matrix([[-L * cos(q1), cos(q1), -L * cos(q1)], [-L * sin(q1), sin(q1), -L * sin(q1)]]))
     assert same(J * Matrix([1, L, 0]), Matrix([0, 0]))
@@ -115,7 +109,7 @@ def test_2011_02_03_1_to_3_arm_with_a_shoulder_offset():
 
 def test_2011_07_04_2_position_of_a_cable_arm_with_an_elbow_offset():
     robot = robot_from_dh(
-        CABLE,
+        NAMED_CABLE,
         parameters={"a3": 0.045, "d3": 0.55},
         base_placement=[[1, 0, 0, 0.22], [0, 1, 0, 0.14], [0, 0, 1, 0.346], [0, 0, 0, 1]],
     )
@@ -134,7 +128,7 @@ def test_2011_07_04_2_position_of_a_cable_arm_with_an_elbow_offset():
 
 
 def test_2011_07_04_4_and_5_cable_arm_jacobian_in_the_axes_of_link_2():
-    robot = robot_from_dh(CABLE, parameters={"a3": 0.045, "d3": 0.55})
+    robot = dh(*NAMED_CABLE, a3=0.045, d3=0.55)
     f = formulas(robot, PositionTask(reference="link2"), point=(0, 0, "L"))
     J = number(f.jacobian, f, [0.3, 0.5, -0.7, 0.9], L=0.35)
     wanted = [

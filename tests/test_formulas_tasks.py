@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import sympy
 from arms import arm, random_q
+from dh_arms import puma
 from differences import derivative
 from formula_values import number, real, same
 from sympy import Abs, Matrix, sqrt
@@ -31,18 +32,6 @@ c, s = sympy.cos, sympy.sin
 def zyz_wrist():
     """Three joints about z, y, z: the joint angles are ZYZ angles of the tool."""
     return robot_from_dh([("R", 0, -H, 0, 0), ("R", 0, H, 0, 0), ("R", 0, 0, "d", 0)], parameters={"d": 0.3})
-
-
-def puma():
-    rows = [
-        ("R", 0, H, 0, 0),
-        ("R", "a2", 0, 0, 0),
-        ("R", "a3", -H, "d3", 0),
-        ("R", 0, H, "d4", 0),
-        ("R", 0, -H, 0, 0),
-        ("R", 0, 0, 0, 0),
-    ]
-    return robot_from_dh(rows, parameters={"a2": 0.43, "a3": 0.02, "d3": 0.15, "d4": 0.43})
 
 
 def test_pointing_of_a_zyz_wrist_is_c1s2_s1s2_c2_and_its_jacobian_the_derivative():

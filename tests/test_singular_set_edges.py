@@ -5,7 +5,8 @@ from math import acos, cos, pi, sin
 import numpy as np
 import pytest
 from arms import arm
-from singular_arms import CASES, POLAR_ARM, TURN, XY, XYZ, ZYZ, dh, shoulder_arm
+from dh_arms import POLAR_ARM, ZYZ, dh, shoulder_arm
+from singular_arms import CASES, TURN, XY, XYZ
 from singular_checks import case, rank, read, usual_sigma, written
 
 from robotics1 import (
