@@ -19,6 +19,7 @@ from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import threads
 from robotics1.kernels.inverse import solve, solve_all
+from robotics1.kernels.redundancy import bring_all_near, bring_near
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
 
@@ -38,29 +39,30 @@ class CompiledSearch:
     ) -> None:
         self.robot, self.task, self.seed = robot, task, seed
         self.tolerance = tolerance * (FINER if task.tells_angles else 1.0)
-        self.time_limit, self.near = time_limit, prefer == "near"
+        self.time_limit, self.prefer = time_limit, prefer
         self.problem, self.takes_poses = pose_problem(robot, task), task.takes_poses
         self.middle = self.problem.middle
-        self.wished = self.middle if prefer == "middle" else np.full(robot.nq, np.nan)
         constants: tuple[Any, ...] = (*self.problem.arrays, self.tolerance)
         self.solve_one: Callable[..., tuple[int, float]] = partial(solve, *constants)
         self.solve_many: Callable[..., None] = partial(solve_all, *constants)
+        self.bring_one: Callable[..., float] = partial(bring_near, *constants)
+        self.bring_many: Callable[..., None] = partial(bring_all_near, *constants)
         self.first_table: Table = (*self.problem.table(np.random.default_rng(seed), FIRST_STARTS), GROUP)
 
     def __call__(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the answer for one target."""
         goal = self._goal(target)
         start, first = (self.middle, 0) if q0 is None else (self._start(q0), -1)
-        wished = start if self.near else self.wished
         q = np.empty_like(self.middle)
-        tried, error = self.solve_one(goal, start, wished, *self.first_table, first, q)
+        tried, error = self.solve_one(goal, start, *self.first_table, first, q)
         if error <= self.tolerance:
-            return IKResult(IKStatus.CONVERGED, q, error, tried)
+            return IKResult(IKStatus.CONVERGED, q, self._brought_near(goal, start, q, error), tried)
         if tried < 0:
             self.task.target(target)  # raises, and says what is wrong with it
             self.robot.configuration(start)  # so does this
         batch = IKBatch(q[None], np.array([IKStatus.NOT_FOUND]), np.array([error]), np.array([tried]))
-        self._go_on([target], goal[None], start[None], wished[None], batch)
+        self._go_on([target], goal[None], start[None], batch)
+        batch.error[0] = self._brought_near(goal, start, batch.q[0], batch.error[0])
         return batch[0]
 
     def batch(
@@ -70,19 +72,27 @@ class CompiledSearch:
         k, nq = len(targets), self.robot.nq
         goals = np.array([self._numbered_goal(i, target) for i, target in enumerate(targets)])
         starts, first = (np.tile(self.middle, (k, 1)), 0) if q0 is None else (starts_of_all(self.robot, q0, k), -1)
-        wished = starts if self.near else np.tile(self.wished, (k, 1))
         batch = IKBatch(np.empty((k, nq)), np.full(k, IKStatus.CONVERGED), np.empty(k), np.empty(k, dtype=np.int64))
         for i in range(0, k, CHUNK):
             some = np.arange(i, min(i + CHUNK, k))
             batch.q[some], batch.starts[some], batch.error[some] = self._round(
-                goals[some], starts[some], wished[some], self.first_table, first
+                goals[some], starts[some], self.first_table, first
             )
             if progress is not None:
                 progress(len(some) + i, k)
         for refused in np.flatnonzero(batch.starts < 0).tolist():
             self._numbered_goal(refused, targets[refused], task_checks=True)
-        self._go_on(targets, goals, starts, wished, batch)
+        self._go_on(targets, goals, starts, batch)
+        if self.prefer != "any":
+            wished = starts if self.prefer == "near" else np.tile(self.middle, (k, 1))
+            self.bring_many(goals, wished, batch.q, batch.error)
         return batch
+
+    def _brought_near(self, goal: Array, start: Array, q: Array, error: float) -> float:
+        """Bring a solution q, in place, near to what is preferred, and return its |e|."""
+        if self.prefer == "any" or error > self.tolerance:
+            return error
+        return self.bring_one(goal, start if self.prefer == "near" else self.middle, q)
 
     def _start(self, q0: npt.ArrayLike) -> Array:
         """Return q0 as the kernel reads it; whether it is finite is left to the kernel too."""
@@ -104,18 +114,18 @@ class CompiledSearch:
             raise InputError(f"target {i} of the batch: {error}") from error
 
     def _round(
-        self, goals: Array, starts: Array, wished: Array, table: Table, first: int
+        self, goals: Array, starts: Array, table: Table, first: int
     ) -> tuple[Array, npt.NDArray[np.int64], Array]:
         """Return what the starts of a table lead to: q (k, nq), how many were tried, and |e|, (k,)."""
         k = len(goals)
         q, tried, errors = np.empty((k, self.robot.nq)), np.empty(k, dtype=np.int64), np.empty(k)
         if k == 1:  # spares a user of single targets the compilation of the parallel kernel
-            tried[0], errors[0] = self.solve_one(goals[0], starts[0], wished[0], *table, first, q[0])
+            tried[0], errors[0] = self.solve_one(goals[0], starts[0], *table, first, q[0])
         else:
-            self.solve_many(goals, starts, wished, *table, first, q, tried, errors)
+            self.solve_many(goals, starts, *table, first, q, tried, errors)
         return q, tried, errors
 
-    def _go_on(self, targets: list[Any], goals: Array, starts: Array, wished: Array, batch: IKBatch) -> None:
+    def _go_on(self, targets: list[Any], goals: Array, starts: Array, batch: IKBatch) -> None:
         """Try further starts for what was not reached, until the time is over; then look around the nearest misses."""
         missed = np.flatnonzero(batch.error > self.tolerance)
         proven = np.array([self._out_of_reach(goals[i]) for i in missed], dtype=bool)
@@ -124,7 +134,7 @@ class CompiledSearch:
         while left.size and spent < self.time_limit:
             begin, number = perf_counter(), number + 1
             table: Table = (*self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1)
-            q, tried, errors = self._round(goals[left], starts[left], wished[left], table, 0)
+            q, tried, errors = self._round(goals[left], starts[left], table, 0)
             batch.starts[left] += tried
             better = errors < batch.error[left]
             batch.q[left[better]], batch.error[left[better]] = q[better], errors[better]

@@ -54,7 +54,7 @@ def _announce_the_first() -> None:
     """Have the first function that is compiled, and not found on disk, say why the call takes seconds."""
     from numba.core.event import Listener, register, unregister
 
-    class Announcement(Listener):
+    class Announcement(Listener):  # type: ignore[misc]
         def on_start(self, event: Any) -> None:
             if event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
                 log.warning("compiling the kernels: some seconds, once; the machine code is kept for the next time")

@@ -16,8 +16,6 @@ DAMPING_SLOPE = 0.05  # λ² = DAMPING + DAMPING_SLOPE |e|²: far away a short s
 STEPS = 40  # of one descent
 PATIENCE = 5  # steps without progress, after which the descent is given up
 PROGRESS = 0.9  # what counts as progress: |e| falls below 0.9 of the least so far
-STEPS_ASIDE = 60  # along the null space of a solution
-LONGEST_ASIDE = 0.2  # of one of them [rad]
 
 
 @compiled()
@@ -46,7 +44,7 @@ def descend(
         stuck = 0 if error < PROGRESS * least else stuck + 1
         if error < least:
             least = error
-            best[:] = x
+            copy(x, best)
         if error <= tolerance or stuck == PATIENCE:
             break
         geometric_jacobian(chain, T, lines, columns.T)
@@ -57,39 +55,16 @@ def descend(
 
 
 @compiled()
-def approach(
-    chain: ChainArrays, limits: Array, counted: Array, axis: Array, goal: Array, wished: Array, x: Array
-) -> None:
-    """Move a solution x, (n,), along its null space, as near to a wished configuration as that leads.
-
-    x ← x + w + Jᵀ (J Jᵀ + λ² 1)⁻¹ (e − J w) with w = x_wished − x, the projected gradient of −½ |x_wished − x|².
-    The solution is kept but for terms of second order.
-
-    Source: Liégeois, IEEE Trans. Systems, Man and Cybernetics 7 (1977).
-    """
-    n = len(x)
-    T, lines, M, columns = np.empty((3, 4)), np.empty((len(chain[2]), 6)), np.empty((3, 3)), np.empty((n, 6))
-    e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
-    for _ in range(STEPS_ASIDE):
-        place_joints(chain, x, T, lines)
-        pose_error(goal, axis, T, M, e)
-        geometric_jacobian(chain, T, lines, columns.T)
-        leave_out(counted, axis, T, columns, e)
-        distance = 0.0
-        for j in range(n):
-            wish[j] = wished[j] - x[j]
-            distance += wish[j] * wish[j]
-        if distance > LONGEST_ASIDE * LONGEST_ASIDE:
-            for j in range(n):
-                wish[j] *= LONGEST_ASIDE / math.sqrt(distance)
-        damped_step(columns, e, wish, DAMPING, limits, x, held, A, y, step)
-        move(limits, step, x)
-
-
-@compiled()
 def move(limits: Array, step: Array, x: Array) -> None:
     """Add a step to x, (n,), and put joints that it takes past a limit on the limit."""
     for j in range(len(x)):
         x[j] += step[j]
         if limits[2, j] == 0.0:
             x[j] = min(max(x[j], limits[0, j]), limits[1, j])
+
+
+@compiled()
+def copy(source: Array, x: Array) -> None:
+    """Write the entries of source to x: NumPy's assignment takes longer to compile than all the rest."""
+    for j in range(len(x)):
+        x[j] = source[j]

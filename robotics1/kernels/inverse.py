@@ -7,7 +7,7 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices
 from robotics1.kernels.compilation import compiled, prange
-from robotics1.kernels.descent import approach, descend
+from robotics1.kernels.descent import copy, descend
 from robotics1.kernels.forward import place_joints
 
 NO_POSE, NO_START = -1, -2  # instead of a number of starts: the goal is no pose, the start is not finite
@@ -29,6 +29,15 @@ def is_pose(goal: Array) -> bool:
     y = goal[2, 0] * goal[0, 1] - goal[0, 0] * goal[2, 1]
     z = goal[0, 0] * goal[1, 1] - goal[1, 0] * goal[0, 1]
     return bool(x * goal[0, 2] + y * goal[1, 2] + z * goal[2, 2] > 0.0)
+
+
+@compiled()
+def in_units(target: Array, unit: float, goal: Array) -> None:
+    """Write a target, [R p] in metres, to goal, (3, 4), with p in units."""
+    for i in range(3):
+        for j in range(3):
+            goal[i, j] = target[i, j]
+        goal[i, 3] = target[i, 3] / unit
 
 
 @compiled(contract=True)
@@ -59,7 +68,9 @@ def pose_table(chain: ChainArrays, starts: Array) -> Array:
     poses, T, lines = np.empty((len(starts), 12)), np.empty((3, 4)), np.empty((len(chain[2]), 6))
     for s in range(len(starts)):
         place_joints(chain, starts[s], T, lines)
-        poses[s] = T.ravel()
+        for i in range(3):
+            for j in range(4):
+                poses[s, 4 * i + j] = T[i, j]
     return poses
 
 
@@ -79,7 +90,7 @@ def wind(limits: Array, around: Array, x: Array) -> None:
 @compiled()
 def solve(
     chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
-    unit: float, tolerance: float, target: Array, q0: Array, wished: Array, starts: Array, poses: Array,
+    unit: float, tolerance: float, target: Array, q0: Array, starts: Array, poses: Array,
     group: int, first: int, q: Array,
 ) -> tuple[int, float]:  # fmt: skip
     """Write to q, (nq,), the solution, or the best that was found; return how many starts were tried, and |e|.
@@ -95,17 +106,15 @@ def solve(
         tolerance: on |e| [m, rad].
         target: [R p], (3, 4) or more rows [m].
         q0: (nq,) the start, and the value of the joints that do not move the chain.
-        wished: (nq,) the configuration that a solution is brought near to; NaN first for none.
         starts: (s, n) in units; poses: (s, 12); group: how many starts share a group.
         first: the first start.
         q: (nq,) the result.
     """
     n = len(active)
-    x, x0, best, goal = np.empty(n), np.empty(n), np.empty(n), target[:3].copy()
+    x, x0, best, found, goal = np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty((3, 4))
     if not is_pose(target):
         return NO_POSE, np.nan
-    for i in range(3):
-        goal[i, 3] /= unit
+    in_units(target, unit, goal)
     for j in range(len(q)):
         q[j] = min(max(q0[j], box[0, j]), box[1, j])
         if not math.isfinite(q0[j]):
@@ -116,55 +125,32 @@ def solve(
     least, tried = np.inf, 0
     for start in range(first, len(starts) // group):
         if start < 0:
-            x[:] = x0
+            copy(x0, x)
         else:
-            x[:] = starts[nearest_start(counted, goal, poses, group * start, group * (start + 1))]
-        found = np.empty(n)
+            copy(starts[nearest_start(counted, goal, poses, group * start, group * (start + 1))], x)
         error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, found)
         tried += 1
         if error < least:
             least = error
-            best[:] = found
+            copy(found, best)
         if least <= tolerance:
             break
-    if least <= tolerance and not math.isnan(wished[0]):
-        least = _brought_near(chain, limits, active, units, counted, axis, unit, tolerance, goal, wished, least, best)
     wind(limits, x0, best)
     for j in range(n):
         q[active[j]] = min(max(best[j] * units[j], box[0, active[j]]), box[1, active[j]])
     return tried, least
 
 
-@compiled()
-def _brought_near(
-    chain: ChainArrays, limits: Array, active: Indices, units: Array, counted: Array, axis: Array, unit: float,
-    tolerance: float, goal: Array, wished: Array, error: float, best: Array,
-) -> float:  # fmt: skip
-    """Bring a solution near to a wished configuration, unless that loses it; return its |e|."""
-    n = len(best)
-    x, near, around = np.empty(n), np.empty(n), np.empty(n)
-    for j in range(n):
-        around[j] = wished[active[j]] / units[j]
-    wind(limits, around, best)
-    x[:] = best
-    approach(chain, limits, counted, axis, goal, around, x)
-    again = descend(chain, limits, counted, axis, unit, tolerance, goal, x, near)
-    if again <= tolerance:
-        best[:] = near
-        return again
-    return error
-
-
 @compiled(parallel=True)
 def solve_all(
     chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
-    unit: float, tolerance: float, targets: Array, q0: Array, wished: Array, starts: Array,
+    unit: float, tolerance: float, targets: Array, q0: Array, starts: Array,
     poses: Array, group: int, first: int, q: Array, tried: Indices, errors: Array,
 ) -> None:  # fmt: skip
-    """Do what `solve` does for every target, (k, 4, 4), on all cores; q0 and wished are (k, nq)."""
+    """Do what `solve` does for every target, (k, 4, 4), on all cores; q0 is (k, nq)."""
     for i in prange(len(targets)):
         number, error = solve(
-            chain, limits, active, units, box, counted, axis, unit, tolerance, targets[i], q0[i], wished[i],
+            chain, limits, active, units, box, counted, axis, unit, tolerance, targets[i], q0[i],
             starts, poses, group, first, q[i],
         )  # fmt: skip
         tried[i] = number

@@ -1,0 +1,88 @@
+"""The solution of a redundant arm that is nearest to a wished configuration, along its null space."""
+
+import math
+
+import numpy as np
+
+from robotics1.inputs import Array
+from robotics1.kernels.chain import ChainArrays, Indices
+from robotics1.kernels.compilation import compiled, prange
+from robotics1.kernels.damped_step import damped_step
+from robotics1.kernels.descent import DAMPING, descend, move
+from robotics1.kernels.forward import geometric_jacobian, place_joints
+from robotics1.kernels.inverse import in_units, wind
+from robotics1.kernels.pose_error import leave_out, pose_error
+
+STEPS_ASIDE = 60  # along the null space of a solution
+LONGEST_ASIDE = 0.2  # of one of them [rad]
+
+
+@compiled()
+def approach(
+    chain: ChainArrays, limits: Array, counted: Array, axis: Array, goal: Array, wished: Array, x: Array
+) -> None:
+    """Move a solution x, (n,), along its null space, as near to a wished configuration as that leads.
+
+    x ← x + w + Jᵀ (J Jᵀ + λ² 1)⁻¹ (e − J w) with w = x_wished − x, the projected gradient of −½ |x_wished − x|².
+    The solution is kept but for terms of second order.
+
+    Source: Liégeois, IEEE Trans. Systems, Man and Cybernetics 7 (1977).
+    """
+    n = len(x)
+    T, lines, M, columns = np.empty((3, 4)), np.empty((len(chain[2]), 6)), np.empty((3, 3)), np.empty((n, 6))
+    e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
+    for _ in range(STEPS_ASIDE):
+        place_joints(chain, x, T, lines)
+        pose_error(goal, axis, T, M, e)
+        geometric_jacobian(chain, T, lines, columns.T)
+        leave_out(counted, axis, T, columns, e)
+        distance = 0.0
+        for j in range(n):
+            wish[j] = wished[j] - x[j]
+            distance += wish[j] * wish[j]
+        if distance > LONGEST_ASIDE * LONGEST_ASIDE:
+            for j in range(n):
+                wish[j] *= LONGEST_ASIDE / math.sqrt(distance)
+        damped_step(columns, e, wish, DAMPING, limits, x, held, A, y, step)
+        move(limits, step, x)
+
+
+@compiled()
+def bring_near(
+    chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
+    unit: float, tolerance: float, target: Array, wished: Array, q: Array,
+) -> float:  # fmt: skip
+    """Bring a solution q, (nq,), near to a wished configuration, (nq,), unless that loses it; return its |e|.
+
+    The other arguments are those of `inverse.solve`.
+    """
+    n = len(active)
+    x, near, around, goal = np.empty(n), np.empty(n), np.empty(n), np.empty((3, 4))
+    in_units(target, unit, goal)
+    for j in range(n):
+        x[j], around[j] = q[active[j]] / units[j], wished[active[j]] / units[j]
+    wind(limits, around, x)
+    approach(chain, limits, counted, axis, goal, around, x)
+    error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, near)
+    if error <= tolerance:
+        wind(limits, around, near)
+    else:
+        for j in range(n):
+            x[j] = q[active[j]] / units[j]
+        error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, near)
+    for j in range(n):
+        q[active[j]] = min(max(near[j] * units[j], box[0, active[j]]), box[1, active[j]])
+    return error
+
+
+@compiled(parallel=True)
+def bring_all_near(
+    chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
+    unit: float, tolerance: float, targets: Array, wished: Array, q: Array, errors: Array,
+) -> None:  # fmt: skip
+    """Do what `bring_near` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
+    for i in prange(len(targets)):
+        if errors[i] <= tolerance:
+            errors[i] = bring_near(
+                chain, limits, active, units, box, counted, axis, unit, tolerance, targets[i], wished[i], q[i]
+            )  # fmt: skip
