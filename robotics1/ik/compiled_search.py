@@ -1,7 +1,7 @@
 """The robust search in the kernels: for tasks whose error is made of rows of the pose error."""
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from time import perf_counter
 from typing import Any
 
@@ -13,7 +13,7 @@ from robotics1.errors import InputError
 from robotics1.ik.batch_starts import starts_of_all
 from robotics1.ik.descent import Descent
 from robotics1.ik.pose_problem import pose_problem
-from robotics1.ik.reach import excess
+from robotics1.ik.reach import ReachBound, reach_bound
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
@@ -48,6 +48,11 @@ class CompiledSearch:
         self.bring_one: Callable[..., float] = partial(bring_near, *constants)
         self.bring_many: Callable[..., None] = partial(bring_all_near, *constants)
         self.first_table: Table = (*self.problem.table(np.random.default_rng(seed), FIRST_STARTS), GROUP)
+
+    @cached_property
+    def reach(self) -> ReachBound:
+        """What proves that a target is out of reach."""
+        return reach_bound(self.problem)
 
     def __call__(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the answer for one target."""
@@ -146,10 +151,7 @@ class CompiledSearch:
 
     def _out_of_reach(self, goal: Array) -> bool:
         """Whether the goal is farther than the chain is long, by more than the tolerance."""
-        scaled = goal.copy()
-        scaled[:3, 3] /= self.problem.unit
-        length = excess(self.problem.chain, self.problem.limits, self.problem.counted, scaled)
-        return length * self.problem.unit > self.tolerance
+        return self.reach.excess(goal, self.problem.counted) > self.tolerance
 
     def _look_around(self, i: int, target: Any, batch: IKBatch) -> None:
         """Move the nearest miss of target i to where |e| is least around it."""
