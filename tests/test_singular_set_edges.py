@@ -4,6 +4,7 @@ from math import acos, cos, pi, sin
 
 import numpy as np
 import pytest
+import sympy
 from arms import arm
 from dh_arms import POLAR_ARM, ZYZ, dh, shoulder_arm
 from singular_arms import CASES, TURN, XY, XYZ
@@ -20,6 +21,8 @@ from robotics1 import (
     load_robot,
     robot_from_dh,
 )
+
+q1, q3 = sympy.symbols("q1 q3", real=True)
 
 # --- limits, boxes and time
 
@@ -76,6 +79,11 @@ def test_too_little_time_gives_a_part_of_the_answer_and_says_so(name, seconds):
     usual = usual_sigma(robot, task)
     assert found.complete or "not complete" in found.note
     assert found.complete or found.note in found.explain()
+    exact = [branch.formulas is not None for branch in found.branches]
+    assert exact == sorted(exact, reverse=True)  # what was found by numbers stands last
+    others = exact.count(False)
+    said = "no other" if not others else "all" if others == len(exact) else f"{others}" if others > 1 else "the last"
+    assert found.complete or (said in found.note and "σ_min" not in found.note)
     assert found.complete or any(words in found.explain() for words in ("does not prove", "was found"))
     assert found.generic_rank == generic
     for q in (q for branch in found.branches for q in branch.samples[:10]):
@@ -214,6 +222,31 @@ def test_explain_says_where_what_is_lost_what_is_held_and_what_does_not_move_the
         "These are all singular configurations.",
     ):
         assert words in text
+
+
+def test_angles_that_are_subtracted_stand_on_the_other_side_and_where_j_is_zero_that_is_said():
+    """r = cos(q3 − q1): J = sin(q3 − q1) (1, 0, −1) vanishes at q3 = q1 and q3 = q1 + π."""
+    found = find_singularities(arm("planar_3r"), FunctionTask(lambda p, R, q: [np.cos(q[2] - q[0])], 1))
+    assert [(written(branch.conditions), branch.rank) for branch in found.branches] == [
+        (written([sympy.Eq(q3 - q1, angle)]), 0) for angle in (0, sympy.pi)
+    ]
+    for branch, place in zip(found.branches, ("q3 = q1", "q3 = q1 + π"), strict=True):
+        assert branch.explain().splitlines() == [
+            f"{place}, whatever q2: the rank is 0 instead of 1.",
+            "   There J = 0:",
+            "   - no task velocity (r1) but zero can be realised;",
+            "   - no force needs joint torques;",
+            "   - no joint velocity moves the task.",
+        ]
+
+
+def test_a_branch_of_one_equation_may_be_two_loops():
+    """a2 cos q2 = −a3 cos(q2 + q3) with a2 < a3: |cos(q2 + q3)| ≤ a2/a3 < 1, so that sin(q2 + q3) keeps its sign."""
+    found = find_singularities(arm("anthropomorphic", a2=0.35, a3=0.5), XYZ)
+    (shoulder,) = (branch for branch in found.branches if not branch.values)
+    sines = np.sin(shoulder.samples[:, 1] + shoulder.samples[:, 2])
+    assert np.abs(sines).min() >= np.sqrt(1 - 0.7**2) - 1e-9
+    assert {-1, 1} == set(np.sign(sines))
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class SingularBranch:
-    """A connected smooth piece of the singular set; pieces that cross each other are told apart.
+    """A smooth piece of the singular set; pieces that cross each other are told apart.
+
+    In exact form it is all that its equations describe, which may be several loops. By numbers it is what walks on the
+    set have connected.
 
     Attributes:
         dimension: of the piece in joint space: 0 for an isolated configuration, n − 1 for a hypersurface.

@@ -113,13 +113,21 @@ def _symbolic(
         for branch in branches_of(search.points, count, rng, TimeLimit(limit))
         if not all(any(known.contains(q) for known in answer.inside) for q in branch.samples)
     ]
-    note = f"The exact answer was not complete after {limit:g} s; the branches with σ_min were found by numbers."
+    note = f"The exact answer was not complete after {limit:g} s; {_by_numbers(len(others), len(answer.inside))}."
     return replace(
         found,
         branches=(*answer.inside, *others),
         method="both" if answer.inside else "numeric",
         note=" ".join(filter(None, (note, found.note))),
     )
+
+
+def _by_numbers(others: int, exact: int) -> str:
+    """Say which branches the numeric search has added; they stand last."""
+    if not others:
+        return "a search by numbers found no other branch"
+    which = "all branches" if not exact else "the last branch" if others == 1 else f"the last {others} branches"
+    return f"{which} {'was' if which == 'the last branch' else 'were'} found by numbers"
 
 
 def _note(search: "SymbolicSearch", answer: "Found") -> str:

@@ -121,6 +121,8 @@ def branch_sentences(branch: "SingularBranch") -> str:
     whatever = f", whatever {enumeration(free)}" if free else ""
     lines = [f"{place(branch)}{_because(branch)}{whatever}: the rank is {branch.rank} instead of {branch.points.rank}."]
     rows = ", ".join(branch.points.task.row_names)
+    if branch.rank == 0:
+        return "\n".join([*lines, *_nothing_moves(rows)])
     lost, still = _written(branch, "left_null"), _written(branch, "null")
     in_symbols = [*_lost(rows, lost), *_still(still)]
     in_numbers = [] if lost is not None else _lost(rows, directions(branch.left_null))
@@ -130,6 +132,16 @@ def branch_sentences(branch: "SingularBranch") -> str:
     if in_numbers:
         lines += [f"   For example at q = {vector(branch.q)}:", *in_numbers]
     return "\n".join(lines)[:-1] + "."
+
+
+def _nothing_moves(rows: str) -> list[str]:
+    """Say what J = 0 means, where every vector is lost or does not move the task."""
+    return [
+        "   There J = 0:",
+        f"   - no task velocity ({rows}) but zero can be realised;",
+        "   - no force needs joint torques;",
+        "   - no joint velocity moves the task.",
+    ]
 
 
 def _lost(rows: str, along: str | None) -> list[str]:

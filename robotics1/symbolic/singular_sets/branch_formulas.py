@@ -76,12 +76,15 @@ class BranchFormulas:
         return written(part.in_half_angles, self.groups).subs(halves, simultaneous=True)
 
     def _value(self, substitution: Substitution) -> sympy.Eq:
+        """Return joint = value; of angles with what is added on either side: q3 = q1, 2 q2 + q3 = π."""
         symbol, value = substitution.symbol, substitution.value
         if not substitution.is_angle:
             return sympy.Eq(symbol, written(value, self.groups))
         ((k, _),) = value.terms.items()
-        others = sum(n * phi for n, phi in zip(k, value.frequencies.angles, strict=True))
-        return sympy.Eq(symbol - others, angle_of_turn(value))
+        others = [n * phi for n, phi in zip(k, value.frequencies.angles, strict=True)]
+        added = [angle for n, angle in zip(k, others, strict=True) if n > 0]
+        taken = [angle for n, angle in zip(k, others, strict=True) if n < 0]
+        return sympy.Eq(symbol - sympy.Add(*taken), sympy.Add(*added) + angle_of_turn(value))
 
     def is_short(self, name: str) -> bool:
         """Whether a basis, "null", "range" or "left_null", is found at once and can be read."""
