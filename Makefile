@@ -2,6 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 INSTALLED := .venv/installed
+PEERS := .venv/peers-installed
 
 .PHONY: exam test check notebooks coverage fuzz bench clean
 
@@ -31,8 +32,14 @@ $(INSTALLED): pyproject.toml constraints.txt
 fuzz: $(INSTALLED)  ## 100 000 mutants of robot files, in child processes
 	$(BIN)/python tests/mutations.py --count 100000 --seed 1
 
-bench: $(INSTALLED)  ## benchmarks beside the peers; writes benchmarks/results
+bench: $(PEERS)  ## benchmarks beside the peers, some ten minutes; writes benchmarks/results
 	$(BIN)/python benchmarks/formulas.py
+	$(BIN)/python -m benchmarks.inverse_kinematics
+	$(BIN)/python -m benchmarks.scans
+
+$(PEERS): $(INSTALLED)
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev,bench]'
+	touch $@
 
 clean:
 	rm -rf .venv build dist exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
