@@ -3,6 +3,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from arms import ROBOTS
 from typer.testing import CliRunner
 
 from robotics1.cli import main
@@ -67,6 +68,37 @@ def test_symbolic_jacobian_of_the_prr_has_its_minors_in_formulas():
     assert "\\cos{\\left(q_{2} \\right)}" in latex.stdout
     text = CliRunner().invoke(app, ["jacobian", "cylindrical", "--task", "position", "--symbolic"])
     assert "det J =\n-q₃" in text.stdout
+
+
+def test_rows_y_and_wz_of_a_2r_have_the_determinant_l1_c1():
+    """ẏ = (l1 c1 + l2 c12) q̇1 + l2 c12 q̇2, ωz = q̇1 + q̇2: det = l1 c1; in symbols and in numbers."""
+    words = ["jacobian", "planar_2r", "--task", "pose", "--rows", "y,wz", "-p", "l1=1.5"]
+    found = answer(*words, "--q", "0.4,0.9")
+    assert found["jacobian"][1] == [1, 1]
+    assert found["determinant"] == pytest.approx(1.5 * np.cos(0.4))
+    assert answer(*words, "--symbolic")["minors"] == {"det J": "l1*cos(q1)"}
+    printed = CliRunner().invoke(app, [*words, "--q", "0.4,0.9"]).stdout
+    assert "ωz" in printed
+    assert "ωx" not in printed
+
+
+def test_a_point_of_the_tool_is_a_longer_last_link():
+    """0, 0.3, 0 in the tool's axes: p = p_tool + 0.3 (−s12, c12); a name that has no value is for formulas only."""
+    q = "0.4,0.9"
+    words = ["jacobian", "planar_2r", "--task", "position:xy", "--point"]
+    moved, plain = answer(*words, "0,0.3,0", "--q", q), answer(*words[:-1], "--q", q)
+    turned = -0.3 * np.array([np.cos(1.3), np.sin(1.3)])
+    assert np.subtract(moved["jacobian"], plain["jacobian"]) == pytest.approx(np.column_stack([turned, turned]))
+    value = answer(*words, "0,d,0", "--symbolic")["value"]
+    assert value == ["-d*sin(q1 + q2) + l1*cos(q1) + l2*cos(q1 + q2)", "d*cos(q1 + q2) + l1*sin(q1) + l2*sin(q1 + q2)"]
+
+
+def test_angles_give_the_analytic_jacobian_of_a_pose():
+    """The arm lifts by q2 + q3 and turns by q1: yaw φ1 = q1, pitch φ2 = −(q2 + q3), roll 0."""
+    words = ["jacobian", str(ROBOTS / "anthropomorphic.urdf.xacro"), "--task", "orientation", "--angles", "ZYX"]
+    found = answer(*words, "--q", "0.4,0.9,-0.3")
+    assert np.array(found["jacobian"]) == pytest.approx(np.array([[1, 0, 0], [0, -1, -1], [0, 0, 0]]), abs=1e-12)
+    assert answer(*words, "--symbolic", "--rows", "φ1")["jacobian"] == [["1", "0", "0"]]
 
 
 def test_statics_balances_minus_J_transposed_f():
@@ -148,6 +180,14 @@ def test_every_command_prints_for_people(words, tmp_path, monkeypatch):
         (["fk", "nowhere/arm.urdf"], "nowhere/arm.urdf: there is no such file"),
         (["jacobian", "prr", "--task", "poze"], "there is no task 'poze'; there is position"),
         (["jacobian", "cylindrical", "--task", "planar-pose"], "robot 'cylindrical' leaves the xy plane"),
+        (["jacobian", "prr", "--rows", "wq"], "no row of the task named 'wq'"),
+        (["jacobian", "prr", "--rows", "x,x"], "rows must be distinct"),
+        (["jacobian", "prr", "--rows", ","], "rows must be names such as"),
+        (["jacobian", "prr", "--point", "0,0,d"], "d of the point has no value; type a number, or ask for --symbolic"),
+        (["jacobian", "prr", "--point", "0,1"], "point must have shape (3,)"),
+        (["jacobian", "prr", "--point", "0,1,2d"], "'2d' is not a number"),
+        (["jacobian", "prr", "--angles", "XXY"], "XXY"),
+        (["jacobian", "prr", "--task", "position", "--angles", "ZYZ"], "has no angles; orientation and pose have"),
         (["ik", "prr", "--target", "1,2"], "the target must have shape (3,)"),
         (["ik", "prr", "--task", "pose", "--target", "1,2"], "the target is 4 × 4, row by row; it has 2 numbers"),
         (["view", "prr", "--out", "nowhere/page.html"], "there is no folder nowhere"),

@@ -41,8 +41,7 @@ def parse_vector(text: str) -> Array:
     Raises:
         InputError: one of them is no number.
     """
-    parts = [part for part in re.split(r"[,\s]+", text.strip()) if part]
-    return np.array([parse_number(part) for part in parts])
+    return np.array([parse_number(part) for part in parse_names(text)])
 
 
 def parse_robot(source: str, parameters: Sequence[str], tool: str | None) -> Robot:
@@ -69,21 +68,34 @@ def parse_parameters(texts: Sequence[str]) -> dict[str, float]:
     return values
 
 
-def parse_task(text: str, frame: str | None) -> FrameTask:
-    """Return the task typed as position, position:xy, planar-pose:xz, orientation or pose.
+def parse_point(text: str) -> tuple[float | str, ...]:
+    """Return coordinates separated by commas or blanks: numbers, and names such as d."""
+    words = parse_names(text)
+    return tuple(word if word.isidentifier() and word != "pi" else parse_number(word) for word in words)
+
+
+def parse_names(text: str) -> tuple[str, ...]:
+    """Return names separated by commas or blanks."""
+    return tuple(part for part in re.split(r"[,\s]+", text.strip()) if part)
+
+
+def parse_task(text: str, frame: str | None, angles: str | None = None) -> FrameTask:
+    """Return the task typed as position, position:xy, planar-pose:xz, orientation or pose; these two also with angles.
 
     Raises:
-        InputError: it is none of these.
+        InputError: it is none of these, or has no angles.
     """
     kind, _, option = text.partition(":")
     kinds: dict[str, Callable[[], FrameTask]] = {
         "position": lambda: PositionTask(option or "xyz", frame=frame),
         "planar-pose": lambda: PlanarPoseTask(option or "xy", frame=frame),
-        "orientation": lambda: OrientationTask(frame=frame),
-        "pose": lambda: PoseTask(frame=frame),
+        "orientation": lambda: OrientationTask(angles, frame=frame),
+        "pose": lambda: PoseTask(angles, frame=frame),
     }
     if kind not in kinds or (option and kind in ("orientation", "pose")):
         raise InputError(f"there is no task {text!r}; there is {', '.join(TASKS)}")
+    if angles is not None and kind not in ("orientation", "pose"):
+        raise InputError(f"task {text!r} has no angles; orientation and pose have")
     return kinds[kind]()
 
 

@@ -94,20 +94,25 @@ def jacobian(
     symbolic: Annotated[bool, typer.Option("--symbolic", help="Formulas instead of numbers; --q is not used.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Formulas in LaTeX.")] = False,
     python: Annotated[bool, typer.Option("--python", help="J as a Python function that needs NumPy alone.")] = False,
+    angles: Annotated[str | None, typer.Option(help="Of orientation or pose: the analytic J of ZYZ, XYZ, ...")] = None,
+    rows: Annotated[str | None, typer.Option(help="Some rows, as in y,wz.")] = None,
+    point: Annotated[str | None, typer.Option(help="A point of the frame instead, as in 0,0,0.1 or 0,0,d.")] = None,
     json: AsJson = False,
 ) -> None:
     """The Jacobian of a task, its rank and its subspaces; or its formulas, with determinant or minors."""
     arm = arguments.parse_robot(robot, param or [], tool)
-    what = arguments.parse_task(task, frame)
+    what = arguments.parse_task(task, frame, angles)
+    chosen = None if rows is None else arguments.parse_names(rows)
+    at = None if point is None else arguments.parse_point(point)
     if symbolic or latex or python:
         from robotics1.cli.symbolic import print_formulas
 
-        print_formulas(out, arm, what, latex=latex, python=python, json=json)
+        print_formulas(out, arm, what, point=at, rows=chosen, latex=latex, python=python, json=json)
         return
     from robotics1.cli.jacobian import print_jacobian
 
     values = arguments.configuration(arm, q, degrees)
-    print_jacobian(out, arm, what, values, name=task, degrees=degrees, json=json)
+    print_jacobian(out, arm, what, values, name=task, point=at, rows=chosen, degrees=degrees, json=json)
 
 
 @app.command()
@@ -202,6 +207,46 @@ def statics(
             out.print(f"[yellow]{name} would need {value:.4g}, beyond its effort limit {limit:.4g}[/yellow]")
     if free.size:
         out.print(f"forces along {directions(free)} need no torque")
+
+
+@app.command()
+def scan(
+    robot: RobotName,
+    task: TaskName = "pose",
+    samples: Annotated[str, typer.Option(help="How many configurations, as 1e6; of a grid at most so many.")] = "1e6",
+    measure: Annotated[
+        list[str] | None, typer.Option(help="sigma_min, condition or manipulability; the first tells what is worst.")
+    ] = None,
+    method: Annotated[str, typer.Option(help="random, sobol or grid.")] = "random",
+    seed: Annotated[int, typer.Option(help="Of the random numbers.")] = 0,
+    refine: Annotated[int, typer.Option(help="How many of the worst are moved to singular configurations.")] = 0,
+    box: Annotated[list[str] | None, typer.Option(help="An interval of a joint, as in q1=-1:pi/2.")] = None,
+    length: Annotated[str, typer.Option(help="The length that counts as one [m], or reach.")] = "1",
+    workers: Annotated[int, typer.Option(help="Processes.")] = 1,
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    json: AsJson = False,
+) -> None:
+    """How near to singular a task is, over all configurations: by numbers, millions of them."""
+    from robotics1.cli.scan import parse_box, print_scan, run_scan
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    done = run_scan(
+        err,
+        workers,
+        arm,
+        arguments.parse_task(task, frame),
+        samples=arguments.parse_number(samples),
+        measures=measure or ["sigma_min"],
+        method=method,
+        seed=seed,
+        refine=refine,
+        box=parse_box(arm, box or [], degrees),
+        length=arm.reach if length == "reach" else arguments.parse_number(length),
+    )
+    print_scan(out, done, degrees=degrees, json=json)
 
 
 @app.command()

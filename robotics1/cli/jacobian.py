@@ -1,23 +1,46 @@
 """The numbers of `robotics1 jacobian`."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 from rich.console import Console
 
 from robotics1.analysis.singularity_words import directions
 from robotics1.analysis.spaces import subspaces
 from robotics1.cli import output
+from robotics1.errors import InputError
 from robotics1.inputs import Array
-from robotics1.notation import number, vector
+from robotics1.notation import enumeration, number, vector
 from robotics1.report.tables import matrix_table
 from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.points import with_point
+from robotics1.symbolic.tasks.formula import row_places
 from robotics1.tasks.task import FrameTask
 
 
 def print_jacobian(
-    console: Console, robot: Robot, task: FrameTask, q: Array, *, name: str, degrees: bool, json: bool
+    console: Console,
+    robot: Robot,
+    task: FrameTask,
+    q: Array,
+    *,
+    name: str,
+    point: Sequence[float | str] | None,
+    rows: Sequence[str] | None,
+    degrees: bool,
+    json: bool,
 ) -> None:
-    """Print J at a configuration, its rank, determinant and subspaces."""
-    J = task.jacobian(robot, q)
+    """Print J at a configuration, its rank, determinant and subspaces; of a point of the frame, of chosen rows.
+
+    Raises:
+        InputError: the point has names without a value, or is none; the rows are none.
+    """
+    if point is not None:
+        robot, task = _at_point(robot, task, point)
+    places = list(row_places(task, rows))
+    row_names = tuple(task.row_names[i] for i in places)
+    J = task.jacobian(robot, q)[places]
     spaces = subspaces(J)
     det = float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
     if json:
@@ -26,7 +49,7 @@ def print_jacobian(
         return
     output.say_outside_limits(console, robot, q)
     at = vector(output.in_degrees(robot, q, degrees))
-    console.print(matrix_table(J, task.row_names, robot.joint_names, f"J of {name} at q = {at}, world axes"))
+    console.print(matrix_table(J, row_names, robot.joint_names, f"J of {name} at q = {at}, world axes"))
     determinant = "" if det is None else f", det J = {number(det)}"
     console.print(f"rank {spaces.rank}{determinant}, singular values {vector(spaces.singular_values)}")
     if spaces.null.size:
@@ -34,3 +57,12 @@ def print_jacobian(
     if spaces.left_null.size:
         lost = directions(spaces.left_null)
         console.print(f"velocities along {lost} cannot be realised; forces along it need no torque")
+
+
+def _at_point(robot: Robot, task: FrameTask, point: Sequence[float | str]) -> tuple[Robot, FrameTask]:
+    """Return the robot with a frame at the point, and the task on it."""
+    moved, frame = with_point(robot, task.frame, point)
+    unvalued = [name for name in moved.parameters if name not in robot.parameters]
+    if unvalued:
+        raise InputError(f"{enumeration(unvalued)} of the point has no value; type a number, or ask for --symbolic")
+    return moved, replace(task, frame=frame)

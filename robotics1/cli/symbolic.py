@@ -1,5 +1,7 @@
 """The formulas of `robotics1 jacobian --symbolic`."""
 
+from collections.abc import Sequence
+
 import sympy
 from rich.console import Console
 
@@ -14,16 +16,26 @@ from robotics1.tasks.task import FrameTask
 
 
 def print_formulas(
-    console: Console, robot: Robot, task: FrameTask, *, latex: bool = False, python: bool = False, json: bool = False
+    console: Console,
+    robot: Robot,
+    task: FrameTask,
+    *,
+    point: Sequence[float | str] | None = None,
+    rows: Sequence[str] | None = None,
+    latex: bool = False,
+    python: bool = False,
+    json: bool = False,
 ) -> None:
     """Print the value, the Jacobian, and its determinant or minors; as LaTeX or JSON where asked; or a function.
+
+    A point of the frame and rows of the task are chosen as `formulas` chooses them.
 
     Raises:
         InputError: both LaTeX and Python are asked for.
     """
     if latex and python:
         raise InputError("choose one of --latex and --python")
-    found = formulas(robot, task)
+    found = formulas(robot, task, point=point, rows=rows)
     if python:
         source = found.python()
         if json:

@@ -45,7 +45,7 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         robot, frame = with_point(robot, task.frame, point)
         task = _on(task, frame)
     task.check(robot)
-    places = tuple(_places(task.row_names, rows))
+    places = row_places(task, rows)
     reading = (_kept_reading if _is_hashable(task) else _reading)(robot, task, places)
     return Formulas(
         robot,
@@ -98,10 +98,16 @@ def _check_names(robot: Robot, chain: Chain) -> None:
             raise FormulaError(f"robot {robot.name!r} has a parameter {name!r}, which in formulas is a joint")
 
 
-def _places(names: tuple[str, ...], rows: Sequence[str] | None) -> list[int]:
-    """Return the places of the chosen rows."""
+def row_places(task: Task, rows: Sequence[str] | None) -> tuple[int, ...]:
+    """Return the places of the chosen rows of a task; of all without a choice.
+
+    Raises:
+        InputError: the rows are no names, or one is there twice.
+        UnknownNameError: the task has no row of that name.
+    """
+    names = task.row_names
     if rows is None:
-        return list(range(len(names)))
+        return tuple(range(len(names)))
     if isinstance(rows, str) or not isinstance(rows, Sequence) or not rows:
         raise InputError(f"rows must be names such as {names[:2]}; it is {rows!r}")
     spelled = [text("a row", row).replace("w", "ω").replace("phi", "φ") for row in rows]
@@ -110,4 +116,4 @@ def _places(names: tuple[str, ...], rows: Sequence[str] | None) -> list[int]:
             raise UnknownNameError("row of the task named", row, names)
     if len(set(spelled)) != len(spelled):
         raise InputError(f"rows must be distinct; they are {tuple(rows)}")
-    return [names.index(name) for name in spelled]
+    return tuple(names.index(name) for name in spelled)
