@@ -64,6 +64,11 @@ def conditions(command: str, seed: int) -> str:
     )
 
 
+def absence(error: ImportError) -> str:
+    """Return in words that something cannot be imported, without the place where it was looked for."""
+    return "absent: " + str(error).split(" (")[0]
+
+
 def write(name: str, *parts: str) -> Path:
     """Write the parts to results/<name>.md, and return its path."""
     path = RESULTS / f"{name}.md"

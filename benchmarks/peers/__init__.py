@@ -11,6 +11,7 @@ from typing import Any
 import pinocchio as pin
 
 from benchmarks.arms import Arm, Array
+from benchmarks.report import absence
 
 OURS = "robotics1 `IKSolver`"
 CHAN = "Robotics Toolbox `ik_LM`, Chan 0.1"  # what the targets of the project compare with
@@ -54,7 +55,7 @@ def make_solver(name: str, arm: Arm) -> Solver | str:
     try:
         solver = getattr(import_module(f"benchmarks.peers.{module}"), function)(arm)
     except ImportError as error:
-        return f"absent: {error}"
+        return absence(error)
     except NotThisArmError as error:
         return str(error)
     return Solver(solver.solve, solver.convert, every)
