@@ -88,7 +88,8 @@ def test_unequal_acceleration_and_deceleration(delta, V, A, D):
     active = {demand.quantity: abs(demand.value) for demand in answer.active}
     assert active["acceleration"] == pytest.approx(A)
     assert active["deceleration"] == pytest.approx(D)
-    assert ("velocity" in active) == cruises
+    touches = sqrt(2 * d * A * D / (A + D)) >= (1 - 1e-6) * V  # also at the tip of a triangle
+    assert ("velocity" in active) == touches
 
 
 # --- velocities at the ends
@@ -173,7 +174,7 @@ def test_a_distance_for_which_the_velocity_hardly_changes_is_not_missed(kind, si
 
 
 @pytest.mark.parametrize("kind", ["cubic", "quintic", "bang-bang"])
-@given(d=distance, V=bound, A=bound, J=bound, x0=share, x1=share)
+@given(d=distance, V=bound, A=bound, J=bound, x0=share.filter(lambda x: abs(x) < 1), x1=share)
 def test_a_shorter_polynomial_or_bang_bang_violates_a_bound(kind, d, V, A, J, x0, x1):
     v0, v1 = x0 * V, x1 * V
     J = inf if kind in JERK_FREE else J
@@ -181,6 +182,41 @@ def test_a_shorter_polynomial_or_bang_bang_violates_a_bound(kind, d, V, A, J, x0
     motion_of = {"cubic": r1.cubic, "quintic": r1.quintic, "bang-bang": r1.bang_bang}[kind]
     for shorter in T * np.concatenate([np.linspace(0.02, 0.98, 25), 1 - np.geomspace(1e-6, 1e-2, 5)]):
         assert max(ratios(motion_of([0], [d], shorter, v0, v1), V, A, J)) > 1
+
+
+def test_no_bang_bang_comes_back_at_the_bound_it_went_away_with():
+    """From V to V over −Δ: the velocity at the switch is −V − 2Δ/T, beyond −V for any T."""
+    with pytest.raises(r1.InputError, match="'trapezoidal' does"):
+        r1.minimum_time(0, -1, r1.MotionLimits(1, 1), "bang-bang", v0=1, v1=1)
+
+
+@pytest.mark.parametrize("kind", ["cubic", "quintic", "septic"])
+def test_a_velocity_that_is_a_rounding_asks_for_no_time_below_1e_30_s(kind):
+    assert r1.minimum_time(0, 0, r1.MotionLimits(1, 1, 1), kind, v1=1e-281).duration == pytest.approx(1e-30)
+
+
+def test_a_jerk_that_is_rounding_alone_is_no_cubic_but_no_error_either():
+    """From v to v over v T the motion is steady, and the jerk of the septic is rounding divided by T³."""
+    limits = r1.MotionLimits(0.5, 1, 1)
+    answer = r1.minimum_time(0, -3e-13, limits, "septic", v0=-0.125, v1=-0.125)
+    assert max(ratios(answer.trajectory, 0.5, 1, 1)) <= 1 + 1e-8
+
+
+def test_phases_shorter_than_the_rounding_of_t_pass_no_bound():
+    """V/D = 4e-12 s at the end of 6.7e5 s: no velocity is told that the piece has not inside its own duration."""
+    V, A, D = 1.6574e-06, 222280.0, 42.2
+    answer = r1.minimum_time(0, -1.1185, r1.MotionLimits(V, A, deceleration=D), v0=V, v1=V / 2)
+    law = answer.laws[0]
+    t = np.concatenate([np.linspace(0, answer.duration, 101), law.switching_times])
+    assert np.abs(law.velocity(t)).max() <= V * (1 + 1e-9)
+
+
+def test_a_small_jump_beside_a_large_one_is_a_switching_time():
+    """A/D = 1e-11: the acceleration ends by a jump of its own size, not of the deceleration's."""
+    V, A, D = 0.1, 1e-6, 1e5
+    answer = r1.minimum_time(0, 25000, r1.MotionLimits(V, A, deceleration=D))
+    assert answer.laws[0].switching_times[0] == pytest.approx(V / A)
+    assert {demand.quantity for demand in answer.active} >= {"velocity", "acceleration"}
 
 
 def least_use(T, d, ends, bounds, steps=40):

@@ -12,10 +12,13 @@ from robotics1.trajectories.limits.demands import ORDERS, Demand
 from robotics1.trajectories.limits.motion_limits import MotionLimits
 from robotics1.trajectories.polynomials.pieces import stationary_points
 from robotics1.trajectories.protocols import Side, Trajectory, require_motion
+from robotics1.trajectories.quantities import LARGEST
 
 SHORT, LONG = 1e-12, 1e12  # of what the motion of one second needs if it is stretched: where the search begins and ends
 REACHED = 1e-11  # relative excess over a bound that is rounding
+SHORTEST = 1 / LARGEST  # [s], of any duration that is not zero
 NARROW = 1e-13  # relative: durations that serve only so exactly are not found; rounding decides about them
+NOISE = 1e-13  # of the distance: what rounding is in the derivatives by τ
 LONGER = 8.0  # what a step may multiply the duration by: its cubic is fitted within that range
 STEPS = 100
 EXACT = {"xtol": 1e-15, "rtol": 1e-15}
@@ -29,7 +32,7 @@ def shortest_duration(motion: Motion, limits: MotionLimits, *, at_least: float =
     velocities, accelerations and jerks is, τ = t/T. At a T where the bound B on the k-th derivative is passed, let it
     be most so at τ*. There h(T') = |∂ᵏq/∂τᵏ (τ*; T')| − B T'ᵏ is a cubic in T': until its next zero the bound is passed
     at τ*, so that no duration before that zero will do. The steps from zero to zero, upwards from a T that is too
-    short, converge quadratically to the least T and jump over nothing.
+    short, converge quadratically to the least T and jump over nothing. A T below 1e-30 s is told as 1e-30 s.
 
     As in `shortest_duration(lambda T: quintic(q0, q1, T, v0=v0), MotionLimits(velocity=2, acceleration=5))`.
 
@@ -54,10 +57,11 @@ def shortest_duration(motion: Motion, limits: MotionLimits, *, at_least: float =
     T = max(_too_short(motion(1.0), limits), SHORT * natural, at_least)
     if T == 0:
         return 0.0
+    T = max(T, SHORTEST)
     longest = LONG * max(T, natural)
     for step in range(STEPS):
         passed = [demand for demand in limits.demands(motion(T)) if abs(demand.value) > (1 + REACHED) * demand.bound]
-        if not passed and (step or at_least == T):
+        if not passed and (step or T in (at_least, SHORTEST)):
             return T
         if not passed:
             raise InputError("arbitrarily short durations keep these bounds; give one on the acceleration or jerk")
@@ -96,6 +100,10 @@ def _next_zero(motion: Motion, T: float, passed: Demand) -> float:
     side: Side = "right" if h(0.0, "right") >= h(0.0, "left") else "left"
     u = np.linspace(0.0, 1.0, 5)
     y = np.array([h(value, side) for value in u])
+    unit = motion(T)
+    span = np.abs(unit(T) - unit(0.0))[j] + T * max(abs(unit.velocity(t)[j]) for t in (0.0, T))
+    if np.abs(y).max() <= NOISE * span / T**k:
+        return T  # the excess is the rounding of positions, and so is all of h
     cubic = polynomial.polyfit(u[:-1], y[:-1], 3)
     if abs(polynomial.polyval(1.0, cubic) - y[-1]) > 1e-6 * np.abs(y).max():
         raise InputError("motion(T) must be a polynomial or spline in t/T whose coefficients are powers of T up to T³")

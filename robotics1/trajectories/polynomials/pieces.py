@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from robotics1.trajectories.polynomials.polynomial_law import PolynomialLaw
 
 SAME_INSTANT = 1e-12  # of the duration: a time so near to a knot is the knot
+JUMP, NOISE = 1e-9, 1e-13  # of the largest value in the two pieces, and in all: a smaller difference is rounding
 ROUNDING = 1e-12  # relative: two extremes so near are one, and the earlier counts
 
 
@@ -62,7 +63,9 @@ class PolynomialPieces:
         """
         times = times_inside(t, self.duration, side)
         i = self._piece(times, side)
-        tau = (times - self.knots[i]) / self._scales[i]
+        durations = np.array([piece.duration for piece in self.pieces])
+        # A piece can be as short as the rounding of t: no value beyond its ends is told.
+        tau = np.clip(times - self.knots[i], 0.0, durations[i]) / self._scales[i]
         return np.asarray(polynomial.polyval(tau[..., None], self._stacked[:, i], tensor=False))
 
     def velocity(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
@@ -84,7 +87,9 @@ class PolynomialPieces:
         motion, jumps = self, np.zeros(len(inner), dtype=bool)
         for _ in range(len(self._stacked)):
             after, before = motion(inner), motion(inner, side="left")
-            jumps |= (np.abs(after - before) > 1e-9 * np.maximum(1e-300, np.abs(motion._stacked).max())).any(axis=1)
+            sizes = np.abs(motion._stacked).max(axis=(0, 2))
+            rounding = JUMP * np.maximum(sizes[1:], sizes[:-1]) + NOISE * sizes.max() + 1e-300
+            jumps |= (np.abs(after - before) > rounding[:, None]).any(axis=1)
             motion = motion.rate
         return inner[jumps]
 
