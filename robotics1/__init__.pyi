@@ -282,6 +282,21 @@ from .robot.loading import (
 from .robot.model import (
     Robot as Robot,
 )
+from .scan.histogram import (
+    MeasureDistribution as MeasureDistribution,
+)
+from .scan.refinement import (
+    RefinedGroup as RefinedGroup,
+)
+from .scan.refinement import (
+    Refinement as Refinement,
+)
+from .scan.result import (
+    SingularityScan as SingularityScan,
+)
+from .scan.scanning import (
+    scan_singularities as scan_singularities,
+)
 from .symbolic.tasks.formula import (
     formulas as formulas,
 )
@@ -566,6 +581,7 @@ __all__ = [
     "JointVelocity",
     "LimitViolation",
     "LinearMotion",
+    "MeasureDistribution",
     "MeetingBranch",
     "MeetingVerdict",
     "MinimumTime",
@@ -591,6 +607,8 @@ __all__ = [
     "PositionTask",
     "ProfileLaw",
     "RateVerdict",
+    "RefinedGroup",
+    "Refinement",
     "Rendezvous",
     "Resolution",
     "Robot",
@@ -600,6 +618,7 @@ __all__ = [
     "SingularAngle",
     "SingularBranch",
     "SingularSet",
+    "SingularityScan",
     "StackedPath",
     "Subspaces",
     "TargetMotion",
@@ -685,6 +704,7 @@ __all__ = [
     "rotation_to_euler",
     "rotation_to_quaternion",
     "scale_to_limits",
+    "scan_singularities",
     "septic",
     "shortest_duration",
     "simulate_tracking",

@@ -9,6 +9,8 @@ import typer
 from rich.console import Console
 
 from robotics1.cli import arguments, output
+from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.scan import scan
 from robotics1.errors import Robotics1Error
 from robotics1.notation import vector
 from robotics1.report.tables import matrix_table
@@ -20,15 +22,6 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 out, err = Console(), Console(stderr=True)
-
-RobotName = Annotated[str, typer.Argument(help="A robot's name (prr, cylindrical, planar_2r) or a URDF or xacro file.")]
-Parameters = Annotated[list[str] | None, typer.Option("--param", "-p", help="A named length, as in l2=0.5.")]
-Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
-Frame = Annotated[str | None, typer.Option(help="The link that is asked about; by default the tool.")]
-Q = Annotated[str | None, typer.Option("--q", help="Joint values, as in 0.5,pi/2,-0.7pi; by default zero.")]
-TaskName = Annotated[str, typer.Option("--task", help=f"The task: {', '.join(arguments.TASKS)}.")]
-Degrees = Annotated[bool, typer.Option("--degrees", help="Angles are read and printed in degrees.")]
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
 def main() -> None:
@@ -209,44 +202,7 @@ def statics(
         out.print(f"forces along {directions(free)} need no torque")
 
 
-@app.command()
-def scan(
-    robot: RobotName,
-    task: TaskName = "pose",
-    samples: Annotated[str, typer.Option(help="How many configurations, as 1e6; of a grid at most so many.")] = "1e6",
-    measure: Annotated[
-        list[str] | None, typer.Option(help="sigma_min, condition or manipulability; the first tells what is worst.")
-    ] = None,
-    method: Annotated[str, typer.Option(help="random, sobol or grid.")] = "random",
-    seed: Annotated[int, typer.Option(help="Of the random numbers.")] = 0,
-    refine: Annotated[int, typer.Option(help="How many of the worst are moved to singular configurations.")] = 0,
-    box: Annotated[list[str] | None, typer.Option(help="An interval of a joint, as in q1=-1:pi/2.")] = None,
-    length: Annotated[str, typer.Option(help="The length that counts as one [m], or reach.")] = "1",
-    workers: Annotated[int, typer.Option(help="Processes.")] = 1,
-    frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    degrees: Degrees = False,
-    json: AsJson = False,
-) -> None:
-    """How near to singular a task is, over all configurations: by numbers, millions of them."""
-    from robotics1.cli.scan import parse_box, print_scan, run_scan
-
-    arm = arguments.parse_robot(robot, param or [], tool)
-    done = run_scan(
-        err,
-        workers,
-        arm,
-        arguments.parse_task(task, frame),
-        samples=arguments.parse_number(samples),
-        measures=measure or ["sigma_min"],
-        method=method,
-        seed=seed,
-        refine=refine,
-        box=parse_box(arm, box or [], degrees),
-        length=arm.reach if length == "reach" else arguments.parse_number(length),
-    )
-    print_scan(out, done, degrees=degrees, json=json)
+app.command()(scan)
 
 
 @app.command()

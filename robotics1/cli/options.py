@@ -1,0 +1,16 @@
+"""The arguments and options that commands share."""
+
+from typing import Annotated
+
+import typer
+
+from robotics1.cli.arguments import TASKS
+
+RobotName = Annotated[str, typer.Argument(help="A robot's name (prr, cylindrical, planar_2r) or a URDF or xacro file.")]
+Parameters = Annotated[list[str] | None, typer.Option("--param", "-p", help="A named length, as in l2=0.5.")]
+Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
+Frame = Annotated[str | None, typer.Option(help="The link that is asked about; by default the tool.")]
+Q = Annotated[str | None, typer.Option("--q", help="Joint values, as in 0.5,pi/2,-0.7pi; by default zero.")]
+TaskName = Annotated[str, typer.Option("--task", help=f"The task: {', '.join(TASKS)}.")]
+Degrees = Annotated[bool, typer.Option("--degrees", help="Angles are read and printed in degrees.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]

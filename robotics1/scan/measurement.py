@@ -1,0 +1,143 @@
+"""How near to singular a task is at many configurations: by the kernels, or one configuration at a time."""
+
+from dataclasses import dataclass
+from typing import ClassVar, Protocol
+
+import numpy as np
+import pinocchio as pin
+
+from robotics1.errors import TaskError
+from robotics1.inputs import Array
+from robotics1.kernels.array_jacobian import task_jacobians
+from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
+from robotics1.kernels.singularity_measures import SingularityMeasures, measures_of, singularity_measures
+from robotics1.kinematics import frame_jacobian, reference_axes
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import FrameTask, Task
+
+SAME = 1e-9  # of two Jacobians of one task that agree, relative to the reach
+
+
+class Measurement(Protocol):
+    """What a chunk of configurations is asked.
+
+    Attributes:
+        sendable: whether it can be sent to another process.
+    """
+
+    sendable: ClassVar[bool]
+
+    def measures(self, q: Array, names: tuple[str, ...]) -> dict[str, Array]:
+        """Return measure → values (N,) at the configurations q (nq, N); NaN where the task has no Jacobian."""
+
+
+@dataclass(frozen=True, eq=False)
+class KernelMeasurement:
+    """Of a task whose rows are the same everywhere, ṙ = S V. It holds arrays only, so that it can be sent.
+
+    Attributes:
+        chain: of the frame, in units of length; its coordinates are numbered as in `moving`.
+        S: (m, 6).
+        moving: which entries of q move the frame.
+        units: (nq,) what counts as one of each entry of q [rad or m].
+        rank: ρ, how many singular values count.
+    """
+
+    chain: ChainArrays
+    S: Array
+    moving: Indices
+    units: Array
+    rank: int
+    sendable: ClassVar[bool] = True
+
+    def measures(self, q: Array, names: tuple[str, ...]) -> dict[str, Array]:
+        """Return measure → values (N,) at the configurations q (nq, N)."""
+        moved = q[self.moving] / self.units[self.moving, None]
+        if self.rank < min(len(self.S), len(self.moving)):
+            return named(measures_of(task_jacobians(self.chain, self.S, moved), self.rank), names)
+        return named(singularity_measures(self.chain, self.S, moved, largest="condition" in names), names)
+
+
+@dataclass(frozen=True, eq=False)
+class TaskMeasurement:
+    """Of any task, from its Jacobian at one configuration after another.
+
+    Attributes:
+        robot, task: whose Jacobian.
+        rows: (m,) factors of the rows of J.
+        units: (nv,) factors of its columns.
+        rank: ρ, how many singular values count.
+    """
+
+    robot: Robot
+    task: Task
+    rows: Array
+    units: Array
+    rank: int
+    sendable: ClassVar[bool] = False
+
+    def measures(self, q: Array, names: tuple[str, ...]) -> dict[str, Array]:
+        """Return measure → values (N,) at the configurations q (nq, N); NaN where the task has no Jacobian."""
+        J = np.array([self._jacobian(configuration) for configuration in q.T])
+        defined = ~np.isnan(J).any(axis=(1, 2))
+        found = named(measures_of(np.moveaxis(J[defined], 0, 2), self.rank), names)
+        answer = {name: np.full(len(J), np.nan) for name in names}
+        for name, values in found.items():
+            answer[name][defined] = values
+        return answer
+
+    def _jacobian(self, q: Array) -> Array:
+        try:
+            return np.asarray(self.rows[:, None] * self.task.jacobian(self.robot, q) * self.units)
+        except TaskError:
+            return np.full((len(self.rows), len(self.units)), np.nan)
+
+
+def measurement_of(robot: Robot, task: Task, rank: int, length: float) -> KernelMeasurement | TaskMeasurement:
+    """Return the measurement of a task's J, with lengths in units of `length` [m]: by the kernels if they serve it."""
+    if isinstance(task, FrameTask):
+        S = _constant_rows(robot, task)
+        if S is not None:
+            return _kernel_measurement(robot, task, S, rank, length)
+    rows = np.array([1 / length if unit == "m" else 1.0 for unit in task.row_units])
+    return TaskMeasurement(robot, task, rows, np.where(robot.revolute, 1.0, length), rank)
+
+
+def _kernel_measurement(robot: Robot, task: FrameTask, S: Array, rank: int, length: float) -> KernelMeasurement:
+    axes = reference_axes(robot, np.zeros(robot.nq), task.reference)
+    chain = chain_arrays(robot, task.frame, unit=length, axes=axes)
+    moving = np.unique(chain.coordinate)
+    units = np.where(robot.revolute, 1.0, length)
+    own = np.where(chain.prismatic, length, 1.0)  # a joint may follow one of the other kind
+    chain = chain._replace(
+        coordinate=np.searchsorted(moving, chain.coordinate), ratio=chain.ratio * units[chain.coordinate] / own
+    )
+    return KernelMeasurement(chain, S, moving, units, rank)
+
+
+def named(found: SingularityMeasures, names: tuple[str, ...]) -> dict[str, Array]:
+    """Return the measures that are asked for."""
+    answer = {"sigma_min": found.smallest, "manipulability": found.product}
+    if "condition" in names:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            answer["condition"] = np.where(found.smallest > 0, found.largest / found.smallest, np.inf)
+    return {name: answer[name] for name in names}
+
+
+def _constant_rows(robot: Robot, task: FrameTask) -> Array | None:
+    """Return S, (m, 6), of a task ṙ = S V whose S is the same everywhere and whose axes stand still, else None."""
+    if task.rows > 6:
+        return None
+    rng = np.random.default_rng(0)
+    try:
+        task.check_integrable(robot)
+        first, second = (task.S(rng.standard_normal(3), pin.exp3(rng.standard_normal(3))) for _ in range(2))
+    except TaskError:
+        return None
+    if not np.array_equal(first, second):
+        return None
+    S = np.asarray(first, dtype=float)
+    q = np.clip(rng.standard_normal(robot.nq), robot.lower, robot.upper)
+    J = S @ frame_jacobian(robot, q, frame=task.frame, reference=task.reference)
+    same = np.abs(J - task.jacobian(robot, q)).max(initial=0.0) <= SAME * max(robot.reach, 1.0)
+    return S if same else None

@@ -1,0 +1,130 @@
+"""From nearly singular configurations to singular ones, and to the branches of the singular set they lie on."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from robotics1.analysis.singular_points import SingularPoints
+from robotics1.analysis.singular_set import SingularBranch, SingularSet
+from robotics1.analysis.singularity import find_singularities
+from robotics1.inputs import Array
+
+ONE_PLACE = 1e-6  # distance of two configurations that are one [rad, or reach]
+STANDS_STILL = 1e-2  # part of a tangent direction that a constant joint may have
+
+
+@dataclass(frozen=True, eq=False)
+class RefinedGroup:
+    """Singular configurations that belong together: on one branch, or alike if they are on none.
+
+    Attributes:
+        branch: the number of their branch in `Refinement.singular_set.branches`, from 0; None if they are on none.
+        configurations: (k, nq) the distinct ones, σ_ρ ≤ 1e-10 σ₁ without units.
+        gaps: (k,) σ_ρ / σ₁ there.
+        ranks: (k,) the rank of J there.
+        starts: which of the worst configurations led to them; at least k.
+        values: of those on no branch, joint → value of the joints that stand still on the set near them.
+    """
+
+    branch: int | None
+    configurations: Array
+    gaps: Array
+    ranks: tuple[int, ...]
+    starts: tuple[int, ...]
+    values: Mapping[str, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Refinement:
+    """The worst configurations of a scan, moved to the singular set by Newton's method.
+
+    Attributes:
+        groups: the configurations that were reached; the group with most starts first.
+        unreached: which of the worst led to no singular configuration inside the box.
+        singular_set: the answer of `find_singularities`, with which they are compared.
+    """
+
+    groups: tuple[RefinedGroup, ...]
+    unreached: tuple[int, ...]
+    singular_set: SingularSet = field(repr=False)
+
+    @property
+    def missed(self) -> tuple[int, ...]:
+        """The branches, from 0, that none of the worst configurations led to."""
+        met = {group.branch for group in self.groups}
+        return tuple(number for number in range(len(self.singular_set.branches)) if number not in met)
+
+
+@dataclass(frozen=True, eq=False)
+class _Reached:
+    start: int
+    q: Array
+    branch: int | None
+    values: Mapping[str, float]
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """What is the same of all that belong together."""
+        return (self.branch, *((name, round(value, 5)) for name, value in self.values.items()))
+
+
+def refine(
+    points: SingularPoints, worst: Array, box: Mapping[str, tuple[float, float]] | None, seed: int
+) -> Refinement:
+    """Move configurations to the singular set, and tell which of its branches they are on.
+
+    Args:
+        points: the singular set of a robot and a task.
+        worst: (k, nq) where to start.
+        box: as of `find_singularities`.
+        seed: of the random numbers.
+    """
+    found = find_singularities(points.robot, points.task, box=box, seed=seed)
+    rng = np.random.default_rng(seed)
+    reached: list[_Reached] = []
+    unreached = []
+    for start, q in enumerate(worst):
+        p = points.project(points.box.nearest(q))
+        if p is None:
+            unreached.append(start)
+            continue
+        branch = next((i for i, known in enumerate(found.branches) if _lies_on(points, p, known)), None)
+        reached.append(_Reached(start, p, branch, {} if branch is not None else _still(points, p, rng)))
+    groups: dict[tuple[object, ...], list[_Reached]] = {}
+    for one in reached:
+        groups.setdefault(one.key, []).append(one)
+    ordered = sorted(groups.values(), key=lambda members: -len(members))
+    return Refinement(tuple(_group(points, members) for members in ordered), tuple(unreached), found)
+
+
+def _group(points: SingularPoints, members: Sequence[_Reached]) -> RefinedGroup:
+    distinct: list[Array] = []
+    for one in members:
+        if all(np.linalg.norm(points.box.difference(one.q, other)) > ONE_PLACE for other in distinct):
+            distinct.append(one.q)
+    return RefinedGroup(
+        members[0].branch,
+        np.array(distinct),
+        np.array([points.gap(q) for q in distinct]),
+        tuple(points.rank_at(q) for q in distinct),
+        tuple(one.start for one in members),
+        members[0].values,
+    )
+
+
+def _lies_on(points: SingularPoints, q: Array, branch: SingularBranch) -> bool:
+    """Whether q is on a branch; of one that was found by numbers, if constant joints say it all."""
+    if branch.formulas is not None:
+        return branch.contains(q)
+    if branch.tied_joints:
+        return False
+    places = [points.robot.joint_names.index(name) for name in branch.values]
+    apart = points.box.difference(q, branch.q)[places]
+    return bool(np.abs(apart).max(initial=0.0) <= ONE_PLACE)
+
+
+def _still(points: SingularPoints, q: Array, rng: np.random.Generator) -> dict[str, float]:
+    """Return joint → value of the joints that stand still on the set near q."""
+    still = np.linalg.norm(points.tangent(q, rng), axis=1) < STANDS_STILL
+    return {name: float(q[i]) for i, name in enumerate(points.robot.joint_names) if still[i]}

@@ -1,0 +1,184 @@
+"""How near to singular a task is, over all configurations of a robot."""
+
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor, Future
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.analysis.singular_points import MOVES, NOTHING_MOVES, SingularPoints, singular_points
+from robotics1.errors import InputError, TaskError
+from robotics1.inputs import counting_number, one_of, real_number
+from robotics1.robot.box import JointBox, joint_box
+from robotics1.robot.model import Robot
+from robotics1.scan.reduction import MEASURES, Reduction, reduced
+from robotics1.scan.refinement import refine as refine_worst
+from robotics1.scan.result import SingularityScan
+from robotics1.scan.samples import METHODS, Chunk, Samples, samples_of
+from robotics1.tasks.task import Task
+
+if TYPE_CHECKING:
+    from robotics1.scan.measurement import Measurement
+
+KEPT = 10  # worst configurations, or as many as are refined
+WAITING = 64  # chunks handed to an executor at a time
+
+
+def scan_singularities(
+    robot: Robot,
+    task: Task,
+    *,
+    samples: int | float | Sequence[int],
+    measures: Sequence[str] = ("sigma_min",),
+    method: str = "random",
+    seed: int = 0,
+    refine: int = 0,
+    executor: Executor | None = None,
+    box: Mapping[str, tuple[float, float]] | None = None,
+    length: float = 1.0,
+    progress: Callable[[int, int], None] | None = None,
+) -> SingularityScan:
+    """Measure how near J(q) is to losing rank, at many configurations of the joint box.
+
+    With σ₁ ≥ ... ≥ σ_ρ the singular values of J(q) = `task.jacobian(robot, q)`, ρ being its rank almost everywhere
+    (min(m, n), unless rows of the task depend on each other):
+
+    - "sigma_min" is σ_ρ, the least speed of the task at unit joint speed, of the task velocities that it can have;
+    - "condition" is σ₁/σ_ρ, infinite where σ_ρ = 0;
+    - "manipulability" is σ₁ σ₂ ... σ_ρ, Yoshikawa's √det(J Jᵀ) where ρ = m ≤ n.
+
+    J is in SI units, so that metres and radians mix, as textbooks have it. With `length` L, rows in metres are divided
+    by L and columns of prismatic joints multiplied by it; with `length=robot.reach` J has no units.
+
+    The configurations are gone through in chunks: the memory needed does not grow with their number. The answer
+    depends on the arguments only, not on the executor or its number of workers.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: r = f(q). If its rows are the same combinations of the frame's velocity everywhere, as those of a
+            position, a planar pose, an orientation or a pose, compiled kernels serve it, at millions of
+            configurations a second; others are asked for J one configuration at a time, in this process.
+        samples: how many configurations, 1e6 or 1_000_000; of a grid at most so many, with the same number of values
+            for each joint, or that number for each joint.
+        measures: some of "sigma_min", "condition", "manipulability"; the first tells which configurations are the
+            worst.
+        method: "random": uniform; "sobol": Sobol's sequence, scrambled, which is more even; "grid": limits included.
+        seed: of the random numbers.
+        refine: how many of the worst configurations are moved to singular ones, σ_ρ ≤ 1e-10 σ₁ with lengths divided
+            by the reach, and compared with the branches of `find_singularities`.
+        executor: of concurrent.futures, to measure chunks in parallel: a ProcessPoolExecutor.
+        box: joint name → (lower, upper), narrower than the limits; a prismatic joint without limits needs it. A
+            revolute joint that can make a whole turn is a circle, (−π, π].
+        length: the length that counts as one [m].
+        progress: called after each chunk with the configurations done and their number.
+
+    Raises:
+        InputError: a bad option, an unlimited prismatic joint without a box, or a joint of several degrees of freedom.
+        UnknownNameError: no such joint in the box, or no such frame.
+        TaskError: the task does not fit the robot, or no joint moves it.
+
+    Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985; Siciliano, Sciavicco,
+    Villani, Oriolo, Robotics, 2009, section 3.9.
+    """
+    chosen = _measures(measures)
+    one_of("method", method, METHODS)
+    seed, refine = counting_number("seed", seed), counting_number("refine", refine)
+    length = real_number("length", length, positive=True)
+    _check_callables(executor, progress)
+    task.check(robot)
+    where = joint_box(robot, box)
+    points = _singular_points(robot, task, where, seed)
+    configurations = samples_of(method, where, samples, seed, _moving(points))
+    from robotics1.scan.measurement import measurement_of
+
+    measurement = measurement_of(robot, task, points.rank, length)
+    total = _scanned(measurement, configurations, chosen, max(KEPT, refine), executor, progress)
+    return SingularityScan(
+        robot,
+        task,
+        method,
+        seed,
+        total.count,
+        total.undefined,
+        points.rank,
+        length,
+        total.distributions,
+        total.worst,
+        total.worst_values,
+        refine_worst(points, total.worst[:refine], box, seed) if refine else None,
+    )
+
+
+def _measures(measures: Sequence[str]) -> tuple[str, ...]:
+    if isinstance(measures, str) or not isinstance(measures, Sequence) or len(measures) == 0:
+        raise InputError(f"measures must be some of {', '.join(map(repr, MEASURES))}; it is {measures!r}")
+    chosen = tuple(one_of("each of measures", measure, MEASURES) for measure in measures)
+    if len(set(chosen)) < len(chosen):
+        raise InputError(f"measures must be different ones; it is {measures!r}")
+    return chosen
+
+
+def _check_callables(executor: object, progress: object) -> None:
+    if executor is not None and not isinstance(executor, Executor):
+        raise InputError(f"executor must be one of concurrent.futures, such as a ProcessPoolExecutor, not {executor!r}")
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
+
+
+def _singular_points(robot: Robot, task: Task, box: JointBox, seed: int) -> SingularPoints:
+    if robot.nv == 0:
+        raise TaskError(NOTHING_MOVES)
+    points = singular_points(robot, task, box, np.random.default_rng(seed))
+    if points.rank == 0:
+        raise TaskError(NOTHING_MOVES)
+    return points
+
+
+def _moving(points: SingularPoints) -> npt.NDArray[np.bool_]:
+    """Return which joints move the task: their columns of J are not zero everywhere."""
+    q = points.box.random(np.random.default_rng(0), 4)
+    return np.asarray(np.any([np.abs(points.jacobian(x)).max(axis=0) > MOVES for x in q], axis=0))
+
+
+def _scanned(
+    measurement: "Measurement",
+    samples: Samples,
+    measures: tuple[str, ...],
+    keep: int,
+    executor: Executor | None,
+    progress: Callable[[int, int], None] | None,
+) -> Reduction:
+    work = partial(_reduced, measurement, measures, keep)
+    chunks = samples.chunks()
+    answers = map(work, chunks) if executor is None or not measurement.sendable else _in_order(executor, work, chunks)
+    total: Reduction | None = None
+    for answer in answers:
+        total = answer if total is None else total.joined(answer, keep)
+        if progress is not None:
+            progress(total.count, samples.count)
+    if total is None or total.undefined == total.count:
+        raise TaskError("the task has no Jacobian at any of the configurations")
+    return total
+
+
+def _reduced(measurement: "Measurement", measures: tuple[str, ...], keep: int, chunk: Chunk) -> Reduction:
+    """Return what is kept of a chunk: a function that can be sent to another process."""
+    return reduced(measurement, chunk, measures, keep)
+
+
+def _in_order(executor: Executor, work: Callable[[Chunk], Reduction], chunks: Iterator[Chunk]) -> Iterator[Reduction]:
+    """Return the answers in the order of the chunks, with a bounded number of them on their way."""
+    waiting: deque[Future[Reduction]] = deque()
+    try:
+        for chunk in chunks:
+            waiting.append(executor.submit(work, chunk))
+            if len(waiting) >= WAITING:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+    finally:
+        for future in waiting:
+            future.cancel()
