@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from time import perf_counter
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ class BatchScore:
     """How a batch went.
 
     Attributes:
-        ours, loop: the time of one target [µs], median of the repeats; None where the solver is absent.
+        ours, loop: the processor time of one target [µs], median of the repeats; None where the solver is absent.
         solved, solved_by_loop: solved inside the limits, by Pinocchio's forward kinematics [%].
     """
 
@@ -48,9 +48,9 @@ def run_batch(workload: Workload) -> BatchScore:
     for _ in range(REPEATS):
         for i, call in enumerate(calls):
             if call is not None:
-                begin = perf_counter()
+                begin = process_time()
                 result = call()
-                seconds[i].append(perf_counter() - begin)
+                seconds[i].append(process_time() - begin)
                 answers[i] = result if isinstance(result, list) else _told(result)
     k = len(workload.targets) / 1e6
     times = [float(np.median(s)) / k if s else None for s in seconds]

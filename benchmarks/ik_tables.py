@@ -1,6 +1,6 @@
 """The tables of benchmarks/results/inverse_kinematics.md."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from benchmarks.batches import BatchScore
@@ -26,6 +26,7 @@ class Measured:
         workload: what was asked.
         runs: solver → what it did.
         absent: solver → why there is none.
+        in_a_row: how many targets each was given before the next one's turn.
     """
 
     arm: str
@@ -33,6 +34,7 @@ class Measured:
     workload: Workload
     runs: dict[str, Run]
     absent: dict[str, str]
+    in_a_row: int = 1
 
     def beside(self, peer: str) -> tuple[float | None, float | None]:
         """Return how many times longer the peer takes than ours, in the median and in the mean."""
@@ -59,15 +61,31 @@ class Measured:
         return [name, str(s.targets), solved if s.success == 100 else f"**{solved}**", *failures, *times, *compared]
 
 
+def row_table(measured: Sequence[Measured]) -> str:
+    """Return the times of several arms beside each other: median and mean [µs], and how many times ours both are."""
+    header = ["solver", *(f"{m.arm}: median µs · CPU mean µs · both / ours" for m in measured)]
+    return table(header, [[name, *(_times(m, name) for m in measured)] for name in SOLVERS])
+
+
+def _times(measured: Measured, name: str) -> str:
+    if name in measured.absent:
+        return "–"
+    s = score(measured.runs[name], measured.workload)
+    compared = ["–" if ratio is None else f"{ratio:.2f}" for ratio in measured.beside(name)]
+    failed = f" · **{s.targets - s.solved} of {s.targets} failed**" if s.solved < s.targets else ""
+    return " · ".join([f"{s.median:.1f}", f"{s.mean:.1f}", *compared]) + failed
+
+
 def single_targets(measured: Measured) -> list[Target]:
     """Return the targets of single calls."""
     arm, work = measured.arm, measured.work
+    work += f", {measured.in_a_row} calls in a row" if measured.in_a_row > 1 else ""
     median, mean = measured.beside(CHAN)
     rows = [at_least(f"{work}, {arm}: solved inside the limits", 100, measured.solved(), " %")]
-    if work == FAR:
+    if measured.work == FAR:
         rows.append(at_least(f"{work}, {arm}: median, beside {CHAN}", 3, median))
         rows.append(at_least(f"{work}, {arm}: mean, beside {CHAN}", 3, mean))
-    if work == TRACKING:
+    if measured.work == TRACKING:
         rows.append(at_least(f"{work}, {arm}: median, beside {CHAN}", 2, median))
     return rows
 
@@ -79,7 +97,7 @@ def batch_targets(arm: str, work: str, batch: BatchScore) -> list[Target]:
         at_least(f"batch, {work}, {arm}: beside the loop of {CHAN}", 5 if work == FAR else 4, batch.ratio),
     ]
     if work == FAR:
-        rows.append(at_most(f"batch, {work}, {arm}: of one target", 15, batch.ours, " µs"))
+        rows.append(at_most(f"batch, {work}, {arm}: of one target (an aim)", 15, batch.ours, " µs"))
     return rows
 
 

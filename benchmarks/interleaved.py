@@ -1,6 +1,7 @@
 """One run of all solvers: they take turns at each target, so that a busy or warm machine is so for all of them."""
 
 import gc
+from collections.abc import Iterator
 from dataclasses import dataclass
 from time import perf_counter_ns, process_time_ns
 
@@ -58,32 +59,42 @@ class Score:
         return 100 * self.solved / self.targets
 
 
-def run_interleaved(solvers: dict[str, Solver], workload: Workload) -> dict[str, Run]:
-    """Return what each solver did, each called with one target after the other has been."""
-    names = list(solvers)
+def run_interleaved(solvers: dict[str, Solver], workload: Workload, in_a_row: int = 1) -> dict[str, Run]:
+    """Return what each solver did; each is given `in_a_row` targets, then it is the next one's turn.
+
+    With 1 each call finds the processor's caches full of the others' code, as in a program that does much else
+    between two calls; with more it finds its own, as in a program that solves one target after the other.
+    """
     converted = {name: [solver.convert(T) for T in workload.targets] for name, solver in solvers.items()}
     for name, solver in solvers.items():  # compilation and first allocations are not counted here
         for i in range(min(2, len(workload.targets))):
             solver.solve(converted[name][i], workload.starts[i].copy())
-    rows: dict[str, list[tuple[int, int, int]]] = {name: [] for name in names}
-    answers: dict[str, list[Answer]] = {name: [] for name in names}
+    rows: dict[str, list[tuple[int, int, int]]] = {name: [] for name in solvers}
+    answers: dict[str, list[Answer]] = {name: [] for name in solvers}
     gc.collect()
     gc.disable()
     try:
-        for i in range(len(workload.targets)):
-            turn = i % len(names)
-            for name in names[turn:] + names[:turn]:
-                if i % solvers[name].every:
-                    continue
-                solve, target, q0 = solvers[name].solve, converted[name][i], workload.starts[i].copy()
-                cpu, wall = process_time_ns(), perf_counter_ns()
-                q = solve(target, q0)
-                wall, cpu = perf_counter_ns() - wall, process_time_ns() - cpu
-                rows[name].append((i, wall, cpu))
-                answers[name].append(None if q is None else np.array(q, dtype=float))
+        for name, i in _turns(solvers, len(workload.targets), in_a_row):
+            solve, target, q0 = solvers[name].solve, converted[name][i], workload.starts[i].copy()
+            cpu, wall = process_time_ns(), perf_counter_ns()
+            q = solve(target, q0)
+            wall, cpu = perf_counter_ns() - wall, process_time_ns() - cpu
+            rows[name].append((i, wall, cpu))
+            answers[name].append(None if q is None else np.array(q, dtype=float))
     finally:
         gc.enable()
-    return {name: _run(rows[name], answers[name]) for name in names}
+    return {name: _run(rows[name], answers[name]) for name in solvers}
+
+
+def _turns(solvers: dict[str, Solver], count: int, in_a_row: int) -> Iterator[tuple[str, int]]:
+    """Go through who is called with which target; who begins changes from turn to turn."""
+    names = list(solvers)
+    for turn, begin in enumerate(range(0, count, in_a_row)):
+        first = turn % len(names)
+        for name in names[first:] + names[:first]:
+            for i in range(begin, min(begin + in_a_row, count)):
+                if i % solvers[name].every == 0:
+                    yield name, i
 
 
 def _run(rows: list[tuple[int, int, int]], answers: list[Answer]) -> Run:

@@ -30,7 +30,8 @@ class Target:
         """Return the cells of its row."""
         if self.measured is None:
             return [self.work, self.wanted, "–", "**not measured**"]
-        return [self.work, self.wanted, f"{self.measured:.4g}{self.unit}", "met" if self.met else "**missed**"]
+        told = f"{self.measured:.2f}" if self.unit in {"x", " %"} else f"{self.measured:.3g}"
+        return [self.work, self.wanted, told + self.unit, "met" if self.met else "**missed**"]
 
 
 def at_least(work: str, least: float, measured: float | None, unit: str = "x") -> Target:

@@ -13,7 +13,7 @@ import gc
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from time import perf_counter
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -31,7 +31,7 @@ SINGULAR = 300  # configurations
 PUBLIC, KERNEL = "robotics1 `scan_singularities`", "robotics1 kernel, J written"
 HEADER = ["way", "configurations/s", f"beside {BEST_PEER}", "error of σ_min", "at singular configurations"]
 RULES = """\
-All ways take turns, {repeats} times; the rate is by the median. σ_min is of J of the tool in world axes, metres and
+All ways take turns, {repeats} times; the rate is by the median of the processor's time. σ_min is of J of the tool in world axes, metres and
 radians unscaled, at q uniform in the joint limits, {block} of them a call. A public scan has {count}, draws them
 itself, and reduces them to the minimum, quantiles, a histogram and the worst. The error is |σ_min − that of the SVD of
 Pinocchio's J| at worst; of the public scan, at the configurations that it returns. Singular configurations: {singular},
@@ -47,7 +47,7 @@ class Way:
         call: what is timed; None where it is absent.
         count: configurations in one call.
         absent: why there is no call.
-        seconds: of each repeat.
+        seconds: of the processor, for each repeat.
         error, singular_error: of σ_min, at worst; None where there is none.
     """
 
@@ -107,9 +107,9 @@ def take_turns(ways: list[Way]) -> None:
         for _ in range(REPEATS):
             for one in ways:
                 if one.call is not None:
-                    begin = perf_counter()
+                    begin = process_time()
                     one.call()
-                    one.seconds.append(perf_counter() - begin)
+                    one.seconds.append(process_time() - begin)
     finally:
         gc.enable()
 
