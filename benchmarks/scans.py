@@ -31,11 +31,11 @@ SINGULAR = 300  # configurations
 PUBLIC, KERNEL = "robotics1 `scan_singularities`", "robotics1 kernel, J written"
 HEADER = ["way", "configurations/s", f"beside {BEST_PEER}", "error of σ_min", "at singular configurations"]
 RULES = """\
-All ways take turns, {repeats} times; the rate is by the median of the processor's time. σ_min is of J of the tool in world axes, metres and
-radians unscaled, at q uniform in the joint limits, {block} of them a call. A public scan has {count}, draws them
-itself, and reduces them to the minimum, quantiles, a histogram and the worst. The error is |σ_min − that of the SVD of
-Pinocchio's J| at worst; of the public scan, at the configurations that it returns. Singular configurations: {singular},
-q2 = 0 and the determinant of the other columns driven to 0."""
+All ways take turns, {repeats} times; the rate is by the median of the processor's time. σ_min is of J of the tool in
+world axes, metres and radians unscaled, at q uniform in the joint limits, {block} of them a call. A public scan has
+{count}, draws them itself, and reduces them to the minimum, quantiles, a histogram and the worst. The error is |σ_min −
+that of the SVD of Pinocchio's J| at worst; of the public scan, at the configurations that it returns. Singular
+configurations: {singular}, q2 = 0 and the determinant of the other columns driven to 0."""
 
 
 @dataclass
