@@ -48,7 +48,8 @@ def singularity_measures(
             J[:] = jacobians
         return measures_of(jacobians, min(jacobians.shape[:2]))
     answer = SingularityMeasures(np.empty(count), np.empty(count), np.empty(count if largest else 0))
-    measure_blocks(*chain, S, q, np.empty((0, 0, 0)) if J is None else J, *answer)
+    rows, columns = np.ascontiguousarray(S), np.ascontiguousarray(q)  # other layouts would be compiled anew
+    measure_blocks(*chain, rows, columns, np.empty((0, 0, 0)) if J is None else J, *answer)
     return answer
 
 

@@ -60,7 +60,9 @@ def samples_of(
 
 @dataclass(frozen=True, eq=False)
 class RandomSamples:
-    """Uniform in the box. Each chunk has its own stream, named by the seed and its number."""
+    """Uniform in the box. Each chunk has its own stream, named by the seed and its number, and is the beginning of a
+    full one: fewer samples are the first of more.
+    """
 
     lower: Array
     upper: Array
@@ -86,7 +88,8 @@ class RandomChunk:
     def points(self) -> Array:
         """Return them, (n, N), one a column."""
         stream = np.random.SFC64(np.random.SeedSequence([self.seed, self.number]))
-        return _in_box(self.lower, self.upper, np.random.Generator(stream).random((len(self.lower), self.size)))
+        unit = np.random.Generator(stream).random((len(self.lower), CHUNK))[:, : self.size]
+        return _in_box(self.lower, self.upper, np.ascontiguousarray(unit))
 
 
 @dataclass(frozen=True, eq=False)
