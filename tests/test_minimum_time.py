@@ -195,11 +195,11 @@ def test_a_velocity_that_is_a_rounding_asks_for_no_time_below_1e_30_s(kind):
     assert r1.minimum_time(0, 0, r1.MotionLimits(1, 1, 1), kind, v1=1e-281).duration == pytest.approx(1e-30)
 
 
-def test_a_jerk_that_is_rounding_alone_is_no_cubic_but_no_error_either():
+@pytest.mark.parametrize(("d", "v"), [(-3e-13, -0.125), (1e-6, 1.5)])
+def test_a_jerk_that_is_rounding_alone_is_no_cubic_but_no_error_either(d, v):
     """From v to v over v T the motion is steady, and the jerk of the septic is rounding divided by T³."""
-    limits = r1.MotionLimits(0.5, 1, 1)
-    answer = r1.minimum_time(0, -3e-13, limits, "septic", v0=-0.125, v1=-0.125)
-    assert max(ratios(answer.trajectory, 0.5, 1, 1)) <= 1 + 1e-8
+    answer = r1.minimum_time(0, d, r1.MotionLimits(3, 1, 1), "septic", v0=v, v1=v)
+    assert max(ratios(answer.trajectory, 3, 1, 1)) <= 1 + 1e-8
 
 
 def test_phases_shorter_than_the_rounding_of_t_pass_no_bound():

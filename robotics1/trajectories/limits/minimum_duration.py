@@ -86,10 +86,10 @@ def _too_short(unit: Trajectory, limits: MotionLimits) -> float:
 
 
 def _next_zero(motion: Motion, T: float, passed: Demand) -> float:
-    """Return the next zero T' > T of h(T'), or 8 T if there is none before."""
+    """Return the next zero T' > T of h(T'), or 8 T if there is none before; T itself if h is rounding."""
     from scipy.optimize import brentq
 
-    k, j, tau = ORDERS[passed.quantity], passed.joint, passed.time / T
+    k, j, tau = ORDERS[passed.quantity], int(passed.joint or 0), passed.time / T
 
     def h(u: float, side: Side) -> float:
         """h(T')/Tᵏ at T' = T (1 + 7u)."""
@@ -100,14 +100,19 @@ def _next_zero(motion: Motion, T: float, passed: Demand) -> float:
     side: Side = "right" if h(0.0, "right") >= h(0.0, "left") else "left"
     u = np.linspace(0.0, 1.0, 5)
     y = np.array([h(value, side) for value in u])
-    unit = motion(T)
-    span = np.abs(unit(T) - unit(0.0))[j] + T * max(abs(unit.velocity(t)[j]) for t in (0.0, T))
-    if np.abs(y).max() <= NOISE * span / T**k:
-        return T  # the excess is the rounding of positions, and so is all of h
     cubic = polynomial.polyfit(u[:-1], y[:-1], 3)
     if abs(polynomial.polyval(1.0, cubic) - y[-1]) > 1e-6 * np.abs(y).max():
+        if 0 < y[0] <= NOISE * _span(motion(T), j) / T**k:
+            return T
         raise InputError("motion(T) must be a polynomial or spline in t/T whose coefficients are powers of T up to T³")
     for before, after in pairwise(stationary_points(cubic)):  # h is monotonic between them
         if h(after, side) <= 0:
             return T * (1 + (LONGER - 1) * float(brentq(h, before, after, args=(side,), **EXACT)))
     return T * LONGER
+
+
+def _span(unit: Trajectory, j: int) -> float:
+    """Return what the coefficients of a joint in powers of τ are made of: its distance, and its velocities times T."""
+    T = unit.duration
+    distance = abs(unit(T)[j] - unit(0.0)[j])
+    return float(distance + T * max(abs(unit.velocity(t)[j]) for t in (0.0, T)))
