@@ -24,11 +24,12 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
 
 GROUP = 64  # starts of which the one nearest to the target is taken
-FIRST_STARTS = 16 * GROUP  # of the table that every target begins with
+FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
 LATER_STARTS = 256  # of each table after that, all of them tried
 FINER = 1e-3  # tolerance on the turn where a task tells it by angles
+FLOAT = np.dtype(float)
 CHUNK = 4096  # targets between two calls of progress
-Table = tuple[Array, Array, int]  # starts, their poses, and how many of them share a group
+Table = tuple[Array, int]  # starts with their poses, and how many of them share a group
 
 
 class CompiledSearch:
@@ -41,24 +42,32 @@ class CompiledSearch:
         self.tolerance = tolerance * (FINER if task.tells_angles else 1.0)
         self.time_limit, self.prefer = time_limit, prefer
         self.problem, self.takes_poses = pose_problem(robot, task), task.takes_poses
-        self.middle = self.problem.middle
-        constants: tuple[Any, ...] = (*self.problem.arrays, self.tolerance)
+        self.middle, self.shape = self.problem.middle, (robot.nq,)
+        constants = self.problem.arrays(self.tolerance)
         self.solve_one: Callable[..., tuple[int, float]] = partial(solve, *constants)
         self.solve_many: Callable[..., None] = partial(solve_all, *constants)
         self.bring_one: Callable[..., float] = partial(bring_near, *constants)
         self.bring_many: Callable[..., None] = partial(bring_all_near, *constants)
-        self.first_table: Table = (*self.problem.table(np.random.default_rng(seed), FIRST_STARTS), GROUP)
+        self.first_table: Table = (self.problem.table(np.random.default_rng(seed), FIRST_STARTS), GROUP)
 
     @cached_property
     def reach(self) -> ReachBound:
         """What proves that a target is out of reach."""
         return reach_bound(self.problem)
 
-    def __call__(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
-        """Return the answer for one target."""
-        goal = self._goal(target)
-        start, first = (self.middle, 0) if q0 is None else (self._start(q0), -1)
-        q = np.empty_like(self.middle)
+    def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
+        """Return the answer for one target; what can be left to the kernel to check is left to it."""
+        if self.takes_poses and type(target) is pin.SE3:
+            goal = target.homogeneous
+        else:
+            goal = self.task.goal(self.robot, target)
+        if q0 is None:
+            start, first = self.middle, 0
+        elif type(q0) is np.ndarray and q0.dtype is FLOAT and q0.shape == self.shape and q0.flags.c_contiguous:
+            start, first = q0, -1
+        else:
+            start, first = self.robot.configuration(q0), -1
+        q = np.empty(self.shape)
         tried, error = self.solve_one(goal, start, *self.first_table, first, q)
         if error <= self.tolerance:
             return IKResult(IKStatus.CONVERGED, q, self._brought_near(goal, start, q, error), tried)
@@ -99,12 +108,6 @@ class CompiledSearch:
             return error
         return self.bring_one(goal, start if self.prefer == "near" else self.middle, q)
 
-    def _start(self, q0: npt.ArrayLike) -> Array:
-        """Return q0 as the kernel reads it; whether it is finite is left to the kernel too."""
-        if type(q0) is np.ndarray and q0.dtype == float and q0.shape == self.middle.shape and q0.flags.c_contiguous:
-            return q0
-        return self.robot.configuration(q0)
-
     def _goal(self, target: Any) -> Array:
         """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
         if self.takes_poses and isinstance(target, pin.SE3):
@@ -138,7 +141,7 @@ class CompiledSearch:
         left, spent, number = missed[~proven], 0.0, 0
         while left.size and spent < self.time_limit:
             begin, number = perf_counter(), number + 1
-            table: Table = (*self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1)
+            table: Table = (self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1)
             q, tried, errors = self._round(goals[left], starts[left], table, 0)
             batch.starts[left] += tried
             better = errors < batch.error[left]

@@ -40,7 +40,7 @@ class GeneralSearch:
         answers = []
         for i, target in enumerate(targets):
             try:
-                answers.append(self(target, starts[i]))
+                answers.append(self.solve(target, starts[i]))
             except InputError as error:
                 raise InputError(f"target {i} of the batch: {error}") from error
             if progress is not None:
@@ -52,7 +52,7 @@ class GeneralSearch:
             np.array([answer.starts for answer in answers]),
         )
 
-    def __call__(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
+    def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the first solution, or the nearest miss when the time is over."""
         end = perf_counter() + self.time_limit
         descent = Descent(self.robot, self.task, self.task.target(target), self.box)

@@ -1,7 +1,6 @@
 """A robot and a task as the kernels of inverse kinematics take them: arrays, with lengths in units of the reach."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,7 @@ import numpy as np
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
-from robotics1.kernels.inverse import pose_table
+from robotics1.kernels.inverse import start_table
 from robotics1.kinematics import reference_axes
 from robotics1.robot.box import TURN, JointBox, joint_box
 from robotics1.robot.model import Robot
@@ -18,14 +17,12 @@ from robotics1.tasks.task import FrameTask
 
 @dataclass(frozen=True, eq=False)
 class PoseProblem:
-    """The constants of `kernels.inverse.solve`.
+    """The constants of `kernels.inverse.solve`, where they are told.
 
     Attributes:
         chain: from the base to the task's frame, in its axes; coordinates numbered 0, ..., n − 1.
-        limits: (3, n) lower, upper, and 1 for joints that can make whole turns and need no limits on the way.
-        active: (n,) which entries of q they are.
-        units: (n,) what counts as one of each.
-        joints: (2, nq) the limits of q.
+        coordinates: (nq, 4) the limits of each entry of q, whether it can make whole turns, and what counts as one.
+        active: (n,) which entries of q move the chain.
         counted: (6,) 1 for the rows of the pose error that count.
         axis: (3,) the axis that is pointed, or zero.
         unit: what counts as one length [m]: a power of two near the reach, so that scaling rounds nothing.
@@ -33,31 +30,27 @@ class PoseProblem:
     """
 
     chain: ChainArrays
-    limits: Array
+    coordinates: Array
     active: Indices
-    units: Array
-    joints: Array
     counted: Array
     axis: Array
     unit: float
     box: JointBox
 
-    @cached_property
-    def arrays(self) -> tuple[Any, ...]:
-        """The first arguments of `solve` and `solve_all`, as plain tuples, which pass into a kernel quickest."""
-        return (
-            tuple(self.chain), self.limits, self.active, self.units, self.joints, self.counted, self.axis, self.unit,
-        )  # fmt: skip
+    def arrays(self, tolerance: float) -> tuple[Any, ...]:
+        """Return the first arguments of the kernels; plain tuples pass into one quicker than named ones."""
+        task = np.concatenate([self.counted, self.axis, [self.unit, tolerance]])
+        return tuple(self.chain), self.coordinates, self.active, task
 
     @property
     def middle(self) -> Array:
         """(nq,) the middle of the joint ranges [rad or m]."""
         return np.asarray(0.5 * (self.box.lower + self.box.upper))
 
-    def table(self, rng: np.random.Generator, count: int) -> tuple[Array, Array]:
-        """Return random starts, (count, n), uniform in the box, and their poses, (count, 12)."""
-        starts = np.ascontiguousarray(self.box.random(rng, count)[:, self.active] / self.units)
-        return starts, pose_table(tuple(self.chain), starts)  # type: ignore[arg-type]
+    def table(self, rng: np.random.Generator, count: int) -> Array:
+        """Return random starts, uniform in the box, with their poses: (count, 12 + n)."""
+        starts = self.box.random(rng, count)[:, self.active] / self.coordinates[self.active, 3]
+        return start_table(tuple(self.chain), np.ascontiguousarray(starts))  # type: ignore[arg-type]
 
 
 def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
@@ -79,13 +72,11 @@ def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
     whole[chain.coordinate[chain.ratio % 1.0 != 0.0]] = False  # a joint that mimics by ½ is back after two turns
     lower, upper = robot.lower, robot.upper
     circular = robot.revolute & whole & (upper - lower >= TURN - 1e-9)
-    units = np.where(robot.revolute, 1.0, unit)[active]
+    units = np.where(robot.revolute, 1.0, unit)
     return PoseProblem(
         chain=chain._replace(coordinate=np.searchsorted(active, chain.coordinate)),
-        limits=np.array([lower[active] / units, upper[active] / units, circular[active].astype(float)]),
+        coordinates=np.column_stack([lower, upper, circular, units]),
         active=active,
-        units=units,
-        joints=np.array([lower, upper]),
         counted=np.isin(np.arange(6), task.pose_rows).astype(float),
         axis=task.pointed_axis,
         unit=unit,

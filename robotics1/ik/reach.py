@@ -44,14 +44,14 @@ def reach_bound(problem: PoseProblem) -> ReachBound:
     """Return the bound of a chain, with the points on the axes that make it least."""
     from scipy.optimize import minimize
 
-    chain, limits = problem.chain, problem.limits
+    chain, coordinates = problem.chain, problem.coordinates[problem.active[problem.chain.coordinate]]
     P, turning = chain.placements, chain.prismatic == 0
-    travel = chain.ratio * np.abs(limits[:2, chain.coordinate]).max(axis=0)
+    travel = chain.ratio * np.abs(coordinates[:, :2]).max(axis=1) / coordinates[:, 3]
 
     def pieces(shifts: Array) -> Array:
         """From the point shifted along each axis z to the next one, (k, 3); the last one leads to the frame."""
         shifts = np.append(shifts * turning, 0.0)
-        return P[1:, :, 3] + shifts[1:, None] * P[1:, :, 2] - shifts[:-1, None] * np.array([0.0, 0.0, 1.0])
+        return np.asarray(P[1:, :, 3] + shifts[1:, None] * P[1:, :, 2] - shifts[:-1, None] * np.array([0.0, 0.0, 1.0]))
 
     shifts = minimize(lambda t: np.linalg.norm(pieces(t), axis=1).sum(), np.zeros(len(turning))).x * turning
     lengths = np.linalg.norm(pieces(shifts), axis=1)

@@ -1,7 +1,7 @@
 """What a robust inverse kinematics returns: for one target, and for many."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -11,9 +11,8 @@ from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class IKResult:
-    """The answer for one target.
+class IKResult(NamedTuple):
+    """The answer for one target; a tuple, since a frozen dataclass takes longer to make than a tracking step to solve.
 
     Attributes:
         status: CONVERGED, UNREACHABLE or NOT_FOUND.

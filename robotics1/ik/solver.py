@@ -76,7 +76,7 @@ class IKSolver:
         Raises:
             InputError: the target or q0 has the wrong form, or is not finite.
         """
-        return self._search(target, q0)
+        return self._search.solve(target, q0)
 
     def solve_batch(
         self, targets: Any, q0: npt.ArrayLike | None = None, *, progress: Callable[[int, int], None] | None = None

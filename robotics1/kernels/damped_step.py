@@ -4,7 +4,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
 
 
-@compiled(contract=True)
+@compiled(contract=True, inline=True)
 def factor(A: Array) -> None:
     """Overwrite the lower triangle of A, (6, 6), symmetric and positive definite, with L and D: A = L D Lᵀ.
 
@@ -23,7 +23,7 @@ def factor(A: Array) -> None:
             A[i, j] = entry
 
 
-@compiled(contract=True)
+@compiled(contract=True, inline=True)
 def solve_factored(A: Array, y: Array) -> None:
     """Overwrite y, (6,), with (L D Lᵀ)⁻¹ y, L and D as `factor` leaves them."""
     for j in range(5):

@@ -9,7 +9,7 @@ from robotics1.kernels.chain import ChainArrays
 from robotics1.kernels.compilation import compiled
 
 
-@compiled(contract=True)
+@compiled(contract=True, inline=True)
 def place_joints(chain: ChainArrays, q: Array, T: Array, lines: Array) -> None:
     """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to lines, (k, 6).
 
@@ -39,7 +39,7 @@ def place_joints(chain: ChainArrays, q: Array, T: Array, lines: Array) -> None:
             T[i, 3] = x * P[0, 3] + y * P[1, 3] + z * P[2, 3] + p
 
 
-@compiled(contract=True)
+@compiled(contract=True, inline=True)
 def geometric_jacobian(chain: ChainArrays, T: Array, lines: Array, J: Array) -> None:
     """Write J, (6, n), from what `place_joints` found: the columns (z × (p − o), z) and, of a prismatic joint, (z, 0).
 

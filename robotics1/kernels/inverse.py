@@ -41,8 +41,8 @@ def in_units(target: Array, unit: float, goal: Array) -> None:
 
 
 @compiled(contract=True)
-def nearest_start(counted: Array, goal: Array, poses: Array, first: int, last: int) -> int:
-    """Return which of the poses first, ..., last − 1, each (12,) row by row, is nearest to the goal.
+def nearest_start(counted: Array, goal: Array, table: Array, first: int, last: int) -> int:
+    """Return which of the rows first, ..., last − 1 of a table of starts has the pose nearest to the goal.
 
     Near means a small |p_d − p|² + ½ |R_d − R|², which for small angles is |p_d − p|² + θ²; of the position, just the
     coordinates that count.
@@ -53,9 +53,9 @@ def nearest_start(counted: Array, goal: Array, poses: Array, first: int, last: i
         square = 0.0
         for i in range(3):
             for j in range(3):
-                d = goal[i, j] - poses[s, 4 * i + j]
+                d = goal[i, j] - table[s, 4 * i + j]
                 square += turns * d * d
-            d = goal[i, 3] - poses[s, 4 * i + 3]
+            d = goal[i, 3] - table[s, 4 * i + 3]
             square += counted[i] * d * d
         if square < least:
             nearest, least = s, square
@@ -63,15 +63,16 @@ def nearest_start(counted: Array, goal: Array, poses: Array, first: int, last: i
 
 
 @compiled()
-def pose_table(chain: ChainArrays, starts: Array) -> Array:
-    """Return the poses at the starts, (s, n), each (12,) row by row."""
-    poses, T, lines = np.empty((len(starts), 12)), np.empty((3, 4)), np.empty((len(chain[2]), 6))
+def start_table(chain: ChainArrays, starts: Array) -> Array:
+    """Return (s, 12 + n): the poses at the starts, (s, n), row by row, and the starts."""
+    table, T, lines = np.empty((len(starts), 12 + starts.shape[1])), np.empty((3, 4)), np.empty((len(chain[2]), 6))
     for s in range(len(starts)):
         place_joints(chain, starts[s], T, lines)
         for i in range(3):
             for j in range(4):
-                poses[s, 4 * i + j] = T[i, j]
-    return poses
+                table[s, 4 * i + j] = T[i, j]
+        copy(starts[s], table[s, 12:])
+    return table
 
 
 @compiled()
@@ -88,46 +89,62 @@ def wind(limits: Array, around: Array, x: Array) -> None:
 
 
 @compiled()
+def to_units(coordinates: Array, active: Indices, q: Array, x: Array, limits: Array) -> None:
+    """Write what moves the chain, in units: of q, (nq,), to x, (n,), and of the limits to limits, (3, n)."""
+    for j in range(len(active)):
+        lower, upper, circular, unit = coordinates[active[j]]
+        x[j] = q[active[j]] / unit
+        limits[0, j], limits[1, j], limits[2, j] = lower / unit, upper / unit, circular
+
+
+@compiled()
+def from_units(coordinates: Array, active: Indices, x: Array, q: Array) -> None:
+    """Write x, (n,), to the entries of q that move the chain."""
+    for j in range(len(active)):
+        lower, upper, _, unit = coordinates[active[j]]
+        q[active[j]] = min(max(x[j] * unit, lower), upper)
+
+
+@compiled()
 def solve(
-    chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
-    unit: float, tolerance: float, target: Array, q0: Array, starts: Array, poses: Array,
+    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, target: Array, q0: Array, table: Array,
     group: int, first: int, q: Array,
 ) -> tuple[int, float]:  # fmt: skip
     """Write to q, (nq,), the solution, or the best that was found; return how many starts were tried, and |e|.
 
-    Start −1 is q0, and start i the one of the i-th group of the table whose pose is nearest to the target.
+    Start −1 is q0, and start i the one of the i-th group of the table whose pose is nearest to the target. The
+    arguments are few, since passing an array into a kernel takes a tenth of the time of a step.
 
     Args:
-        chain: lengths in units of `unit` [m].
-        limits: (3, n): lower and upper limits in units, and 1 for joints that can make whole turns.
-        active: (n,) which entries of q move the chain; units: (n,) what counts as one of each.
-        box: (2, nq) the limits of q.
-        counted: (6,) 1 for the rows of the error that count; axis: (3,) the axis that is pointed, or zero.
-        tolerance: on |e| [m, rad].
+        chain: lengths in units.
+        coordinates: (nq, 4) of each entry of q the lower and the upper limit, 1 if it can make whole turns, and what
+            counts as one.
+        active: (n,) which entries of q move the chain.
+        task: (11,) 1 for the six rows of the error that count; the axis that is pointed, or zero; the unit of
+            lengths [m]; the tolerance on |e| [m, rad].
         target: [R p], (3, 4) or more rows [m].
-        q0: (nq,) the start, and the value of the joints that do not move the chain.
-        starts: (s, n) in units; poses: (s, 12); group: how many starts share a group.
-        first: the first start.
+        q0: (nq,) the start, and the value of the joints that do not move the chain, moved inside the limits.
+        table: (s, 12 + n) of `start_table`; group: how many starts share a group; first: the first start.
         q: (nq,) the result.
     """
     n = len(active)
     x, x0, best, found, goal = np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty((3, 4))
+    limits, counted, axis, unit, tolerance = np.empty((3, n)), task[:6], task[6:9], task[9], task[10]
     if not is_pose(target):
         return NO_POSE, np.nan
-    in_units(target, unit, goal)
     for j in range(len(q)):
-        q[j] = min(max(q0[j], box[0, j]), box[1, j])
+        q[j] = min(max(q0[j], coordinates[j, 0]), coordinates[j, 1])
         if not math.isfinite(q0[j]):
             return NO_START, np.nan
-    for j in range(n):
-        x0[j] = q[active[j]] / units[j]
-        best[j] = x0[j]
+    in_units(target, unit, goal)
+    to_units(coordinates, active, q, x0, limits)
+    copy(x0, best)
     least, tried = np.inf, 0
-    for start in range(first, len(starts) // group):
+    for start in range(first, len(table) // group):
         if start < 0:
             copy(x0, x)
         else:
-            copy(starts[nearest_start(counted, goal, poses, group * start, group * (start + 1))], x)
+            copy(table[nearest_start(counted, goal, table, group * start, group * (start + 1)), 12:], x)
         error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, found)
         tried += 1
         if error < least:
@@ -136,22 +153,17 @@ def solve(
         if least <= tolerance:
             break
     wind(limits, x0, best)
-    for j in range(n):
-        q[active[j]] = min(max(best[j] * units[j], box[0, active[j]]), box[1, active[j]])
+    from_units(coordinates, active, best, q)
     return tried, least
 
 
 @compiled(parallel=True)
 def solve_all(
-    chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
-    unit: float, tolerance: float, targets: Array, q0: Array, starts: Array,
-    poses: Array, group: int, first: int, q: Array, tried: Indices, errors: Array,
+    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, targets: Array, q0: Array, table: Array,
+    group: int, first: int, q: Array, tried: Indices, errors: Array,
 ) -> None:  # fmt: skip
     """Do what `solve` does for every target, (k, 4, 4), on all cores; q0 is (k, nq)."""
     for i in prange(len(targets)):
-        number, error = solve(
-            chain, limits, active, units, box, counted, axis, unit, tolerance, targets[i], q0[i],
-            starts, poses, group, first, q[i],
+        tried[i], errors[i] = solve(
+            chain, coordinates, active, task, targets[i], q0[i], table, group, first, q[i]
         )  # fmt: skip
-        tried[i] = number
-        errors[i] = error

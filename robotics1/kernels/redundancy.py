@@ -10,7 +10,7 @@ from robotics1.kernels.compilation import compiled, prange
 from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.descent import DAMPING, descend, move
 from robotics1.kernels.forward import geometric_jacobian, place_joints
-from robotics1.kernels.inverse import in_units, wind
+from robotics1.kernels.inverse import from_units, in_units, to_units, wind
 from robotics1.kernels.pose_error import leave_out, pose_error
 
 STEPS_ASIDE = 60  # along the null space of a solution
@@ -49,40 +49,35 @@ def approach(
 
 @compiled()
 def bring_near(
-    chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
-    unit: float, tolerance: float, target: Array, wished: Array, q: Array,
-) -> float:  # fmt: skip
+    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, target: Array, wished: Array, q: Array
+) -> float:
     """Bring a solution q, (nq,), near to a wished configuration, (nq,), unless that loses it; return its |e|.
 
     The other arguments are those of `inverse.solve`.
     """
     n = len(active)
-    x, near, around, goal = np.empty(n), np.empty(n), np.empty(n), np.empty((3, 4))
+    x, near, around, goal, limits = np.empty(n), np.empty(n), np.empty(n), np.empty((3, 4)), np.empty((3, n))
+    counted, axis, unit, tolerance = task[:6], task[6:9], task[9], task[10]
     in_units(target, unit, goal)
-    for j in range(n):
-        x[j], around[j] = q[active[j]] / units[j], wished[active[j]] / units[j]
+    to_units(coordinates, active, wished, around, limits)
+    to_units(coordinates, active, q, x, limits)
     wind(limits, around, x)
     approach(chain, limits, counted, axis, goal, around, x)
     error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, near)
-    if error <= tolerance:
-        wind(limits, around, near)
-    else:
-        for j in range(n):
-            x[j] = q[active[j]] / units[j]
+    if error > tolerance:
+        to_units(coordinates, active, q, x, limits)
         error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, near)
-    for j in range(n):
-        q[active[j]] = min(max(near[j] * units[j], box[0, active[j]]), box[1, active[j]])
+    wind(limits, around, near)
+    from_units(coordinates, active, near, q)
     return error
 
 
 @compiled(parallel=True)
 def bring_all_near(
-    chain: ChainArrays, limits: Array, active: Indices, units: Array, box: Array, counted: Array, axis: Array,
-    unit: float, tolerance: float, targets: Array, wished: Array, q: Array, errors: Array,
+    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, targets: Array, wished: Array, q: Array,
+    errors: Array,
 ) -> None:  # fmt: skip
     """Do what `bring_near` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
     for i in prange(len(targets)):
-        if errors[i] <= tolerance:
-            errors[i] = bring_near(
-                chain, limits, active, units, box, counted, axis, unit, tolerance, targets[i], wished[i], q[i]
-            )  # fmt: skip
+        if errors[i] <= task[10]:
+            errors[i] = bring_near(chain, coordinates, active, task, targets[i], wished[i], q[i])
