@@ -31,7 +31,8 @@ def compiled(*, parallel: bool = False, contract: bool = False, inline: bool = F
     """
     if COMPILED:
         _announce_the_first()
-    options: dict[str, Any] = {"nogil": True, "parallel": parallel, "error_model": "numpy", "forceinline": inline, "no_cfunc_wrapper": True}
+    options: dict[str, Any] = {"nogil": True, "parallel": parallel, "forceinline": inline}
+    options |= {"error_model": "numpy", "no_cfunc_wrapper": True}  # NaN for 0/0; a wrapper that nobody calls
     if contract:
         options["fastmath"] = {"contract", "reassoc", "nsz", "arcp"}
 
