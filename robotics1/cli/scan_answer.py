@@ -139,7 +139,7 @@ def _distribution(scan: SingularityScan, measure: str) -> dict[str, Any]:
 def _refined(scan: SingularityScan) -> dict[str, Any] | None:
     if scan.refined is None:
         return None
-    branches = scan.refined.singular_set.branches
+    branches = scan.refined.branches
     return {
         "groups": [
             {
@@ -155,5 +155,6 @@ def _refined(scan: SingularityScan) -> dict[str, Any] | None:
         ],
         "unreached": scan.refined.unreached,
         "branches": len(branches),
+        "note": scan.refined.note,
         "missed": scan.refined.missed,
     }

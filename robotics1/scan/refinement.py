@@ -8,6 +8,7 @@ import numpy as np
 from robotics1.analysis.singular_points import SingularPoints
 from robotics1.analysis.singular_set import SingularBranch, SingularSet
 from robotics1.analysis.singularity import find_singularities
+from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 
 ONE_PLACE = 1e-6  # distance of two configurations that are one [rad, or reach]
@@ -19,7 +20,7 @@ class RefinedGroup:
     """Singular configurations that belong together: on one branch, or alike if they are on none.
 
     Attributes:
-        branch: the number of their branch in `Refinement.singular_set.branches`, from 0; None if they are on none.
+        branch: the number of their branch in `Refinement.branches`, from 0; None if they are on none.
         configurations: (k, nq) the distinct ones, σ_ρ ≤ 1e-10 σ₁ without units.
         gaps: (k,) σ_ρ / σ₁ there.
         ranks: (k,) the rank of J there.
@@ -42,18 +43,25 @@ class Refinement:
     Attributes:
         groups: the configurations that were reached; the group with most starts first.
         unreached: which of the worst led to no singular configuration inside the box.
-        singular_set: the answer of `find_singularities`, with which they are compared.
+        singular_set: the answer of `find_singularities`, with which they are compared; None if there are no formulas.
+        note: why there are none.
     """
 
     groups: tuple[RefinedGroup, ...]
     unreached: tuple[int, ...]
-    singular_set: SingularSet = field(repr=False)
+    singular_set: SingularSet | None = field(repr=False)
+    note: str = ""
+
+    @property
+    def branches(self) -> tuple[SingularBranch, ...]:
+        """The branches of `find_singularities`; none if there are no formulas."""
+        return () if self.singular_set is None else self.singular_set.branches
 
     @property
     def missed(self) -> tuple[int, ...]:
         """The branches, from 0, that none of the worst configurations led to."""
         met = {group.branch for group in self.groups}
-        return tuple(number for number in range(len(self.singular_set.branches)) if number not in met)
+        return tuple(number for number in range(len(self.branches)) if number not in met)
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +88,12 @@ def refine(
         box: as of `find_singularities`.
         seed: of the random numbers.
     """
-    found = find_singularities(points.robot, points.task, box=box, seed=seed)
+    found, note = None, ""
+    try:
+        found = find_singularities(points.robot, points.task, method="symbolic", box=box, seed=seed)
+    except FormulaError as error:
+        note = f"There are no formulas: {error}."
+    branches = () if found is None else found.branches
     rng = np.random.default_rng(seed)
     reached: list[_Reached] = []
     unreached = []
@@ -89,13 +102,13 @@ def refine(
         if p is None:
             unreached.append(start)
             continue
-        branch = next((i for i, known in enumerate(found.branches) if _lies_on(points, p, known)), None)
+        branch = next((i for i, known in enumerate(branches) if _lies_on(points, p, known)), None)
         reached.append(_Reached(start, p, branch, {} if branch is not None else _still(points, p, rng)))
     groups: dict[tuple[object, ...], list[_Reached]] = {}
     for one in reached:
         groups.setdefault(one.key, []).append(one)
     ordered = sorted(groups.values(), key=lambda members: -len(members))
-    return Refinement(tuple(_group(points, members) for members in ordered), tuple(unreached), found)
+    return Refinement(tuple(_group(points, members) for members in ordered), tuple(unreached), found, note)
 
 
 def _group(points: SingularPoints, members: Sequence[_Reached]) -> RefinedGroup:

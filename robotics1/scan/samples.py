@@ -184,9 +184,7 @@ def _each(total: int, joints: int) -> int:
     if k**joints > total:
         k -= 1
     if k < 2:
-        raise InputError(
-            f"a grid over {joints} joints has at least 2^{joints} = {2**joints} points; samples is {total}"
-        )
+        raise InputError(f"a grid over {joints} joints has at least {2**joints} configurations; samples is {total}")
     return k
 
 

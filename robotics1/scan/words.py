@@ -60,7 +60,8 @@ def _refinement(refined: "Refinement", joints: tuple[str, ...]) -> list[str]:
     order = (
         "" if joints == tuple(f"q{i + 1}" for i in range(len(joints))) else f" (q1, q2, ... are {', '.join(joints)})"
     )
-    lines = [f"Of the {total} worst, {starts} lead to singular configurations{order}:"]
+    lines = [refined.note] if refined.note else []
+    lines.append(f"Of the {total} worst, {starts} lead to singular configurations{order}:")
     lines += [f"- {_group(refined, group)}" for group in refined.groups]
     if refined.unreached:
         lines.append(f"The other {len(refined.unreached)} are next to no singular configuration inside the limits.")
@@ -73,11 +74,10 @@ def _refinement(refined: "Refinement", joints: tuple[str, ...]) -> list[str]:
 
 def _group(refined: "Refinement", group: "RefinedGroup") -> str:
     if group.branch is not None:
-        where = f"on branch {group.branch + 1}, {place(refined.singular_set.branches[group.branch])}"
-    elif refined.singular_set.branches:
-        where = f"on none of the branches of `find_singularities`{_still(group)}"
+        where = f"on branch {group.branch + 1}, {place(refined.branches[group.branch])}"
     else:
-        where = f"`find_singularities` has no branch{_still(group)}"
+        none = "on none of the branches of `find_singularities`" if refined.branches else "alike"
+        where = f"{none}{_still(group)}"
     shown = "; ".join(vector(q) for q in group.configurations[:SHOWN])
     more = ", ..." if len(group.configurations) > SHOWN else ""
     distinct = count(len(group.configurations), "distinct configuration")
