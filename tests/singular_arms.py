@@ -10,6 +10,7 @@ import numpy as np
 from arms import arm
 from dh_arms import (
     CABLE,
+    EIGHTH,
     EQUAL_3R,
     EQUAL_RRP,
     GANTRY,
@@ -119,6 +120,8 @@ CASES = {
     "cable arm xyz": (lambda: dh(*CABLE, tool=0.35), XYZ, 3, None),
     "cable arm with names xyz": (lambda: dh(*NAMED_CABLE, tool=0.35, a3=0.045, d3=0.55), XYZ, 3, None),
     "3R with 60° and 90° xy": (lambda: dh(*TILTED, a1=0.3, d1=0.2, a2=0.5, d2=0.2, d3=0.3), XY, 2, None),
+    "3R with 45° and equal lengths xy": (lambda: dh(*EIGHTH, a1=0.3, a3=0.3, d3=0.3), XY, 2, {
+        "q2 = -pi/2 | pi/2; q3 = -pi/2 | pi/2": 1}),
     "RRP, a1 = a2 = −d1, xy": (lambda: dh(*EQUAL_RRP, a1=0.4, a2=0.4, d1=-0.4), XY, 2, None),
     "3R, d2 = −a1 and a2 = a3, z": (lambda: dh(*EQUAL_3R, a1=-0.3, a2=0.2, a3=0.2, d2=0.3), Z, 1, None),
     "RRPR pointing": (lambda: dh(R(0.2, pi / 4, 0), R(0, pi / 4, 0.5, H), P(-H), R(0, -H, 0)), POINT, 2, None),

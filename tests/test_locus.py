@@ -1,5 +1,6 @@
 """Zeros of trigonometric polynomials, values put in the place of joints, and the pieces where several vanish."""
 
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -12,6 +13,7 @@ from sympy import cos, pi, sin
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import irreducible_parts
+from robotics1.symbolic.polynomials.laurent import gaussian
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.singular_sets.configurations import Configurations
@@ -144,6 +146,15 @@ def test_a_joint_that_is_another_up_to_a_constant_is_put_in_its_place(f):
         assert not zero.substitution(zero.equation)
 
 
+@pytest.mark.parametrize(("beside_one", "is_exact"), [(0, True), (-1, True), (1, True), (-100, False), (1000, False)])
+def test_a_double_zero_is_exact_up_to_the_rounding_of_square_roots(beside_one, is_exact):
+    """sin q1 + 1 + k 1e-16 is sin q1 + 1, with q1 = −π/2, where √2 · √2 is 2 to 1e-16 only; other numbers are meant."""
+    number = 1 + sympy.Rational(beside_one, 10**16)
+    found = zeros(poly(sin(q1)) + F.constant(gaussian(Fraction(int(number.p), int(number.q)))), VALUES)
+    assert [zero.substitution is not None for zero in found] == [is_exact]
+    assert not is_exact or value_of(found[0]) == (q1, pytest.approx(-1j, abs=1e-15))
+
+
 def test_lengths_that_are_not_zero_say_nothing_and_equal_ones_are_told():
     assert zeros(poly(a * b * sin(q1)), VALUES)[0].substitution.symbol == q1
     assert len(zeros(poly(a * b * sin(q1)), VALUES)) == 2
@@ -199,6 +210,12 @@ def test_common_zeros_are_pieces_on_which_every_polynomial_vanishes(expressions,
         assert piece.contains(q)
         assert [value(poly(e), q) for e in expressions] == pytest.approx([0] * len(expressions), abs=1e-11)
         assert not any(piece.locus.reduced(poly(e)) for e in expressions)
+
+
+def test_a_piece_that_is_met_in_several_orders_is_told_once():
+    """s1 s2 = s2 s3 = s3 s1 = 0: two of the three sines vanish, at four pairs of values each."""
+    found = loci(sin(q1) * sin(q2), sin(q2) * sin(q3), sin(q3) * sin(q1))
+    assert len(found) == len({locus.key for locus in found}) == 12
 
 
 def test_common_zeros_hold_every_configuration_that_a_search_finds():

@@ -1,6 +1,6 @@
 """The singular set as branches with formulas, complete wherever the time is enough."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -94,30 +94,38 @@ class SymbolicSearch:
         Raises:
             OutOfTime: the time is over.
         """
+        known: dict[Hashable, list[Array]] = {}
         exact = [branch for branch in branches if branch.formulas is not None]
         for a, b in combinations(exact, 2):
             loci = self.cases.common_zeros(_locus(b).equations, _locus(a))
-            yield self._as_branches(loci, (a, b), rng)
+            yield self._as_branches(loci, (a, b), rng, known)
         deeper = exact
         while deeper:
-            next_level = []
+            next_level: dict[Hashable, SingularBranch] = {}
             for branch in deeper:
-                parts = self._where_rank_falls(branch, rng)
+                parts = self._where_rank_falls(branch, rng, known)
                 yield parts
-                next_level += parts
-            deeper = next_level
+                next_level |= {part.require_formulas().configurations.key: part for part in parts}
+            deeper = list(next_level.values())
 
-    def _where_rank_falls(self, branch: SingularBranch, rng: np.random.Generator) -> list[SingularBranch]:
+    def _where_rank_falls(
+        self, branch: SingularBranch, rng: np.random.Generator, known: dict[Hashable, list[Array]]
+    ) -> list[SingularBranch]:
         if branch.rank == 0:
             return []
-        return self._as_branches(singular_loci(self.rows.M, branch.rank, _locus(branch), self.cases), (branch,), rng)
+        loci = singular_loci(self.rows.M, branch.rank, _locus(branch), self.cases)
+        return self._as_branches(loci, (branch,), rng, known)
 
     def _as_branches(
-        self, loci: Iterable[Locus], within: tuple[SingularBranch, ...], rng: np.random.Generator
+        self,
+        loci: Iterable[Locus],
+        within: tuple[SingularBranch, ...],
+        rng: np.random.Generator,
+        known: dict[Hashable, list[Array]],
     ) -> list[SingularBranch]:
-        """Return the pieces that are part of all these branches, with samples."""
+        """Return the pieces that are part of all these branches, with samples; `known` as in `largest_pieces`."""
         found = []
-        for piece in largest_pieces(loci, self.cases, self.points.box, rng):
+        for piece in largest_pieces(loci, self.cases, self.points.box, rng, known):
             samples = self._samples(piece, self.points.box, rng, POINTS)
             if samples and all(branch.contains(q) for q in samples for branch in within):
                 found.append(self._branch(piece, self.points.box, rng))

@@ -68,7 +68,7 @@ class Evaluated:
         """The terms at q = 0 (prismatic joints at one), (k,) complex."""
         return self._table[0]
 
-    @property
+    @cached_property
     def size(self) -> float:
         """Σ |cₖ|: what rounding is small beside (prismatic joints at one)."""
         return float(np.abs(self._table[0]).sum()) if self.f.terms else 0.0

@@ -1,6 +1,6 @@
 """Random configurations on a locus."""
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -33,6 +33,11 @@ class Configurations:
     locus: Locus
     parameters: Mapping[sympy.Symbol, float]
     pinned: Mapping[int, float]
+
+    @cached_property
+    def key(self) -> Hashable:
+        """What is the same of two pieces with the same equations and choices."""
+        return self.locus.key, frozenset(self.pinned.items())
 
     @cached_property
     def _angles(self) -> npt.NDArray[np.bool_]:

@@ -1,5 +1,6 @@
 """A set of configurations given by equations: joints that have a value, and equations that tie joints together."""
 
+from collections.abc import Hashable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -32,6 +33,12 @@ class Locus:
     def equations(self) -> tuple[Laurent, ...]:
         """Polynomials that vanish on the locus, and nowhere else."""
         return tuple(zero.equation for zero in self.zeros)
+
+    @cached_property
+    def key(self) -> Hashable:
+        """What is the same of two loci with the same joint values and the same implicit equations."""
+        values = {(s.symbol, frozenset(s.value.terms.items())) for s in self.substitutions}
+        return frozenset(values), frozenset((str(part.numerator), part.degrees) for part in self.implicit)
 
     def reduced(self, f: Laurent) -> Laurent:
         """Return f on the locus, with joints replaced; zero if one of the implicit equations divides it.

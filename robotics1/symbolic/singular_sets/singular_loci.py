@@ -1,6 +1,6 @@
 """The singular set of a task in exact form: where all minors of the Jacobian's order vanish together."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from itertools import product
 
 import numpy as np
@@ -29,17 +29,26 @@ def singular_loci(M: Matrix, rank: int, where: Locus, cases: CaseDistinction) ->
 
 
 def largest_pieces(
-    loci: Iterable[Locus], cases: CaseDistinction, box: JointBox, rng: np.random.Generator
+    loci: Iterable[Locus],
+    cases: CaseDistinction,
+    box: JointBox,
+    rng: np.random.Generator,
+    known: dict[Hashable, list[Array]] | None = None,
 ) -> list[Configurations]:
     """Return the pieces that have configurations in the box and are part of no other, the larger first.
+
+    `known` keeps configurations of each piece, for calls that meet the same pieces in the same box again.
 
     Raises:
         OutOfTime: the time is over.
     """
+    drawn = {} if known is None else known
     real = []
     for piece in (piece for locus in loci for piece in _with_single_values(locus, cases)):
         cases.limit.check()
-        points = _points(piece, box, rng)
+        if piece.key not in drawn:
+            drawn[piece.key] = _points(piece, box, rng)
+        points = drawn[piece.key]
         if points:
             real.append((piece, points))
         elif len(piece.locus.implicit) == 1:

@@ -1,6 +1,6 @@
 """Common zeros of trigonometric polynomials, by cases: one factor after the other is taken to be zero."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 import sympy
@@ -34,18 +34,26 @@ class CaseDistinction:
         Raises:
             OutOfTime: the time is over before the last piece was found.
         """
+        yield from self._common_zeros(polynomials, locus, set())
+
+    def _common_zeros(self, polynomials: Iterable[Laurent], locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
+        """Yield as `common_zeros`; what has been met, by setting the same factors to zero in another order, once."""
         left = _distinct([f for f in map(locus.reduced, polynomials) if f])
+        case = locus.key, frozenset(frozenset(f.terms.items()) for f in left)
+        if case in met:
+            return
+        met.add(case)
         if not left:
-            yield from self._at_equal_lengths(locus)
+            yield from self._at_equal_lengths(locus, met)
             return
         for zero in min(map(self._cases, left), key=_cost):
             if not zero.real:
                 self.excluded.append(zero)
                 continue
             part, reopened = locus.where(zero)
-            yield from self.common_zeros([*left, *reopened], part)
+            yield from self._common_zeros([*left, *reopened], part, met)
 
-    def _at_equal_lengths(self, locus: Locus) -> Iterator[Locus]:
+    def _at_equal_lengths(self, locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
         """Yield the locus, in pieces if one of its equations falls into factors because two lengths are equal:
         a cos(q2) + a cos(q2 + q3) = 2 a cos(q2 + q3/2) cos(q3/2).
         """
@@ -60,7 +68,7 @@ class CaseDistinction:
                 for relation in relations:
                     locus, changed = locus.where(relation)
                     reopened += changed
-                yield from self.common_zeros(map(locus.reduced, reopened), locus)
+                yield from self._common_zeros(map(locus.reduced, reopened), locus, met)
                 return
         yield locus
 

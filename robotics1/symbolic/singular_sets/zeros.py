@@ -14,6 +14,7 @@ from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
 from robotics1.symbolic.polynomials.substitution import Substitution
 
 ZERO = 1e-12  # of a polynomial in the lengths, beside the sum of its terms
+ROUNDED = 1e-15  # of the same, where √2 and √3 are fractions to 1e-16: sin(q3) + 1 is that, and has a double zero
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +142,9 @@ def _values_of_one_angle(f: Laurent) -> list[Zero]:
     if any(k is None for k in turns):
         return []
     found = [_angle(symbol, F.turn(k)) for k in turns if k is not None]
-    return [] if any(zero.substitution(f) for zero in found if zero.substitution) else found
+    left = [zero.substitution(f) for zero in found if zero.substitution is not None]
+    rounding = ROUNDED * Evaluated(f, {}).size
+    return found if all(Evaluated(rest, {}).size <= rounding for rest in left) else []
 
 
 def _value_of_length(part: Part, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
