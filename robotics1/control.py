@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
-from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
+from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +39,7 @@ class Tracking:
 
 
 def simulate_tracking(
-    trajectory: PolynomialTrajectory,
+    trajectory: Trajectory,
     q0: npt.ArrayLike,
     gain: npt.ArrayLike,
     *,
@@ -47,39 +48,44 @@ def simulate_tracking(
 ) -> Tracking:
     """Integrate q̇ = sat(q̇_d(t) + K (q_d(t) − q)) from q(0) = q0 along the trajectory, K = diag(gain).
 
-    Without saturation the error decays as e_i(t) = e_i(0) exp(−k_i t).
+    Without saturation the error decays as e_i(t) = e_i(0) exp(−k_i t). Where q̇_d jumps, the integration starts anew.
 
     Args:
-        trajectory: q_d(t).
+        trajectory: q_d(t), any of n joints: a polynomial, a profile, a spline, one that follows a path.
         q0: (n,) where the joints really start [rad or m].
         gain: (n,) k_i [1/s], or one number for all; zero is feedforward alone.
         rate_limits: (n,) largest |q̇| of each joint, or one number; None for no saturation.
         samples: the number of times that are returned.
 
     Raises:
-        InputError: a negative gain or limit, or a wrong shape.
+        InputError: no trajectory of joints, a negative gain or limit, or a wrong shape.
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1, with joint errors.
     """
-    n = trajectory.coefficients.shape[1]
+    n, ends = number_of_joints("trajectory", trajectory), smooth_ends(trajectory)
     q0 = real_array("q0", q0, (n,), "one number for each joint")
     k = _non_negative("gain", gain, n)
     limits = _limits(rate_limits, n)
-    count = counting_number("samples", samples, least=2)
+    t = np.linspace(0.0, ends[-1], counting_number("samples", samples, least=2))
 
-    def wanted(t: float, q: Array) -> Array:
-        time = min(max(t, 0.0), trajectory.duration)
-        return trajectory.velocity(time) + k * (trajectory(time) - q)
+    def wanted(time: float, q: Array, side: Side) -> Array:
+        return trajectory.velocity(time, side=side) + k * (trajectory(time) - q)
 
-    def rate(t: float, q: Array) -> Array:
-        return np.clip(wanted(t, q), -limits, limits)
+    q, now = np.empty((len(t), n)), q0
+    for start, end in pairwise(ends):
 
-    t = np.linspace(0.0, trajectory.duration, count)
-    run = solve_ivp(
-        rate, (0.0, t[-1]), q0, t_eval=t, rtol=1e-10, atol=1e-12, method="LSODA", max_step=trajectory.duration / 50
-    )
-    q = run.y.T
-    asked = np.array([wanted(time, position) for time, position in zip(t, q, strict=True)])
+        def rate(time: float, q: Array, start: float = start, end: float = end) -> Array:
+            inside = min(max(time, start), end)
+            side: Side = "right" if inside < end else "left"
+            return np.clip(wanted(inside, q, side), -limits, limits)
+
+        here = (t >= start) & (t <= end)
+        instants = np.union1d(t[here], end)  # the last value is where the next integration starts
+        run = solve_ivp(
+            rate, (start, end), now, t_eval=instants, rtol=1e-10, atol=1e-12, method="LSODA", max_step=ends[-1] / 50
+        )
+        q[here], now = run.y.T[: here.sum()], run.y[:, -1]
+    asked = np.array([wanted(time, position, "right") for time, position in zip(t, q, strict=True)])
     saturated = (np.abs(asked) > limits).any(axis=0)
     return Tracking(t, q, np.clip(asked, -limits, limits), trajectory(t) - q, saturated)
 
@@ -108,7 +114,7 @@ class GainChoice:
 
 
 def smallest_gain(
-    trajectory: PolynomialTrajectory,
+    trajectory: Trajectory,
     q0: npt.ArrayLike,
     final_error: float,
     *,
@@ -130,7 +136,7 @@ def smallest_gain(
         InputError: final_error is not positive, or a shape is wrong.
     """
     wanted = real_number("final_error", final_error, positive=True)
-    n = trajectory.coefficients.shape[1]
+    n = number_of_joints("trajectory", trajectory)
     q0 = real_array("q0", q0, (n,), "one number for each joint")
     start = float(np.linalg.norm(trajectory(0.0) - q0))
     k = max(0.0, float(np.log(start / wanted)) / trajectory.duration) if start > 0 else 0.0

@@ -3,6 +3,7 @@ from math import exp, inf, log, nan, sqrt
 import numpy as np
 import pytest
 
+import robotics1 as r1
 from robotics1 import GainVerdict, InputError, cubic, simulate_tracking, smallest_gain
 
 TRAJECTORY = cubic([0, 0], [1.0294, 1.4250], 1.38, v1=[-0.7359, -0.6278])
@@ -152,3 +153,40 @@ def test_the_wanted_error_is_positive(wanted):
 def test_unlimited_joints_of_a_robot_may_be_handed_over_as_rate_limits():
     run = simulate_tracking(TRAJECTORY, [0.1, 0], 2.0, rate_limits=[inf, 4])
     assert not run.saturated.any()
+
+
+# --- any trajectory of joints
+
+
+def trajectories():
+    limits = r1.MotionLimits([1, 0.5], [2, 1])
+    path = r1.PathTrajectory(r1.polyline_path([[0, 0], [1, 0], [1, 1]]), r1.trapezoidal(0, 2, 3, velocity=1).joint())
+    return {
+        "profiles": r1.minimum_time([0, 0], [1, -1], limits).trajectory,
+        "bang-bang": r1.bang_bang([0, 0], [1, -1], 2),
+        "spline": r1.cubic_spline([[0, 0], [1, -1], [0.5, 0]], [0, 1, 2.5]),
+        "path": path,
+        "sequence": r1.TrajectorySequence((cubic([0, 0], [1, 1], 1, v1=[2, 0]), cubic([1, 1], [0, 1], 1))),
+        "stretched": r1.stretched(path, 2.0),
+    }
+
+
+@pytest.mark.parametrize("kind", sorted(trajectories()))
+def test_the_error_along_any_trajectory_decays_as_exp_minus_k_t_also_where_the_velocity_jumps(kind):
+    motion = trajectories()[kind]
+    run = simulate_tracking(motion, motion(0.0) + np.array([0.1, -0.2]), 3.0, samples=77)
+    assert run.error == pytest.approx(np.array([-0.1, 0.2]) * np.exp(-3 * run.t)[:, None], abs=1e-7)
+    choice = smallest_gain(motion, motion(0.0) + np.array([0.3, 0.4]), 1e-3)
+    assert choice.gain == pytest.approx(np.full(2, log(0.5 / 1e-3) / motion.duration))
+    assert choice.run.final_error == pytest.approx(1e-3, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    "motion",
+    [3, None, cubic, r1.line_path([0, 0], [1, 1]), r1.LinearMotion([0, 0], [1, 1]), r1.bang_bang(0, 1, 1).joint()],
+)
+def test_what_is_no_trajectory_of_joints_is_an_input_error(motion):
+    with pytest.raises(InputError, match="trajectory must be"):
+        simulate_tracking(motion, [0, 0], 1)
+    with pytest.raises(InputError, match="trajectory must be"):
+        smallest_gain(motion, [0, 0], 1)

@@ -180,3 +180,22 @@ CALLS = [
 def test_misuse_of_plots_is_an_input_error(tmp_path, call, message):
     with pytest.raises(InputError, match=message):
         call(tmp_path)
+
+
+@pytest.mark.parametrize("draw", [r1.animate, r1.plot_joint_motion, r1.plot_tool_path])
+@pytest.mark.parametrize(
+    ("motion", "message"),
+    [
+        (3, "must be a motion"),
+        (r1.line_path([0, 0], [1, 1]), "must be a motion"),
+        (r1.cubic([0], [1], 1), "the robot has 2"),
+    ],
+)
+def test_what_is_no_motion_of_the_robots_joints_is_an_input_error(draw, motion, message, planar_2r, tmp_path):
+    with pytest.raises(r1.InputError, match=message):
+        draw(planar_2r, motion, tmp_path / "motion.out")
+
+
+def test_a_profile_is_animated(planar_2r, tmp_path):
+    motion = r1.minimum_time([0, 0], [1, -1], r1.MotionLimits(1, 2)).trajectory
+    assert r1.animate(planar_2r, motion, tmp_path / "profile.html").stat().st_size > 100_000

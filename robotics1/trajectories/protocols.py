@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
+import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
@@ -92,17 +93,41 @@ class Trajectory(Protocol):
         """Return the third derivative of q(t)."""
 
 
-def require_motion(name: str, value: Any) -> Any:
-    """Return `value` if it is a trajectory or a timing law.
+def require_motion(name: str, value: Any, *, derivatives: int = 3) -> Any:
+    """Return `value` if it is a trajectory or a timing law, with at least so many derivatives.
 
     Raises:
         InputError: it lacks what these have.
     """
-    needed = ("__call__", "velocity", "acceleration", "jerk")
-    if (
-        isinstance(value, type)
-        or not hasattr(value, "duration")
-        or not all(callable(getattr(value, f, None)) for f in needed)
-    ):
-        raise InputError(f"{name} must be a motion, such as cubic(q0, q1, T), with its derivatives; it is {value!r}")
+    methods = ("__call__", "velocity", "acceleration", "jerk")[: derivatives + 1]
+    timed = isinstance(getattr(value, "duration", None), int | float)
+    if isinstance(value, type) or not timed or not all(callable(getattr(value, f, None)) for f in methods):
+        raise InputError(
+            f"{name} must be a motion, such as cubic(q0, q1, T), with a duration and {derivatives} derivatives; "
+            f"it is {value!r}"
+        )
     return value
+
+
+def number_of_joints(name: str, value: Any, n: int | None = None) -> int:
+    """Return n of a trajectory of joints that lasts longer than 0 s, with at least the velocity.
+
+    Raises:
+        InputError: it is none, or of another number of joints than a given n.
+    """
+    start = require_motion(name, value, derivatives=1)(0.0)
+    if not isinstance(start, np.ndarray) or start.ndim != 1 or value.duration <= 0:
+        raise InputError(f"{name} must be of joints, (n,) numbers at a time, and last longer than 0 s; it is {value!r}")
+    if n not in (None, len(start)):
+        raise InputError(f"{name} is of {len(start)} joints; the robot has {n}")
+    return len(start)
+
+
+def smooth_ends(trajectory: Any) -> list[float]:
+    """Return 0, the switching times of a trajectory or a timing law if it tells them, and its duration.
+
+    Raises:
+        InputError: it is no motion with at least two derivatives.
+    """
+    require_motion("trajectory", trajectory, derivatives=2)
+    return [0.0, *np.asarray(getattr(trajectory, "switching_times", ())).tolist(), float(trajectory.duration)]

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
-from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
+from robotics1.trajectories.protocols import Trajectory, number_of_joints
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.page import write_page
 from robotics1.viewer.scene import Color, Scene
@@ -25,7 +25,7 @@ TARGET: Color = (0.10, 0.60, 0.25)
 
 def animate(
     robot: Robot,
-    trajectory: PolynomialTrajectory,
+    trajectory: Trajectory,
     path: str | Path,
     *,
     target: TargetMotion | None = None,
@@ -38,7 +38,7 @@ def animate(
 
     Args:
         robot: the robot, with a tool.
-        trajectory: q(t).
+        trajectory: q(t), any of the robot's joints.
         path: the file to write.
         target: a moving point p(t) with two (x, y) or three coordinates [m].
         title: by default the robot's name.
@@ -46,8 +46,9 @@ def animate(
 
     Raises:
         MissingExtraError: Meshcat is not installed.
-        InputError: the folder does not exist.
+        InputError: the trajectory is not of the robot's joints, or the folder does not exist.
     """
+    number_of_joints("trajectory", trajectory, robot.nv)
     T = trajectory.duration
     count = max(2, min(ceil(T * FRAME_RATE), MOST_FRAMES))
     times = np.linspace(0.0, T, count + 1)

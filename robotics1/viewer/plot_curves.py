@@ -10,7 +10,7 @@ from robotics1.inputs import Array, counting_number, text
 from robotics1.paths.course import Course
 from robotics1.paths.frenet import frenet_frame
 from robotics1.paths.path import Path as Curve
-from robotics1.trajectories.peaks.norm_peaks import smooth_ends
+from robotics1.trajectories.protocols import smooth_ends
 from robotics1.viewer.plot_figures import STYLES, new_figure, smooth_samples, write_svg
 
 AXIS = 0.12  # length of a drawn axis, of the size of the path

@@ -6,8 +6,7 @@ import numpy as np
 
 from robotics1.inputs import text
 from robotics1.trajectories.limits.motion_limits import MotionLimits
-from robotics1.trajectories.peaks.norm_peaks import smooth_ends
-from robotics1.trajectories.protocols import TimingLaw
+from robotics1.trajectories.protocols import TimingLaw, smooth_ends
 from robotics1.viewer.plot_figures import new_figure, smooth_samples, write_svg
 
 PANELS = (("s", "", ""), ("velocity", "ds/dt", "/s"), ("acceleration", "d²s/dt²", "/s²"), ("jerk", "d³s/dt³", "/s³"))

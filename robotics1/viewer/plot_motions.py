@@ -10,7 +10,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.trajectories.limits.motion_limits import MotionLimits
-from robotics1.trajectories.peaks.norm_peaks import smooth_ends
+from robotics1.trajectories.protocols import smooth_ends
 from robotics1.viewer.plot_figures import line_style, names_of, new_figure, smooth_samples, write_svg
 
 PANELS = (("position", ""), ("velocity", "/s"), ("acceleration", "/s²"))

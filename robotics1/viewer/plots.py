@@ -6,7 +6,7 @@ import numpy as np
 
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
-from robotics1.trajectories.protocols import Trajectory
+from robotics1.trajectories.protocols import Trajectory, number_of_joints
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.plot_figures import SAMPLES, line_style
 from robotics1.viewer.plot_figures import new_figure as _figure
@@ -18,8 +18,9 @@ def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *,
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: the folder does not exist.
+        InputError: the trajectory is not of the robot's joints, or the folder does not exist.
     """
+    number_of_joints("trajectory", trajectory, robot.nv)
     figure = _figure((6.4, 5.6))
     upper, lower = figure.subplots(2, 1, sharex=True)
     t = np.linspace(0.0, trajectory.duration, SAMPLES)
@@ -47,8 +48,9 @@ def plot_tool_path(
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: the folder does not exist.
+        InputError: the trajectory is not of the robot's joints, or the folder does not exist.
     """
+    number_of_joints("trajectory", trajectory, robot.nv)
     figure = _figure((6.4, 5.0))
     axes = figure.subplots()
     t = np.linspace(0.0, trajectory.duration, SAMPLES)

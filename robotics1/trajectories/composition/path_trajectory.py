@@ -11,8 +11,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, one_of, real_array
 from robotics1.paths.course import SAME_PLACE, Course, chain_rule
 from robotics1.paths.interpolants import interpolants, largest, roots
-from robotics1.trajectories.peaks.norm_peaks import smooth_ends
-from robotics1.trajectories.protocols import Side, TimingLaw
+from robotics1.trajectories.protocols import Side, TimingLaw, smooth_ends
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,8 +8,7 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array, real_number
 from robotics1.trajectories.instants import times_inside
-from robotics1.trajectories.peaks.norm_peaks import smooth_ends
-from robotics1.trajectories.protocols import Side, require_motion
+from robotics1.trajectories.protocols import Side, require_motion, smooth_ends
 
 
 @dataclass(frozen=True, eq=False)

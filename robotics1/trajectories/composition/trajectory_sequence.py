@@ -12,8 +12,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.paths.course import piece_at
 from robotics1.trajectories.instants import times_inside
-from robotics1.trajectories.peaks.norm_peaks import refuse_no_motion, smooth_ends
-from robotics1.trajectories.protocols import Side
+from robotics1.trajectories.protocols import Side, require_motion, smooth_ends
 
 CONTINUOUS = 1e-9  # of the largest value there: a smaller jump is rounding
 QUANTITIES = ("position", "velocity", "acceleration", "jerk")
@@ -61,7 +60,7 @@ class TrajectorySequence:
         if not pieces:
             raise InputError(f"pieces must be one trajectory or several; they are {self.pieces!r}")
         for piece in pieces:
-            refuse_no_motion(piece)
+            require_motion("piece", piece, derivatives=2)
         sizes = [np.shape(piece.velocity(0.0)) for piece in pieces]
         if len(set(sizes)) > 1:
             raise InputError(f"the pieces must have the same coordinates; their velocities have the shapes {sizes}")

@@ -13,8 +13,7 @@ from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow, Wish
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
-from robotics1.trajectories.peaks.norm_peaks import refuse_no_motion, smooth_ends
-from robotics1.trajectories.protocols import Side, Trajectory
+from robotics1.trajectories.protocols import Side, Trajectory, require_motion, smooth_ends
 
 PRECISION = 1e-10  # relative, of the integration
 RUNAWAY = 1e4  # rad or m in the duration: joints that move so fast have met a singularity
@@ -144,7 +143,7 @@ def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Arra
             f"joints can follow a trajectory"
         )
     task.check_integrable(robot)
-    refuse_no_motion(trajectory)
+    require_motion("trajectory", trajectory, derivatives=2)
     rates = np.shape(trajectory.velocity(0.0))
     if rates != (task.rows,):
         raise InputError(

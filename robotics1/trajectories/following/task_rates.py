@@ -13,8 +13,7 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.differences import derivative_inside
 from robotics1.trajectories.instants import times_inside
-from robotics1.trajectories.peaks.norm_peaks import refuse_no_motion, smooth_ends
-from robotics1.trajectories.protocols import Side, Trajectory
+from robotics1.trajectories.protocols import Side, Trajectory, require_motion, smooth_ends
 
 
 def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLike) -> Array:
@@ -55,7 +54,7 @@ class TaskTrajectory:
 
     def __post_init__(self) -> None:
         """Refuse a motion of other joints, and a task that does not fit."""
-        refuse_no_motion(self.trajectory)
+        require_motion("trajectory", self.trajectory, derivatives=2)
         self.task.check(self.robot)
         rates = np.shape(self.trajectory.velocity(0.0))
         if rates != (self.robot.nv,):

@@ -7,7 +7,7 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.trajectories.limits.demands import Demand
-from robotics1.trajectories.peaks.norm_peaks import smooth_ends
+from robotics1.trajectories.protocols import smooth_ends
 
 
 def growing_and_falling(trajectory: Any, bounds: dict[str, Array]) -> list[Demand]:

@@ -8,7 +8,7 @@ from robotics1.errors import InputError
 from robotics1.robot.model import Robot
 from robotics1.trajectories.limits.motion_limits import MotionLimits
 from robotics1.trajectories.peaks.extremes import extremes_of
-from robotics1.trajectories.protocols import Trajectory
+from robotics1.trajectories.protocols import Trajectory, number_of_joints
 
 
 @dataclass(frozen=True)
@@ -49,9 +49,7 @@ def limit_violations(
     Raises:
         InputError: the trajectory or the limits are of another number of joints.
     """
-    n = np.size(trajectory(0.0))
-    if n != robot.nv:
-        raise InputError(f"the trajectory is of {n} joints; the robot has {robot.nv}")
+    n = number_of_joints("trajectory", trajectory, robot.nv)
     if limits is not None and not isinstance(limits, MotionLimits):
         raise InputError(f"limits must be MotionLimits(acceleration=..., jerk=...); it is {limits!r}")
     more = (limits or MotionLimits()).of_joints(n)

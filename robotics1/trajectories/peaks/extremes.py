@@ -8,8 +8,7 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number
 from robotics1.paths.interpolants import largest
-from robotics1.trajectories.peaks.norm_peaks import smooth_ends
-from robotics1.trajectories.protocols import Peak, Side
+from robotics1.trajectories.protocols import Peak, Side, smooth_ends
 
 SAME = 1e-12  # relative: magnitudes so near are equal, and the earlier instant counts
 

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import Array, one_of
 from robotics1.paths.interpolants import largest
-from robotics1.trajectories.protocols import Peak, Side
+from robotics1.trajectories.protocols import Peak, Side, require_motion, smooth_ends
 
 NORMS = ("velocity", "acceleration", "jerk", "tangential acceleration", "normal acceleration")
 
@@ -42,7 +42,7 @@ def acceleration_split(trajectory: Any, t: npt.ArrayLike, *, side: Side = "right
     Raises:
         InputError: a time is outside the trajectory.
     """
-    refuse_no_motion(trajectory)
+    require_motion("trajectory", trajectory, derivatives=2)
     v = np.asarray(trajectory.velocity(t, side=side))
     a = np.asarray(trajectory.acceleration(t, side=side))
     speed = np.linalg.norm(v, axis=-1, keepdims=True)
@@ -93,26 +93,6 @@ def peak_norm(trajectory: Any, quantity: str = "velocity", *, rows: slice | None
     whole = peak_norm(trajectory, "acceleration", rows=rows).value if parts else 0.0
     found = largest(square, ends, floor=(ROUNDING * whole) ** 2)
     return NormPeak(float(np.sqrt(found.value)), found.at, found.resolved)
-
-
-def smooth_ends(trajectory: Any) -> list[float]:
-    """Return 0, the switching times of a trajectory if it tells them, and its duration.
-
-    Raises:
-        InputError: it is no trajectory and no timing law.
-    """
-    refuse_no_motion(trajectory)
-    return [0.0, *np.asarray(getattr(trajectory, "switching_times", ())).tolist(), float(trajectory.duration)]
-
-
-def refuse_no_motion(trajectory: Any) -> None:
-    """Raise InputError of what has no duration, or no velocity and acceleration to be called."""
-    known = isinstance(getattr(trajectory, "duration", None), int | float)
-    if not known or not all(callable(getattr(trajectory, name, None)) for name in ("velocity", "acceleration")):
-        raise InputError(
-            f"a trajectory, or a timing law, has a duration, a velocity and an acceleration, such as cubic(...); "
-            f"{trajectory!r} has not"
-        )
 
 
 def _vector(trajectory: Any, quantity: str, t: Array, side: Side) -> Array:
