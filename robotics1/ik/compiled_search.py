@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import cached_property, partial
 from time import perf_counter
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -57,10 +57,7 @@ class CompiledSearch:
 
     def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the answer for one target; what can be left to the kernel to check is left to it."""
-        if self.takes_poses and type(target) is pin.SE3:
-            goal = target.homogeneous
-        else:
-            goal = self.task.goal(self.robot, target)
+        goal = self._goal(target)
         if q0 is None:
             start, first = self.middle, 0
         elif type(q0) is np.ndarray and q0.dtype is FLOAT and q0.shape == self.shape and q0.flags.c_contiguous:
@@ -110,8 +107,8 @@ class CompiledSearch:
 
     def _goal(self, target: Any) -> Array:
         """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
-        if self.takes_poses and isinstance(target, pin.SE3):
-            return np.asarray(target.homogeneous)
+        if self.takes_poses and type(target) is pin.SE3:
+            return cast(Array, target.homogeneous)
         return self.task.goal(self.robot, target)
 
     def _numbered_goal(self, i: int, target: Any, *, task_checks: bool = False) -> Array:
@@ -140,14 +137,14 @@ class CompiledSearch:
         batch.status[missed] = [IKStatus.UNREACHABLE if out else IKStatus.NOT_FOUND for out in proven]
         left, spent, number = missed[~proven], 0.0, 0
         while left.size and spent < self.time_limit:
-            begin, number = perf_counter(), number + 1
+            begin, share, number = perf_counter(), min(1.0, threads() / left.size), number + 1
             table: Table = (self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1)
             q, tried, errors = self._round(goals[left], starts[left], table, 0)
             batch.starts[left] += tried
             better = errors < batch.error[left]
             batch.q[left[better]], batch.error[left[better]] = q[better], errors[better]
             left = left[batch.error[left] > self.tolerance]
-            spent += (perf_counter() - begin) * min(1.0, threads() / max(1, left.size))
+            spent += (perf_counter() - begin) * share
         for i in missed[batch.error[missed] > self.tolerance]:
             self._look_around(i, targets[i], batch)
         batch.status[missed[batch.error[missed] <= self.tolerance]] = IKStatus.CONVERGED
@@ -157,7 +154,9 @@ class CompiledSearch:
         return self.reach.excess(goal, self.problem.counted) > self.tolerance
 
     def _look_around(self, i: int, target: Any, batch: IKBatch) -> None:
-        """Move the nearest miss of target i to where |e| is least around it."""
+        """Move the nearest miss of target i to where |e| is least around it; e of angles is another, and not looked at."""
+        if self.task.tells_angles:
+            return
         descent = Descent(self.robot, self.task, self.task.target(target), self.problem.box)
         q = descent.nearest_miss(batch.q[i])
         error = float(np.linalg.norm(self.task.error(self.robot, q, target)))
