@@ -154,8 +154,8 @@ class CompiledSearch:
         return self.reach.excess(goal, self.problem.counted) > self.tolerance
 
     def _look_around(self, i: int, target: Any, batch: IKBatch) -> None:
-        """Move the nearest miss of target i to where |e| is least around it; e of angles is another, and not looked at."""
-        if self.task.tells_angles:
+        """Move the nearest miss of target i to where |e| is least around it."""
+        if self.task.tells_angles:  # whose e is another than the kernel's
             return
         descent = Descent(self.robot, self.task, self.task.target(target), self.problem.box)
         q = descent.nearest_miss(batch.q[i])
