@@ -154,6 +154,9 @@ from .orientation.quaternion import (
     UnitQuaternions as UnitQuaternions,
 )
 from .orientation.quaternion import (
+    quaternion_rate_map as quaternion_rate_map,
+)
+from .orientation.quaternion import (
     quaternion_to_rotation as quaternion_to_rotation,
 )
 from .orientation.quaternion import (
@@ -696,6 +699,7 @@ __all__ = [
     "polynomial_formula",
     "polynomial_through",
     "pose_line",
+    "quaternion_rate_map",
     "quaternion_to_rotation",
     "quintic",
     "rendezvous",

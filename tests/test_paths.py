@@ -249,6 +249,21 @@ def test_spline_ends_with_the_tangents_that_are_asked_and_is_smooth_at_the_knots
     assert one.derivative(one.end, 2) == pytest.approx([0, 0], abs=1e-12)
 
 
+def test_spline_ends_with_the_second_derivatives_that_are_asked():
+    """p'' is linear in s between the knots, and by Simpson's rule the strain of the points is met."""
+    points = [[0, 0], [1, 2], [3, 1]]
+    path = r1.spline_path(points, knots=[0, 1, 3], start_second=[2, -1], end_second=[0.5, 4])
+    assert path.derivative(0.0, 2) == pytest.approx([2, -1])
+    assert path.derivative(3.0, 2) == pytest.approx([0.5, 4])
+    assert path([0, 1, 3]) == pytest.approx(np.array(points, dtype=float))
+    # (h₀ m₀ + 2 (h₀ + h₁) m₁ + h₁ m₂)/6 = Δ₁/h₁ − Δ₀/h₀
+    left = (1 * np.array([2, -1]) + 6 * path.derivative(1.0, 2) + 2 * np.array([0.5, 4])) / 6
+    assert left == pytest.approx(np.array([2, -1]) / 2 - np.array([1, 2]))
+    mixed = r1.spline_path(points, knots=[0, 1, 3], start_second=[2, -1], end_tangent=[0, -2])
+    assert mixed.derivative(0.0, 2) == pytest.approx([2, -1])
+    assert mixed.derivative(3.0) == pytest.approx([0, -2])
+
+
 def test_a_periodic_spline_closes_with_its_curvature():
     path = r1.spline_path([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]], ends="periodic")
     for order in (0, 1, 2):

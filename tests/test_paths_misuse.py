@@ -46,6 +46,12 @@ MISUSE = [
     (lambda: r1.spline_path([[0, 0], [1, 1], [2, 1]], ends="free"), "ends must be one of"),
     (lambda: r1.spline_path([[0, 0], [1, 1], [2, 1]], ends="periodic"), "must end where it begins"),
     (lambda: r1.spline_path([[0, 0], [1, 1], [0, 0]], ends="periodic", start_tangent=[1, 0]), "has no ends"),
+    (lambda: r1.spline_path([[0, 0], [1, 1], [0, 0]], ends="periodic", end_second=[1, 0]), "has no ends"),
+    (
+        lambda: r1.spline_path([[0, 0], [1, 1]], start_tangent=[1, 0], start_second=[0, 0]),
+        "start_tangent and start_second are one condition too many",
+    ),
+    (lambda: r1.spline_path([[0, 0], [1, 1]], end_second=[1]), r"end_second must have shape \(2,\)"),
     (lambda: r1.spline_path([[0, 0], [1, 1]], start_tangent=[1]), r"start_tangent must have shape \(2,\)"),
     (lambda: LINE(5.1), r"s must be in \[0, 5\]; it is \[5.1\]"),
     (lambda: LINE(-0.1), r"s must be in \[0, 5\]"),

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_number
+from robotics1.inputs import Array, one_of, real_number
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.orientation.expressions import Matrix, expressions, told
 from robotics1.orientation.nearest import PRINTED, NearestRotation, rotation_of
@@ -26,15 +26,46 @@ def quaternion_to_rotation(quaternion: Any) -> Matrix:
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.6.
     """
+    Q = unit_quaternion(quaternion)
+    eta, epsilon = Q[0], Q[1:]
+    one = np.eye(3, dtype=int)
+    return told((eta**2 - epsilon @ epsilon) * one + 2 * np.outer(epsilon, epsilon) + 2 * eta * cross_matrix(epsilon))
+
+
+def quaternion_rate_map(quaternion: Any, *, reference: str = "world") -> Matrix:
+    """Return E(Q), (4, 3), with Q̇ = E ω: η̇ = −½ εᵀω and ε̇ = ½ (η 1 − [ε]×) ω; of ω in the body's axes ½ (η 1 + [ε]×).
+
+    Its columns have the length ½ and are normal to Q and to each other, whatever Q: unlike the rates of three angles,
+    those of a quaternion are never singular. Conversely ω = 4 Eᵀ Q̇.
+
+    Args:
+        quaternion: (4,) scalar first, as of `quaternion_to_rotation`.
+        reference: the axes ω is written in: "world" or "body".
+
+    Raises:
+        InputError: it has not four entries, or its length is not 1.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.3.
+    """
+    one_of("reference", reference, ("world", "body"))
+    half = unit_quaternion(quaternion) / 2
+    turned = -cross_matrix(half[1:]) if reference == "world" else cross_matrix(half[1:])
+    return told(np.vstack([-half[1:], half[0] * np.eye(3, dtype=int) + turned]))
+
+
+def unit_quaternion(quaternion: Any) -> Array:
+    """Return Q (4,): numbers divided by their length, if that is 1 to within 1e-3, expressions as they are.
+
+    Raises:
+        InputError: it has not four entries, or its length is not 1.
+    """
     Q = expressions("quaternion", quaternion, (4,), "(η, ε), the scalar first")
     if Q.dtype != object:
         length = math.hypot(*Q)
         if abs(length - 1) > PRINTED:
             raise InputError(f"quaternion must have length 1 to within {PRINTED:.0e}; its length is {length:.4g}")
         Q = Q / length
-    eta, epsilon = Q[0], Q[1:]
-    one = np.eye(3, dtype=int)
-    return told((eta**2 - epsilon @ epsilon) * one + 2 * np.outer(epsilon, epsilon) + 2 * eta * cross_matrix(epsilon))
+    return Q
 
 
 @dataclass(frozen=True, eq=False)

@@ -58,6 +58,8 @@ def spline_path(
     ends: str = "natural",
     start_tangent: npt.ArrayLike | None = None,
     end_tangent: npt.ArrayLike | None = None,
+    start_second: npt.ArrayLike | None = None,
+    end_second: npt.ArrayLike | None = None,
 ) -> PolynomialPath:
     """Return the cubic spline p(s) through the points: p, p' and p'' are continuous.
 
@@ -69,9 +71,11 @@ def spline_path(
         ends: "natural" (p'' = 0), "not-a-knot" (p''' continuous at the first and last inner knot), "clamped" (p' = 0),
             or "periodic" (closed, p' and p'' continuous there too).
         start_tangent, end_tangent: (n,) p' there, in place of the condition that `ends` makes there.
+        start_second, end_second: (n,) p'' there instead. With the law s = t these are velocities and accelerations.
 
     Raises:
-        InputError: consecutive points are the same, knots do not ascend, or a periodic spline is not closed.
+        InputError: p' and p'' are both given at one end (`mixed_spline(...).as_path()` takes both), consecutive points
+            are the same, knots do not ascend, or a periodic spline is not closed.
 
     Source: de Boor, A Practical Guide to Splines, 1978, chapter IV.
     """
@@ -82,19 +86,28 @@ def spline_path(
     parameters = _knots(knots, steps)
     one_of("ends", ends, END_KINDS)
     if ends == "periodic":
-        if start_tangent is not None or end_tangent is not None:
-            raise InputError("a periodic spline has no ends, so no tangent can be asked of them")
+        if any(given is not None for given in (start_tangent, end_tangent, start_second, end_second)):
+            raise InputError("a periodic spline has no ends, so no tangent and no p'' can be asked of them")
         if np.linalg.norm(points[-1] - points[0]) > 1e-9 * steps.sum():
             raise InputError("a periodic spline must end where it begins: repeat the first point as the last")
         condition: Any = "periodic"
         points[-1] = points[0]
     else:
-        condition = tuple(
-            (1, point(name, tangent, points[0].shape, "a vector like the points")) if tangent is not None else ends
-            for name, tangent in (("start_tangent", start_tangent), ("end_tangent", end_tangent))
-        )
+        given = (("start", start_tangent, start_second), ("end", end_tangent, end_second))
+        condition = tuple(_end(where, p1, p2, points.shape[1]) or ends for where, p1, p2 in given)
     spline = CubicSpline(parameters, points, bc_type=condition)
     return PolynomialPath(spline.c[::-1], parameters)
+
+
+def _end(where: str, tangent: npt.ArrayLike | None, second: npt.ArrayLike | None, n: int) -> tuple[int, Array] | None:
+    """Return which derivative is given at an end, and its value."""
+    if tangent is not None and second is not None:
+        raise InputError(
+            f"{where}_tangent and {where}_second are one condition too many for a cubic; mixed_spline(...).as_path() "
+            "with the degree 4 at the ends takes both"
+        )
+    order, name, value = (1, "tangent", tangent) if second is None else (2, "second", second)
+    return None if value is None else (order, point(f"{where}_{name}", value, (n,), "a vector like the points"))
 
 
 def _knots(knots: str | npt.ArrayLike, steps: Array) -> Array:
