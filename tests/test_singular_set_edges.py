@@ -8,7 +8,7 @@ import sympy
 from arms import arm
 from dh_arms import POLAR_ARM, ZYZ, dh, shoulder_arm
 from singular_arms import CASES, TURN, XY, XYZ
-from singular_checks import case, rank, read, usual_sigma, written
+from singular_checks import case, numbers, rank, read, usual_sigma, written
 
 from robotics1 import (
     FormulaError,
@@ -238,6 +238,35 @@ def test_angles_that_are_subtracted_stand_on_the_other_side_and_where_j_is_zero_
             "   - no force needs joint torques;",
             "   - no joint velocity moves the task.",
         ]
+
+
+def test_a_2r_is_never_singular_in_the_plane_and_loses_c1_s1_l2_s2_everywhere():
+    """J = (−y, −l2 s12; x, l2 c12; 1, 1): u = (c1, s1, l2 s2) is orthogonal to both columns."""
+    found = case("2R pose")[3]
+    q1, q2, l2 = sympy.symbols("q1 q2 l2", real=True)
+    wanted = sympy.Matrix([sympy.cos(q1), sympy.sin(q1), l2 * sympy.sin(q2)])
+    assert found.almost_everywhere.left_null == wanted
+    assert found.almost_everywhere.null.shape == (2, 0)
+    assert found.explain().splitlines() == [
+        "There is no singular configuration.",
+        "Almost everywhere",
+        "   - a task velocity (x, y, φ) with a part along (cos(q1), sin(q1), l2·sin(q2)) cannot be realised;",
+        "   - a force along (cos(q1), sin(q1), l2·sin(q2)) needs no joint torque.",
+    ]
+
+
+@pytest.mark.parametrize("name", ["3R xy", "spatial 4R xyz", "7R wrist centre", "SCARA twist", "2R, l2 = 0, xy"])
+def test_the_bases_almost_everywhere_are_those_of_j(name):
+    robot, task, generic, found, *_ = case(name)
+    null, lost = (numbers(robot, getattr(found.almost_everywhere, basis)) for basis in ("null", "left_null"))
+    for seed in range(5):
+        q = np.random.default_rng(seed).uniform(-2, 2, robot.nq)
+        J = task.jacobian(robot, q)
+        N, L = null(q).reshape(robot.nv, robot.nv - generic), lost(q).reshape(task.rows, task.rows - generic)
+        assert np.abs(J @ N).max(initial=0) <= 1e-12
+        assert np.abs(J.T @ L).max(initial=0) <= 1e-12
+        assert np.linalg.matrix_rank(N) == robot.nv - generic
+        assert np.linalg.matrix_rank(L) == task.rows - generic
 
 
 def test_a_branch_of_one_equation_may_be_two_loops():

@@ -163,6 +163,13 @@ class SingularSet:
 
         return conditions_on_lengths(self.search, [*self.branches, *self.outside])
 
+    @cached_property
+    def almost_everywhere(self) -> "BranchFormulas | None":
+        """The bases of N(J), R(J) and N(Jᵀ) in symbols where J has rank ρ; they hold almost everywhere, as all entries
+        of a vector may vanish together. None of a set that was found by numbers.
+        """
+        return None if self.search is None else self.search.almost_everywhere
+
     @property
     def intersections(self) -> tuple[SingularBranch, ...]:
         """Where branches meet, and where the rank falls further inside one: of branches in exact form."""

@@ -11,6 +11,7 @@ from robotics1.notation import enumeration, joint_value, vector
 if TYPE_CHECKING:
     from robotics1.analysis.singular_set import SingularBranch, SingularSet
     from robotics1.robot.model import Robot
+    from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 
 LONGEST = 40  # operations of a basis vector that is still read
 WIDEST = 160  # characters of an equation that is still read
@@ -22,12 +23,14 @@ def set_sentences(found: "SingularSet") -> str:
     lines = [found.note] if found.note else []
     if rank < min(rows, found.robot.nv):
         lines.append(
-            f"The task has {rows} rows, but the rank of its Jacobian is {rank} everywhere; "
+            f"The task has {rows} rows, but the rank of its Jacobian is {rank}{' almost' if found.branches else ''} "
+            "everywhere; "
             f"below, singular means a rank lower than {rank}."
         )
     if not found.branches:
         never = "There is no singular configuration" if found.complete else "No singular configuration was found"
-        return "\n".join([*lines, f"{never}{' inside the joint limits' if found.outside else ''}.", *_besides(found)])
+        none = f"{never}{' inside the joint limits' if found.outside else ''}."
+        return "\n".join([*lines, none, *_almost_everywhere(found), *_besides(found)])
     lines += _names(found)
     if found.free_joints:
         verb = "matters" if len(found.free_joints) == 1 else "matter"
@@ -40,6 +43,15 @@ def set_sentences(found: "SingularSet") -> str:
         else "This was a search: it does not prove that there are no others."
     )
     return "\n".join([*lines, *_besides(found)])
+
+
+def _almost_everywhere(found: "SingularSet") -> list[str]:
+    """Say what is lost, and what does not move the task, where nothing is singular."""
+    if found.almost_everywhere is None:
+        return []
+    lost, still = (_written(found.almost_everywhere, name) for name in ("left_null", "null"))
+    said = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
+    return ["Almost everywhere", *said[:-1], said[-1][:-1] + "."] if said else []
 
 
 def _names(found: "SingularSet") -> list[str]:
@@ -123,7 +135,9 @@ def branch_sentences(branch: "SingularBranch") -> str:
     rows = ", ".join(branch.points.task.row_names)
     if branch.rank == 0:
         return "\n".join([*lines, *_nothing_moves(rows)])
-    lost, still = _written(branch, "left_null"), _written(branch, "null")
+    lost, still = (
+        None if branch.formulas is None else _written(branch.formulas, name) for name in ("left_null", "null")
+    )
     in_symbols = [*_lost(rows, lost), *_still(still)]
     in_numbers = [] if lost is not None else _lost(rows, directions(branch.left_null))
     in_numbers += [] if still is not None else _still(directions(branch.null))
@@ -157,12 +171,12 @@ def _still(along: str | None) -> list[str]:
     return [f"   - joint velocities along {along} do not move the task;"] if along else []
 
 
-def _written(branch: "SingularBranch", name: str) -> str | None:
+def _written(formulas: "BranchFormulas", name: str) -> str | None:
     """Return a basis in symbols, or None where there is none, or it is too long to be read."""
-    if branch.formulas is None or not branch.formulas.is_short(name):
+    if not formulas.is_short(name):
         return None
     try:
-        basis = getattr(branch.formulas, name)
+        basis = getattr(formulas, name)
     except FormulaError:
         return None
     if _operations(basis) > LONGEST * max(basis.cols, 1):

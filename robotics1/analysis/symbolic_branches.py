@@ -70,6 +70,12 @@ class SymbolicSearch:
             complete=complete,
         )
 
+    @property
+    def almost_everywhere(self) -> BranchFormulas:
+        """The bases of J where it is not singular."""
+        whole = Configurations(Locus(self.rows.M[0, 0].frequencies), self.cases.parameters, {})
+        return BranchFormulas(self.rows, self.groups, whole, self.points.rank)
+
     def intersections(self, branches: Sequence[SingularBranch]) -> tuple[tuple[SingularBranch, ...], bool]:
         """Return where two branches meet, and where the rank falls further; and whether they are all. A piece of
         another one is told only if the rank is lower there. The time limit is that of the branches, once more.
