@@ -25,53 +25,40 @@ def bidiagonal_squares(A: Array, Q: Array, E: Array, h: Array, w: Array) -> None
 
     Source: Golub, Van Loan, Matrix Computations, 2013, sections 5.1 and 5.4.
     """
-    k = A.shape[0]
+    k, n = A.shape[0], A.shape[1]
     for i in range(k):
-        _reflect_from_right(A, i, Q, h, w)
-        if i + 1 < k:
-            _reflect_from_left(A, i, E, h, w)
-
-
-@compiled(contract=True)
-def _reflect_from_right(A: Array, i: int, Q: Array, h: Array, w: Array) -> None:
-    """Make a multiple of e₁ of row i, from the diagonal on, and reflect the rows below it."""
-    k, n = A.shape[0], A.shape[1]
-    for c in range(BLOCK):
-        w[c] = 0.0
-    for j in range(i, n):
-        for c in range(BLOCK):
-            w[c] += A[i, j, c] * A[i, j, c]
-    _reflection(w, A[i, i], Q[i], h)
-    for row in range(i + 1, k):
         for c in range(BLOCK):
             w[c] = 0.0
         for j in range(i, n):
             for c in range(BLOCK):
-                w[c] += h[c] * A[i, j, c] * A[row, j, c]
-        for j in range(i, n):
+                w[c] += A[i, j, c] * A[i, j, c]
+        _reflection(w, A[i, i], Q[i], h)
+        for row in range(i + 1, k):
             for c in range(BLOCK):
-                A[row, j, c] -= w[c] * A[i, j, c]
-
-
-@compiled(contract=True)
-def _reflect_from_left(A: Array, i: int, E: Array, h: Array, w: Array) -> None:
-    """Make a multiple of e₁ of column i, below the diagonal, and reflect the columns right of it."""
-    k, n = A.shape[0], A.shape[1]
-    for c in range(BLOCK):
-        w[c] = 0.0
-    for row in range(i + 1, k):
-        for c in range(BLOCK):
-            w[c] += A[row, i, c] * A[row, i, c]
-    _reflection(w, A[i + 1, i], E[i], h)
-    for j in range(i + 1, n):
+                w[c] = 0.0
+            for j in range(i, n):
+                for c in range(BLOCK):
+                    w[c] += h[c] * A[i, j, c] * A[row, j, c]
+            for j in range(i, n):
+                for c in range(BLOCK):
+                    A[row, j, c] -= w[c] * A[i, j, c]
+        if i + 1 == k:
+            return
         for c in range(BLOCK):
             w[c] = 0.0
         for row in range(i + 1, k):
             for c in range(BLOCK):
-                w[c] += h[c] * A[row, i, c] * A[row, j, c]
-        for row in range(i + 1, k):
+                w[c] += A[row, i, c] * A[row, i, c]
+        _reflection(w, A[i + 1, i], E[i], h)
+        for j in range(i + 1, n):
             for c in range(BLOCK):
-                A[row, j, c] -= w[c] * A[row, i, c]
+                w[c] = 0.0
+            for row in range(i + 1, k):
+                for c in range(BLOCK):
+                    w[c] += h[c] * A[row, i, c] * A[row, j, c]
+            for row in range(i + 1, k):
+                for c in range(BLOCK):
+                    A[row, j, c] -= w[c] * A[row, i, c]
 
 
 @compiled(contract=True)

@@ -33,41 +33,24 @@ def place_block(
                 lines[joint, i, c], lines[joint, 3 + i, c] = T[i, 2, c], T[i, 3, c]
         for c in range(BLOCK):
             z[0, c] = factor * q[row, c]
+        P = placements[joint + 1]
         if prismatic[joint]:
-            _move(T, z[0])
+            for i in range(3):
+                for c in range(BLOCK):
+                    T[i, 3, c] += z[0, c] * T[i, 2, c]
         else:
             cosines_and_sines(z[0], z[1], z[2])
-            _turn(T, z[1], z[2])
-        _multiply(T, placements[joint + 1])
-
-
-@compiled(contract=True)
-def _move(T: Array, d: Array) -> None:
-    """P ← p + d z."""
-    for i in range(3):
-        for c in range(BLOCK):
-            T[i, 3, c] += d[c] * T[i, 2, c]
-
-
-@compiled(contract=True)
-def _turn(T: Array, cosine: Array, sine: Array) -> None:
-    """(x, y) ← (x cos θ + y sin θ, y cos θ − x sin θ)."""
-    for i in range(3):
-        for c in range(BLOCK):
-            x, y = T[i, 0, c], T[i, 1, c]
-            T[i, 0, c], T[i, 1, c] = cosine[c] * x + sine[c] * y, cosine[c] * y - sine[c] * x
-
-
-@compiled(contract=True)
-def _multiply(T: Array, P: Array) -> None:
-    """T ← T P, with P (3, 4) the same for all."""
-    for i in range(3):
-        for c in range(BLOCK):
-            x, y, z, p = T[i, 0, c], T[i, 1, c], T[i, 2, c], T[i, 3, c]
-            T[i, 0, c] = x * P[0, 0] + y * P[1, 0] + z * P[2, 0]
-            T[i, 1, c] = x * P[0, 1] + y * P[1, 1] + z * P[2, 1]
-            T[i, 2, c] = x * P[0, 2] + y * P[1, 2] + z * P[2, 2]
-            T[i, 3, c] = x * P[0, 3] + y * P[1, 3] + z * P[2, 3] + p
+            for i in range(3):
+                for c in range(BLOCK):
+                    x, y = T[i, 0, c], T[i, 1, c]
+                    T[i, 0, c], T[i, 1, c] = z[1, c] * x + z[2, c] * y, z[1, c] * y - z[2, c] * x
+        for i in range(3):
+            for c in range(BLOCK):
+                x, y, a, p = T[i, 0, c], T[i, 1, c], T[i, 2, c], T[i, 3, c]
+                T[i, 0, c] = x * P[0, 0] + y * P[1, 0] + a * P[2, 0]
+                T[i, 1, c] = x * P[0, 1] + y * P[1, 1] + a * P[2, 1]
+                T[i, 2, c] = x * P[0, 2] + y * P[1, 2] + a * P[2, 2]
+                T[i, 3, c] = x * P[0, 3] + y * P[1, 3] + a * P[2, 3] + p
 
 
 @compiled(contract=True)

@@ -47,9 +47,14 @@ def singularity_measures(
         if J is not None:
             J[:] = jacobians
         return measures_of(jacobians, min(jacobians.shape[:2]))
+    k = min(len(S), len(q))
     answer = SingularityMeasures(np.empty(count), np.empty(count), np.empty(count if largest else 0))
+    squares = np.empty((2 * k, count if largest else 0))
     rows, columns = np.ascontiguousarray(S), np.ascontiguousarray(q)  # other layouts would be compiled anew
-    measure_blocks(*chain, rows, columns, np.empty((0, 0, 0)) if J is None else J, *answer)
+    given = np.empty((0, 0, 0)) if J is None else J
+    measure_blocks(*chain, rows, columns, given, squares, answer.smallest, answer.product)
+    if largest:
+        largest_blocks(squares, answer.largest)
     return answer
 
 
@@ -68,16 +73,19 @@ def measure_blocks(
     S: Array,
     q: Array,
     J: Array,
+    squares: Array,
     smallest: Array,
     product: Array,
-    largest: Array,
 ) -> None:
-    """Go through the configurations block by block; the last block is filled up with its last configuration."""
+    """Go through the configurations block by block; the last block is filled up with its last configuration.
+
+    J (m, n, N), and squares (2 k, N), those of the bidiagonal matrix, are written unless they are empty.
+    """
     n, count, m = q.shape[0], q.shape[1], S.shape[0]
     k = min(m, n)
-    T, lines, work = np.empty((3, 4, BLOCK)), np.empty((len(coordinate), 6, BLOCK)), np.empty((9, BLOCK))
+    T, lines, work = np.empty((3, 4, BLOCK)), np.empty((len(coordinate), 6, BLOCK)), np.empty((6, BLOCK))
     block, frame, A = np.empty((n, BLOCK)), np.empty((6, n, BLOCK)), np.empty((k, max(m, n), BLOCK))
-    Q, E = np.empty((k, BLOCK)), np.empty((k, BLOCK))
+    Q, E = np.empty((k, BLOCK)), np.zeros((k, BLOCK))
     for start in range(0, count, BLOCK):
         size = min(BLOCK, count - start)
         for i in range(n):
@@ -94,13 +102,29 @@ def measure_blocks(
         for i in range(k):
             for c in range(size):
                 product[start + c] *= math.sqrt(Q[i, c])
-        if largest.size > 0:
-            largest_eigenvalues(Q, E, k, work[0], work[1:])
-            for c in range(size):
-                largest[start + c] = math.sqrt(work[0, c])
+        if squares.size > 0:
+            for i in range(k):
+                for c in range(size):
+                    squares[i, start + c], squares[k + i, start + c] = Q[i, c], E[i, c]
         smallest_eigenvalues(Q, E, k, work[0], work[1:])
         for c in range(size):
             smallest[start + c] = math.sqrt(work[0, c])
+
+
+@compiled()
+def largest_blocks(squares: Array, largest: Array) -> None:
+    """Write σ_max, (N,), of bidiagonal matrices: a kernel of its own, since few need it and it compiles long."""
+    k, count = squares.shape[0] // 2, squares.shape[1]
+    Q, E, work = np.empty((k, BLOCK)), np.empty((k, BLOCK)), np.empty((7, BLOCK))
+    for start in range(0, count, BLOCK):
+        size = min(BLOCK, count - start)
+        for i in range(k):
+            for c in range(BLOCK):
+                place = start + min(c, size - 1)
+                Q[i, c], E[i, c] = squares[i, place], squares[k + i, place]
+        largest_eigenvalues(Q, E, k, work[0], work[1:])
+        for c in range(size):
+            largest[start + c] = math.sqrt(work[0, c])
 
 
 @compiled()
