@@ -4,7 +4,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import sympy
-from arms import arm
+from arms import arm, one_joint_file
 from dh_arms import puma, stanford, ur5
 from formula_values import number, real
 from sympy import cos, sin
@@ -181,17 +181,8 @@ def test_what_formulas_cannot_tell_is_a_typed_error():
 
 
 def test_a_number_that_is_no_polynomial_of_the_parameters_is_named(tmp_path):
-    path = tmp_path / "odd.urdf.xacro"
-    path.write_text(
-        """<robot name="odd" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="l" default="0.5"/>
-        <xacro:property name="l" value="$(arg l)"/><link name="base"/><link name="a"/><link name="tool"/>
-        <joint name="q1" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/>
-        <limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
-        <joint name="tip" type="fixed"><origin xyz="${1/l} 0 0"/><parent link="a"/><child link="tool"/></joint>
-        </robot>"""
-    )
     with pytest.raises(FormulaError, match="xyz of joint 'tip' is no polynomial of degree 2"):
-        formulas(load_robot(path), PositionTask("xy"))
+        formulas(load_robot(one_joint_file(tmp_path, "l", "1/l")), PositionTask("xy"))
 
 
 def test_the_value_of_a_pose_is_its_homogeneous_matrix(planar_2r):

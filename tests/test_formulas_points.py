@@ -6,7 +6,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import sympy
-from arms import arm, random_q
+from arms import arm, one_joint_file, random_q
 from differences import derivative
 from formula_values import number, real, same
 from sympy import Matrix, cos, sin
@@ -221,14 +221,5 @@ def test_a_link_that_does_not_move_has_a_jacobian_of_zeros():
 
 
 def test_a_parameter_that_is_called_like_a_joint_is_refused(tmp_path):
-    path = tmp_path / "odd.urdf.xacro"
-    path.write_text(
-        """<robot name="odd" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="q1" default="0.5"/>
-        <link name="base"/><link name="a"/><link name="tool"/>
-        <joint name="j" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/>
-        <limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
-        <joint name="tip" type="fixed"><origin xyz="$(arg q1) 0 0"/><parent link="a"/><child link="tool"/></joint>
-        </robot>"""
-    )
     with pytest.raises(FormulaError, match="a parameter 'q1', which in formulas is a joint"):
-        formulas(load_robot(path), PositionTask("xy"))
+        formulas(load_robot(one_joint_file(tmp_path, "q1", "q1")), PositionTask("xy"))

@@ -126,8 +126,11 @@ def _by_numbers(others: int, exact: int) -> str:
     """Say which branches the numeric search has added; they stand last."""
     if not others:
         return "a search by numbers found no other branch"
-    which = "all branches" if not exact else "the last branch" if others == 1 else f"the last {others} branches"
-    return f"{which} {'was' if which == 'the last branch' else 'were'} found by numbers"
+    if not exact:
+        return "all branches were found by numbers"
+    return (
+        "the last branch was found by numbers" if others == 1 else f"the last {others} branches were found by numbers"
+    )
 
 
 def _note(search: "SymbolicSearch", answer: "Found") -> str:
