@@ -1,4 +1,5 @@
 import math
+import tracemalloc
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from functools import cache
 from math import pi
@@ -300,6 +301,18 @@ def test_many_chunks_are_reduced_as_one():
     for measure in ALL:
         edges, counts = scan.histogram(measure, per_octave=128)
         assert np.array_equal(counts, np.histogram(values[measure], edges)[0])
+
+
+def test_the_memory_does_not_grow_with_the_samples():
+    def peak(chunks):
+        tracemalloc.start()
+        scan_singularities(arm("planar_3r"), XY, samples=chunks * CHUNK, measures=ALL)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return most
+
+    peak(1)  # what is imported and kept the first time
+    assert peak(40) < 1.1 * peak(4)
 
 
 def test_progress_is_told_after_each_chunk():

@@ -13,7 +13,7 @@ from robotics1.inputs import Array, counting_number
 from robotics1.robot.box import JointBox
 
 CHUNK = 2**14  # configurations; a power of two, as Sobol's sequence wants
-MOST = 2**62  # configurations of a grid, which are numbered
+MOST = 2**62  # configurations: they are numbered with 64 bits
 METHODS = ("random", "sobol", "grid")
 
 
@@ -54,6 +54,8 @@ def samples_of(
     if method == "grid":
         return GridSamples(_grid_axes(box, samples, moving))
     count = _whole("samples", samples)
+    if count >= MOST:
+        raise InputError(f"{count} configurations have no end; ask for fewer")
     kind = RandomSamples if method == "random" else SobolSamples
     return kind(box.lower, box.upper, count, seed)
 
@@ -165,21 +167,21 @@ def _in_box(lower: Array, upper: Array, unit: Array) -> Array:
 def _grid_axes(box: JointBox, samples: int | float | Sequence[int], moving: npt.NDArray[np.bool_]) -> tuple[Array, ...]:
     """Return the values of each joint: limits included, of a circle both ends once, a single value in the middle."""
     n = len(box.lower)
-    if isinstance(samples, list | tuple | np.ndarray):
+    if isinstance(samples, list | tuple) or (isinstance(samples, np.ndarray) and samples.ndim > 0):
         if len(samples) != n:
             raise InputError(f"a grid wants the number of values of each of {n} joints; samples has {len(samples)}")
         sizes = [_whole(f"samples[{i}]", value) for i, value in enumerate(samples)]
     else:
         sizes = np.where(moving, _each(_whole("samples", samples), int(moving.sum())), 1).tolist()
     if math.prod(sizes) >= MOST:
-        raise InputError(f"a grid of {' × '.join(map(str, sizes))} configurations has no end; ask for fewer")
+        raise InputError(f"{' × '.join(map(str, sizes))} configurations have no end; ask for fewer")
     return tuple(_axis(*joint) for joint in zip(box.lower, box.upper, box.circular, sizes, strict=True))
 
 
 def _each(total: int, joints: int) -> int:
     """Return the largest k with k^joints ≤ total."""
     if total >= MOST:
-        raise InputError(f"a grid of {total} configurations has no end; ask for fewer")
+        raise InputError(f"{total} configurations have no end; ask for fewer")
     k: int = round(total ** (1 / joints))
     if k**joints > total:
         k -= 1

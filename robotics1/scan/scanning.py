@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from robotics1.scan.measurement import Measurement
 
 KEPT = 10  # worst configurations, or as many as are refined
-WAITING = 64  # chunks handed to an executor at a time
+WAITING = 32  # chunks handed to an executor at a time: of Sobol's sequence 30 MB for seven joints
 
 
 def scan_singularities(
