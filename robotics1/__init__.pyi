@@ -414,6 +414,12 @@ from .trajectories.limits.coordination import (
 from .trajectories.limits.demands import (
     Demand as Demand,
 )
+from .trajectories.limits.fastest_along_path import (
+    PathTiming as PathTiming,
+)
+from .trajectories.limits.fastest_along_path import (
+    fastest_along as fastest_along,
+)
 from .trajectories.limits.minimum_duration import (
     shortest_duration as shortest_duration,
 )
@@ -597,6 +603,7 @@ __all__ = [
     "OrientationTask",
     "Path",
     "PathSequence",
+    "PathTiming",
     "PathTrajectory",
     "Peak",
     "PiecewiseTrajectory",
@@ -665,6 +672,7 @@ __all__ = [
     "euler_to_rotation",
     "examine",
     "exerting_torque",
+    "fastest_along",
     "find_singularities",
     "follow_trajectory",
     "follow_trajectory_by_acceleration",

@@ -1,0 +1,150 @@
+"""The fastest motion along a path under bounds on the joints, by toppra."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from robotics1.errors import InputError, MissingExtraError, NotConverged
+from robotics1.inputs import Array, counting_number
+from robotics1.paths.path import Path
+from robotics1.trajectories.composition.path_trajectory import PathTrajectory
+from robotics1.trajectories.laws.profiles import ProfileLaw, law_of_phases
+from robotics1.trajectories.laws.ramps import Phase
+from robotics1.trajectories.limits.demands import Demand
+from robotics1.trajectories.limits.motion_limits import MotionLimits
+
+SAMPLES = 64  # in each phase, its ends included
+CORNER = 1e-9  # of |p'|: a smaller jump of the tangent is rounding
+BEFORE = 1e-6  # of the end: so far before a break p'' is still the one before it
+
+
+@dataclass(frozen=True, eq=False)
+class PathTiming:
+    """The fastest motion along a path, at rest at both ends.
+
+    Attributes:
+        trajectory: q(s(t)); s̈ is constant between the points of the grid.
+        active: the bounds that it touches, of each joint and quantity one, where it is most used.
+        correction: k, by which the grid's answer was stretched so that the bounds hold between its points too; 1 for
+            an endless grid.
+    """
+
+    trajectory: PathTrajectory
+    active: tuple[Demand, ...]
+    correction: float
+
+    @property
+    def duration(self) -> float:
+        """T [s]."""
+        return self.trajectory.duration
+
+
+def fastest_along(path: Path, limits: MotionLimits, *, grid: int = 200) -> PathTiming:
+    """Return the law s(t) of least duration for which |q̇| = |p' ṡ| ≤ V and |q̈| = |p'' ṡ² + p' s̈| ≤ A along the path.
+
+    On a grid of s the bounds are linear in ṡ² and s̈, and the greatest ṡ² is found point by point, backwards and
+    forwards (time-optimal path parameterisation by reachability). Between its points the bounds are passed a little,
+    the less, the finer the grid; the law is stretched uniformly until they hold at 64 instants of each phase, which
+    leaves an excess below 1e-4 between those.
+
+    Args:
+        path: in joint space, q(s) = p(s), with a continuous tangent.
+        limits: the velocity and acceleration of the joints, both.
+        grid: the number of phases of s(t), and two more at each break.
+
+    Raises:
+        MissingExtraError: toppra is not installed.
+        InputError: a bound lacks, one is on the jerk or the deceleration, the path has a corner, or p' vanishes.
+        NotConverged: toppra finds no law.
+
+    Source: Pham, Pham, A New Approach to Time-Optimal Path Parameterization Based on Reachability Analysis, IEEE
+    Trans. Robotics 34, 2018.
+    """
+    bounds = _bounds(path, limits)
+    count = counting_number("grid", grid, least=10)
+    s = np.linspace(0.0, path.end, count + 1)
+    _refuse_corners(path, s)
+    breaks = path.breaks
+    s = np.unique(np.concatenate([s, breaks, breaks - BEFORE * path.end]))
+    speed = _speeds(path, bounds, s)
+    # between two points of the grid s̈ is constant: ṡ₁² − ṡ₀² = 2 s̈ (s₁ − s₀)
+    mean = (speed[1:] + speed[:-1]) / 2
+    dt = np.diff(s) / mean
+    phases = tuple(Phase(*row) for row in zip(dt.tolist(), (np.diff(speed) / dt).tolist(), strict=True))
+    law = ProfileLaw(law_of_phases(0.0, 0.0, phases), 0, phases)
+    k = max(demand.stretch for demand in _demands(PathTrajectory(path, law), bounds))
+    trajectory = PathTrajectory(path, law.stretched(k))
+    active = tuple(demand for demand in _demands(trajectory, bounds) if demand.active)
+    return PathTiming(trajectory, active, k)
+
+
+def _bounds(path: Any, limits: Any) -> dict[str, Array]:
+    """Return V and A of the joints."""
+    if not isinstance(path, Path):
+        raise InputError(f"path must be a path in joint space, such as spline_path(points); it is {path!r}")
+    if not isinstance(limits, MotionLimits):
+        raise InputError(f"limits must be MotionLimits(velocity=..., acceleration=...); it is {limits!r}")
+    if limits.jerk is not None or limits.deceleration is not None:
+        raise InputError("along a path the velocity and the acceleration are bounded; leave out the other bounds")
+    bounds = limits.of_joints(path.dimension)
+    for name in ("velocity", "acceleration"):
+        if not np.isfinite(bounds[name]).all():
+            raise InputError(f"each joint needs a bound on the {name}")
+    return {name: bounds[name] for name in ("velocity", "acceleration")}
+
+
+def _refuse_corners(path: Path, s: Array) -> None:
+    path.refuse_standstill(s, path.rate(s))
+    if len(path.breaks):
+        after, before = path.derivative(path.breaks, 1), path.derivative(path.breaks, 1, side="left")
+        corner = np.linalg.norm(after - before, axis=1) > CORNER * np.linalg.norm(after, axis=1)
+        if corner.any():
+            raise InputError(
+                f"the tangent jumps at s = {path.breaks[corner][0]:.6g}, where the motion would have to stop: blend "
+                "the corner, as polyline_path(points, blend=...) does, or time the parts one by one"
+            )
+
+
+def _speeds(path: Path, bounds: dict[str, Array], s: Array) -> Array:
+    """Return the greatest ṡ at the points of the grid, from rest to rest."""
+    try:
+        import toppra
+        from toppra.algorithm import TOPPRA
+        from toppra.constraint import JointAccelerationConstraint, JointVelocityConstraint
+    except ImportError as error:
+        raise MissingExtraError("toppra", "toppra") from error
+
+    class Geometry(toppra.interpolator.AbstractGeometricPath):  # type: ignore[misc]
+        """The path in toppra's words."""
+
+        path_interval = np.array([0.0, path.end])
+        dof = path.dimension
+
+        def __call__(self, places: Any, order: int = 0) -> Array:
+            return path.derivative(places, order)
+
+    V, A = bounds["velocity"], bounds["acceleration"]
+    constraints = [
+        JointVelocityConstraint(np.column_stack([-V, V])),
+        JointAccelerationConstraint(np.column_stack([-A, A])),
+    ]
+    _, speed, _ = TOPPRA(constraints, Geometry(), gridpoints=s).compute_parameterization(0.0, 0.0)
+    if speed is None or not np.isfinite(speed).all() or not ((speed[1:] + speed[:-1]) > 0).all():
+        raise NotConverged("toppra finds no law along this path; try a finer grid", speed)
+    return np.asarray(speed)
+
+
+def _demands(trajectory: PathTrajectory, bounds: dict[str, Array]) -> list[Demand]:
+    """Return what the motion asks of each bound, at instants of each phase, from inside it at its ends."""
+    law: Any = trajectory.law
+    starts = np.cumsum([0.0, *(phase.duration for phase in law.phases)])
+    shares = np.linspace(0.0, 1.0, SAMPLES)
+    t = np.unique((starts[:-1, None] + np.diff(starts)[:, None] * shares).clip(0.0, trajectory.duration))
+    found = []
+    for quantity, bound in bounds.items():
+        rate = getattr(trajectory, quantity)
+        values = np.concatenate([rate(t), rate(t, side="left")])
+        for j, i in enumerate(np.abs(values).argmax(axis=0)):
+            found.append(Demand(j, quantity, float(values[i, j]), float(bound[j]), float(t[i % len(t)])))
+    return found
