@@ -21,7 +21,7 @@ def scan(
     refine: Annotated[int, typer.Option(help="How many of the worst are moved to singular configurations.")] = 0,
     box: Annotated[list[str] | None, typer.Option(help="An interval of a joint, as in q1=-1:pi/2.")] = None,
     length: Annotated[str, typer.Option(help="The length in metres that counts as one, or reach.")] = "1",
-    workers: Annotated[int, typer.Option(help="In how many processes.")] = 1,
+    workers: Annotated[int, typer.Option(help="In how many threads.")] = 1,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,

@@ -1,10 +1,9 @@
 """The answer of `robotics1 scan`: in sentences, where the task is nearest to singular, and a histogram; or as JSON."""
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from math import radians
-from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
@@ -48,7 +47,7 @@ def parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, tu
 
 
 def run_scan(console: Console, workers: int, *arguments: Any, **options: Any) -> SingularityScan:
-    """Scan with a progress bar, in so many processes.
+    """Scan with a progress bar, in so many threads.
 
     Raises:
         Robotics1Error: what `scan_singularities` raises.
@@ -57,7 +56,7 @@ def run_scan(console: Console, workers: int, *arguments: Any, **options: Any) ->
     with _bar(console) as progress:
         if workers == 1:
             return scan_singularities(*arguments, progress=progress, **options)
-        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as executor:
+        with ThreadPoolExecutor(workers) as executor:  # the kernels leave the interpreter free; processes start slowly
             return scan_singularities(*arguments, progress=progress, executor=executor, **options)
 
 

@@ -69,7 +69,8 @@ def scan_singularities(
         seed: of the random numbers.
         refine: how many of the worst configurations are moved to singular ones, σ_ρ ≤ 1e-10 σ₁ with lengths divided
             by the reach, and compared with the branches of `find_singularities`.
-        executor: of concurrent.futures, to measure chunks in parallel: a ProcessPoolExecutor.
+        executor: of concurrent.futures, to measure chunks in parallel: threads serve, since the kernels leave the
+            interpreter free; so do processes, to which arrays only are sent.
         box: joint name → (lower, upper), narrower than the limits; a prismatic joint without limits needs it. A
             revolute joint that can make a whole turn is a circle, (−π, π].
         length: the length that counts as one [m].
@@ -125,7 +126,7 @@ def _measures(measures: Sequence[str]) -> tuple[str, ...]:
 
 def _check_callables(executor: object, progress: object) -> None:
     if executor is not None and not isinstance(executor, Executor):
-        raise InputError(f"executor must be one of concurrent.futures, such as a ProcessPoolExecutor, not {executor!r}")
+        raise InputError(f"executor must be one of concurrent.futures, such as a ThreadPoolExecutor, not {executor!r}")
     if progress is not None and not callable(progress):
         raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
 
