@@ -87,11 +87,14 @@ def run_interleaved(solvers: dict[str, Solver], workload: Workload, in_a_row: in
 
 
 def _turns(solvers: dict[str, Solver], count: int, in_a_row: int) -> Iterator[tuple[str, int]]:
-    """Go through who is called with which target; who begins changes from turn to turn."""
-    names = list(solvers)
-    for turn, begin in enumerate(range(0, count, in_a_row)):
-        first = turn % len(names)
-        for name in names[first:] + names[:first]:
+    """Go through who is called with which target, in a new random order each turn.
+
+    In a fixed one, a solver would always follow the same other, and find as much or as little of its own code in the
+    caches as that one leaves.
+    """
+    rng = np.random.default_rng(0)
+    for begin in range(0, count, in_a_row):
+        for name in rng.permutation(list(solvers)).tolist():
             for i in range(begin, min(begin + in_a_row, count)):
                 if i % solvers[name].every == 0:
                     yield name, i

@@ -41,12 +41,12 @@ WORKLOADS: dict[str, tuple[Callable[[Arm, int], Workload], int, str]] = {
 QUICK = 100  # targets
 IN_A_ROW = 25
 RULES = """\
-All solvers take turns at each target, and are called twice before; the slow ones get every k-th target, and are
-compared with our times at the same targets. Solved: Pinocchio's forward kinematics at the answer, outside the timed
-call, is within 1e-5 m and 1e-4 rad of the target, and every joint inside its limits. "Gave up": the solver says
-itself that it failed. The median and p99 are of the time of a call, the mean is of the processor time of all threads;
-all three include the failures. The tolerance of each solver is set so that its answers can meet these: see
-`benchmarks/peers/`."""
+All solvers take turns at each target, in random order, and are called twice before; the slow ones get every k-th
+target, and are compared with our times at the same targets. Solved: Pinocchio's forward kinematics at the answer,
+outside the timed call, is within 1e-5 m and 1e-4 rad of the target, and every joint inside its limits. "Gave up": the
+solver says itself that it failed. The median and p99 are of the time of a call, the mean is of the processor time of
+all threads; all three include the failures. The tolerance of each solver is set so that its answers can meet these:
+see `benchmarks/peers/`."""
 IN_WORDS = f"""\
 The same, but each solver is given {IN_A_ROW} targets before it is the next one's turn. It then finds its own code in
 the processor's caches, as in a program that solves one target after the other; with turns at each target it finds

@@ -1,6 +1,7 @@
 """The benchmarks count a failure as a failure: wrong solvers are planted, and none of the peers is needed."""
 
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -77,6 +78,27 @@ def test_a_solver_that_gives_up_is_counted_with_its_time(known):
     s = run(lambda i, q0: None, workload, every=2)
     assert (s.targets, s.gave_up, s.success) == (COUNT // 2, COUNT // 2, 0.0)
     assert s.median > 0
+
+
+def order_of_calls(names, workload, in_a_row):
+    """Who is called one after the other while the clock runs."""
+    calls = []
+    solvers = {name: Solver(lambda T, q0, name=name: calls.append(name), lambda T: T) for name in names}
+    runs = run_interleaved(solvers, workload, in_a_row)
+    assert all(run.indices == list(range(COUNT)) for run in runs.values())
+    return calls[-COUNT * len(names) :]
+
+
+def test_each_solver_follows_each_other(known):
+    """In a fixed order a solver would always find the same other's code in the caches."""
+    pairs = set(pairwise(order_of_calls("abc", known[0], 1)))
+    assert {(a, b) for a in "abc" for b in "abc" if a != b} <= pairs
+
+
+def test_calls_in_a_row_are_of_one_solver(known):
+    half = COUNT // 2
+    calls = order_of_calls("ab", known[0], half)
+    assert {"".join(calls[i : i + half]) for i in range(0, len(calls), half)} == {"a" * half, "b" * half}
 
 
 def test_failures_are_written_in_bold_and_absent_solvers_have_a_row(known):
