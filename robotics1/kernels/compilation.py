@@ -2,7 +2,9 @@
 
 import logging
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -33,18 +35,31 @@ def compiled(*, parallel: bool = False, contract: bool = False, inline: bool = F
         _announce_the_first()
     options: dict[str, Any] = {"nogil": True, "parallel": parallel, "forceinline": inline}
     options |= {"error_model": "numpy", "no_cfunc_wrapper": True}  # NaN for 0/0; a wrapper that nobody calls
-    if contract:
-        options["fastmath"] = {"contract", "reassoc", "nsz", "arcp"}
+    # False is said, since a function without the option would take that of the caller that compiles it first
+    options["fastmath"] = {"contract", "reassoc", "nsz", "arcp"} if contract else False
 
     def compile_later(function: Function) -> Function:
         if not COMPILED:
             return function
         try:
-            return cast(Function, numba.njit(cache=True, **options)(function))
+            dispatcher = numba.njit(cache=True, **options)(function)
         except RuntimeError:  # "no locator available": there is no directory to write the cache to
             return cast(Function, numba.njit(**options)(function))
+        with suppress(AttributeError):  # these attributes are private to Numba
+            dispatcher._cache._cache_file._source_stamp = _sources()
+        return cast(Function, dispatcher)
 
     return compile_later
+
+
+@cache
+def _sources() -> tuple[tuple[str, float, int], ...]:
+    """Return what tells whether a kernel on disk is that of these files.
+
+    Numba looks at the file of the function alone; but the machine code holds that of all functions it calls.
+    """
+    files = sorted(Path(__file__).parent.glob("*.py"))
+    return tuple((file.name, file.stat().st_mtime, file.stat().st_size) for file in files)
 
 
 def threads() -> int:
