@@ -121,3 +121,14 @@ def test_formulas_want_three_names(angles):
 def test_a_first_angle_is_a_number():
     with pytest.raises(r1.InputError, match="first"):
         r1.rotation_to_euler("ZYZ", np.eye(3)).with_first("all")
+
+
+def test_a_target_printed_with_four_digits_is_refused_and_the_error_names_the_remedy():
+    """A task cannot say that it was asked of another rotation, so the projection is the caller's."""
+    printed = np.array([[0.7392, -0.6124, -0.2803], [0.5732, 0.3536, 0.7392], [-0.3536, -0.7071, 0.6124]])
+    robot = r1.load_robot("prr")
+    with pytest.raises(r1.InputError, match=r"nearest_rotation\(R\)\.rotation is exact"):
+        r1.OrientationTask().error(robot, [0, 0, 0], printed)
+    r1.OrientationTask().error(robot, [0, 0, 0], r1.nearest_rotation(printed).rotation)
+    with pytest.raises(r1.InputError, match="right-handed$"):
+        r1.OrientationTask().error(robot, [0, 0, 0], 2 * np.eye(3))

@@ -9,6 +9,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
 
 ROTATION_TOLERANCE = 1e-6  # |RᵀR − 1| of a matrix that is taken for a rotation
+PRINTED_DEFECT = 1e-2  # below, it may be a rotation printed with two or more digits
 
 
 def homogeneous(name: str, value: Any) -> pin.SE3:
@@ -35,8 +36,9 @@ def rotation_matrix(name: str, value: Any) -> Array:
     R = real_array(name, value, (3, 3), "a rotation matrix")
     defect = float(np.abs(R.T @ R - np.eye(3)).max())
     if defect > ROTATION_TOLERANCE or np.linalg.det(R) < 0:
+        printed = "; of one printed with a few digits, nearest_rotation(R).rotation is exact" * (defect < PRINTED_DEFECT)
         raise InputError(
             f"{name} is no rotation: |RᵀR − 1| is {defect:.1e} and det R is {np.linalg.det(R):.3g}; "
-            f"its columns must be orthonormal and right-handed"
+            f"its columns must be orthonormal and right-handed{printed}"
         )
     return R
