@@ -114,7 +114,7 @@ def singularities(
     task: TaskName = "pose",
     frame: Frame = None,
     method: Annotated[str, typer.Option(help="auto, symbolic or numeric.")] = "auto",
-    time_limit: Annotated[float, typer.Option(help="Of the exact answer [s].")] = 30.0,
+    time_limit: Annotated[float, typer.Option(help="Of the exact answer, in seconds.")] = 30.0,
     intersections: Annotated[bool, typer.Option("--intersections", help="The rank where branches meet too.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Conditions and bases in LaTeX.")] = False,
     python: Annotated[bool, typer.Option("--python", help="Conditions and bases as Python functions.")] = False,
