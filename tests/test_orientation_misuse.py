@@ -130,5 +130,5 @@ def test_a_target_printed_with_four_digits_is_refused_and_the_error_names_the_re
     with pytest.raises(r1.InputError, match=r"nearest_rotation\(R\)\.rotation is exact"):
         r1.OrientationTask().error(robot, [0, 0, 0], printed)
     r1.OrientationTask().error(robot, [0, 0, 0], r1.nearest_rotation(printed).rotation)
-    with pytest.raises(r1.InputError, match="right-handed$"):
+    with pytest.raises(r1.InputError, match=r"right-handed$"):
         r1.OrientationTask().error(robot, [0, 0, 0], 2 * np.eye(3))

@@ -36,7 +36,7 @@ def rotation_matrix(name: str, value: Any) -> Array:
     R = real_array(name, value, (3, 3), "a rotation matrix")
     defect = float(np.abs(R.T @ R - np.eye(3)).max())
     if defect > ROTATION_TOLERANCE or np.linalg.det(R) < 0:
-        printed = "; of one printed with a few digits, nearest_rotation(R).rotation is exact" * (defect < PRINTED_DEFECT)
+        printed = "; of one with few digits, nearest_rotation(R).rotation is exact" * (defect < PRINTED_DEFECT)
         raise InputError(
             f"{name} is no rotation: |RᵀR − 1| is {defect:.1e} and det R is {np.linalg.det(R):.3g}; "
             f"its columns must be orthonormal and right-handed{printed}"
