@@ -20,7 +20,7 @@ up = pi / 2
 HELIX = r1.formula_path(["R*cos(s)", "R*sin(s)", "h*s"], "s", 11.9, values={"R": 0.3, "h": 0.1})
 
 
-def test_2012_01_12_a_1a_helix_under_bounds_on_speed_and_acceleration():
+def test_2010_01_12_a_1a_helix_under_bounds_on_speed_and_acceleration():
     bounds = r1.timing_bounds(HELIX, 1.0, 5.0)
     v, a, T = bounds.velocity, bounds.acceleration, 4.0
     law = r1.cruise_profile(v, T - 2 * v / a, acceleration=a)
@@ -35,7 +35,7 @@ def test_2012_01_12_a_1a_helix_under_bounds_on_speed_and_acceleration():
     assert r1.peak_norm(motion, "acceleration").value == pytest.approx(5.0)
 
 
-def test_2012_01_12_b_1_frame_that_looks_at_the_axis_of_the_helix_turns_with_sdot():
+def test_2010_01_12_b_1_frame_that_looks_at_the_axis_of_the_helix_turns_with_sdot():
     bounds = r1.timing_bounds(HELIX, 1.0, 5.0)
     law = r1.cruise_profile(bounds.velocity, 3.5, acceleration=bounds.acceleration)
     towards_axis = r1.turn_path([[-1, 0, 0], [0, -1, 0], [0, 0, 1]], [0, 0, 1], HELIX.end)
@@ -183,7 +183,7 @@ def test_2010_06_15_1b_acceleration_law_of_one_row_of_a_planar_rp_arm():
     assert rate == pytest.approx(np.array([[-0.2 * cos(0.4) - 0.9 * sin(0.4) * 0.3, cos(0.4) * 0.3]]), abs=1e-11)
 
 
-def test_2012_01_12_b_2b_acceleration_law_of_a_cylindrical_arm():
+def test_2010_01_12_b_2b_acceleration_law_of_a_cylindrical_arm():
     arm = r1.robot_from_dh([("R", 0, 0, 0, 0), ("P", 0, up, 0, up), ("P", 0, 0, 0, 0)])
     q, qdot, xyz = np.array([0.5, 0.2, 0.8]), np.array([0.4, -0.1, 0.3]), r1.PositionTask("xyz")
     p = r1.forward_kinematics(arm, q).translation
