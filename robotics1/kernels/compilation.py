@@ -70,13 +70,15 @@ def threads() -> int:
 @cache
 def _announce_the_first() -> None:
     """Have the first function that is compiled, and not found on disk, say why the call takes seconds."""
-    from numba.core.event import Listener, register, unregister
+    from numba.core.event import Listener, register
 
     class Announcement(Listener):  # type: ignore[misc]
+        said = False
+
         def on_start(self, event: Any) -> None:
-            if event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
+            if not self.said and event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
                 log.warning("compiling the kernels: some seconds, once; the machine code is kept for the next time")
-                unregister("numba:compile", self)
+                self.said = True
 
         def on_end(self, event: Any) -> None:
             pass

@@ -33,7 +33,9 @@ def descend(
     """
     n = len(x)
     T, lines, M, columns = np.empty((3, 4)), np.empty((len(chain[2]), 6)), np.empty((3, 3)), np.empty((n, 6))
-    e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.zeros(n), np.empty(n)
+    e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
+    for j in range(n):
+        wish[j] = 0.0
     least, stuck = np.inf, 0
     for _ in range(STEPS):
         place_joints(chain, x, T, lines)

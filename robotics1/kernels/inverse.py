@@ -81,7 +81,7 @@ def wind(limits: Array, around: Array, x: Array) -> None:
     for j in range(len(x)):
         if limits[2, j] == 0.0:
             continue
-        x[j] -= TURN * np.round((x[j] - around[j]) / TURN)
+        x[j] -= TURN * math.floor((x[j] - around[j]) / TURN + 0.5)
         if x[j] < limits[0, j]:
             x[j] += TURN * math.ceil((limits[0, j] - x[j]) / TURN)
         if x[j] > limits[1, j]:
