@@ -75,6 +75,12 @@ from .ik.iterate import (
 from .ik.iterate import (
     iterate_ik as iterate_ik,
 )
+from .ik.result import (
+    IKBatch as IKBatch,
+)
+from .ik.result import (
+    IKResult as IKResult,
+)
 from .ik.solutions import (
     IKSolutions as IKSolutions,
 )
@@ -83,12 +89,6 @@ from .ik.solutions import (
 )
 from .ik.solutions import (
     ik_solutions as ik_solutions,
-)
-from .ik.result import (
-    IKBatch as IKBatch,
-)
-from .ik.result import (
-    IKResult as IKResult,
 )
 from .ik.solver import (
     IKSolver as IKSolver,
