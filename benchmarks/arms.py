@@ -84,12 +84,12 @@ def iiwa() -> Arm:
     """Return the KUKA iiwa14 R820 (7R), base_link → tool0, of the package rtb-data.
 
     Raises:
-        FileNotFoundError: the package is not installed.
+        ImportError: the package is not installed.
     """
     try:
         path = Path(str(distribution("rtb-data").locate_file(IIWA)))
     except PackageNotFoundError:
-        raise FileNotFoundError("the package rtb-data is not installed") from None
+        raise ImportError("the package rtb-data is not installed") from None
     return _arm("iiwa", path, "base_link", "tool0")
 
 

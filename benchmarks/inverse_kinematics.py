@@ -29,7 +29,7 @@ from benchmarks.ik_tables import (
 )
 from benchmarks.interleaved import run_interleaved
 from benchmarks.peers import SOLVERS, Solver, make_solver
-from benchmarks.report import Target, conditions, target_table, tell, write
+from benchmarks.report import Target, absence, conditions, target_table, tell, write
 from benchmarks.workloads import SEED, Workload, far, singular, tracking
 
 # work → (how targets and starts are made, how many, in words)
@@ -63,10 +63,21 @@ def measure(arm: Arm, work: str, count: int, in_a_row: int = 1) -> Measured:
     return Measured(arm.name, work, workload, runs, absent, in_a_row)
 
 
+def available_arms() -> tuple[dict[str, Arm], list[Target]]:
+    """Return the arms, and targets not measured for those that cannot be had."""
+    arms, targets = {}, []
+    for name, make in ARMS.items():
+        try:
+            arms[name] = make()
+        except ImportError as error:
+            targets.append(Target(f"{name}, everything", absence(error), None, met=False))
+    return arms, targets
+
+
 def measure_all(quick: bool) -> tuple[list[Target], list[str]]:
     """Return the targets and the sections of the result."""
-    arms = {name: make() for name, make in ARMS.items()}
-    targets, sections, batches, rows = [], [], {}, []
+    arms, targets = available_arms()
+    sections, batches, rows = [], {}, []
     for work, (make, full, words) in WORKLOADS.items():
         count = QUICK if quick else full
         sections.append(f"## {work.capitalize()}\n\n{words}")

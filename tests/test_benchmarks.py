@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks.arms import Arm, kinematic_urdf, panda, ur5
 from benchmarks.ik_tables import Measured
 from benchmarks.interleaved import Run, ratios, run_interleaved, score
+from benchmarks.inverse_kinematics import available_arms
 from benchmarks.peers import CHAN, NotThisArmError, Solver, make_solver
 from benchmarks.report import at_least, at_most
 from benchmarks.singular_targets import FAMILIES, jacobian, singular_configurations
@@ -121,6 +122,16 @@ def test_a_peer_without_the_arm_is_told(arm, monkeypatch):
 
     monkeypatch.setattr("benchmarks.peers.optik.make", refuse)
     assert make_solver("optik", arm) == "another arm"
+
+
+def test_an_arm_that_cannot_be_had_is_a_target_not_measured(arm, monkeypatch):
+    def absent():
+        raise ImportError("the package rtb-data is not installed")
+
+    monkeypatch.setattr("benchmarks.inverse_kinematics.ARMS", {"UR5": lambda: arm, "iiwa": absent})
+    arms, targets = available_arms()
+    assert arms == {"UR5": arm}
+    assert [t.row()[-1] for t in targets] == ["**not measured**"]
 
 
 def test_ratios_compare_the_same_targets():
