@@ -119,7 +119,7 @@ def start_targets(starts: tuple[ColdStart, ColdStart] | None) -> list[Target]:
 
 def start_table(starts: tuple[ColdStart, ColdStart]) -> str:
     """Return the times of the first call."""
-    header = ["cache of compiled code", "first call [s]", "whole process [s]", "told"]
+    header = ["cache of compiled code", "first call [s]", "with imports and loading [s]", "told"]
     rows = [
         [name, f"{start.seconds:.2f}", f"{start.process:.2f}", start.message or "nothing"]
         for name, start in zip(("empty", "filled"), starts, strict=True)
