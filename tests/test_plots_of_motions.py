@@ -199,3 +199,21 @@ def test_what_is_no_motion_of_the_robots_joints_is_an_input_error(draw, motion, 
 def test_a_profile_is_animated(planar_2r, tmp_path):
     motion = r1.minimum_time([0, 0], [1, -1], r1.MotionLimits(1, 2)).trajectory
     assert r1.animate(planar_2r, motion, tmp_path / "profile.html").stat().st_size > 100_000
+
+
+def test_poses_are_drawn_in_metres_and_radians(tmp_path, axes):
+    r1.plot_trajectory(pose_motion(), tmp_path / "a.svg")
+    texts = [text.get_text() for text in axes()[1].get_legend().get_texts()]
+    assert texts == ["x [m/s]", "y [m/s]", "z [m/s]", "θx [rad/s]", "θy [rad/s]", "θz [rad/s]"]
+
+
+@pytest.mark.parametrize("path", [r1.helix_path([0, 0, 0], [0.5, 0, 0], 0.2, 2), SPACE])
+def test_the_labels_of_three_axes_are_inside_the_figure(tmp_path, axes, path):
+    r1.plot_path(path, tmp_path / "a.svg")
+    (space,) = axes()
+    space.figure.canvas.draw()
+    for axis, name in ((space.xaxis, "x [m]"), (space.yaxis, "y [m]"), (space.zaxis, "z [m]")):
+        assert axis.label.get_text() == name
+        low, high = axis.label.get_window_extent().get_points()
+        assert (low >= 0).all()
+        assert (high <= space.figure.bbox.size).all()

@@ -14,6 +14,7 @@ from robotics1.trajectories.protocols import smooth_ends
 from robotics1.viewer.plot_figures import STYLES, new_figure, smooth_samples, write_svg
 
 AXIS = 0.12  # length of a drawn axis, of the size of the path
+SPATIAL = 0.82  # of the figure, so that the labels of three axes have room
 
 
 def plot_path(curve: Any, path: str | Path, *, frames: int = 0, unit: str = "m", title: str = "") -> Path:
@@ -54,7 +55,12 @@ def plot_path(curve: Any, path: str | Path, *, frames: int = 0, unit: str = "m",
     axes.set(title=title, aspect="equal", **labels)
     axes.grid(visible=True, alpha=0.4)
     axes.legend()
-    if n == 2:
+    if n == 3:
+        axes.set_box_aspect(axes.get_box_aspect(), zoom=SPATIAL)
+        for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+            axis.labelpad = 8.0
+        axes.locator_params(nbins=5)
+    else:
         middle = len(points) // 2
         axes.annotate("", points[middle + 1], points[middle], arrowprops={"arrowstyle": "->", "color": "C0", "lw": 2})
     return write_svg(figure, path)

@@ -13,6 +13,7 @@ from robotics1.trajectories.limits.motion_limits import MotionLimits
 from robotics1.trajectories.protocols import smooth_ends
 from robotics1.viewer.plot_figures import line_style, names_of, new_figure, smooth_samples, write_svg
 
+TURNS = ("θx", "θy", "θz")
 PANELS = (("position", ""), ("velocity", "/s"), ("acceleration", "/s²"))
 
 
@@ -34,8 +35,8 @@ def plot_trajectory(
         trajectory: of joints, of points, of poses.
         path: the file to write.
         robot: whose joints move; it gives the names and units.
-        names: of the coordinates; by default those of the robot's joints, or numbers.
-        units: of the coordinates, such as "m" for all, or ["m", "rad"].
+        names: of the coordinates; by default those of the robot's joints, (x, y, z, θx, θy, θz) of poses, or numbers.
+        units: of the coordinates, such as "m" for all, or ["m", "rad"]; by default those of the joints or of poses.
         limits: drawn thin, both ways, in the line style of their coordinate; one bound for all is dashed.
         title: above the plots.
 
@@ -49,7 +50,9 @@ def plot_trajectory(
     for quantity in ("velocity", "acceleration"):
         rate = getattr(trajectory, quantity)
         values.append(np.concatenate([np.asarray(rate(times, side=side)) for side, times in pieces]))
-    names, units = _labels(values[0].shape[1], values[1].shape[1], robot, names, units)
+    default = _labels(trajectory(0.0), values[0].shape[1], values[1].shape[1], robot)
+    names = names_of("names", names, default[0])
+    units = names_of("units", [units] * len(names) if isinstance(units, str) else units, default[1])
     bounds = {} if limits is None else limits.of_joints(len(names))
     figure = new_figure((6.4, 7.4))
     panels = figure.subplots(3, 1, sharex=True)
@@ -90,14 +93,16 @@ def _positions(trajectory: Any, t: Array) -> Array:
     return np.asarray(values)
 
 
-def _labels(
-    n: int, rates: int, robot: Robot | None, names: Sequence[str] | None, units: str | Sequence[str] | None
-) -> tuple[list[str], list[str]]:
+def _labels(start: Any, n: int, rates: int, robot: Robot | None) -> tuple[list[str], list[str]]:
+    """Return names and units of the coordinates: of a robot's joints, of a pose, of a rotation, or numbers."""
     if n != rates:
         raise InputError(f"the trajectory has {n} coordinates and {rates} velocities; both must be as many")
-    default, unit = [str(i + 1) for i in range(n)], ["1"] * n
     if robot is not None:
         if robot.nv != n:
             raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
-        default, unit = list(robot.joint_names), ["rad" if angle else "m" for angle in robot.revolute]
-    return names_of("names", names, default), names_of("units", [units] * n if isinstance(units, str) else units, unit)
+        return list(robot.joint_names), ["rad" if angle else "m" for angle in robot.revolute]
+    if hasattr(start, "rotation"):
+        return [*"xyz", *TURNS], ["m"] * 3 + ["rad"] * 3
+    if np.ndim(start) == 2:
+        return list(TURNS), ["rad"] * 3
+    return [str(i + 1) for i in range(n)], ["1"] * n
