@@ -68,8 +68,9 @@ def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
     active = np.unique(chain.coordinate)
     if not active.size:
         raise TaskError("nothing moves this task: there is no joint between the base and its frame")
+    back = (chain.prismatic == 0) & (np.abs(chain.ratio - np.round(chain.ratio)) < 1e-9)  # after a turn of its leader
     whole = np.ones(robot.nq, dtype=bool)
-    whole[chain.coordinate[chain.ratio % 1.0 != 0.0]] = False  # a joint that mimics by ½ is back after two turns
+    whole[chain.coordinate[~back]] = False
     lower, upper = robot.lower, robot.upper
     circular = robot.revolute & whole & (upper - lower >= TURN - 1e-9)
     units = np.where(robot.revolute, 1.0, unit)

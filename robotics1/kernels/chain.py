@@ -25,6 +25,8 @@ class ChainArrays(NamedTuple):
         prismatic: (k,) 1 for a joint that moves along z, 0 for one that turns about it.
         coordinate: (k,) which entry of q moves it.
         ratio: (k,) its motion per unit of that entry: 1, or the multiplier of a mimicking joint.
+
+    With lengths in another unit than metres, so are the entries of q that are lengths.
     """
 
     placements: Array
@@ -54,6 +56,7 @@ def chain_arrays(
             f"prismatic joints"
         )
     model, fixed = robot.model, robot.model.frames[robot.frame_id(frame)]
+    units = np.where(robot.revolute, 1.0, unit)
     before = pin.SE3.Identity() if axes is None else pin.SE3(np.array(axes).T, np.zeros(3))
     zero = np.zeros(robot.nq)
     placements, joints = [], []
@@ -69,7 +72,7 @@ def chain_arrays(
         prismatic = bool(np.any(speed[:3]))
         turn = pin.SE3(_z_to((speed[:3] if prismatic else speed[3:]) / ratio), np.zeros(3))
         placements.append(before * turn)
-        joints.append((prismatic, joint.idx_q, ratio))
+        joints.append((prismatic, joint.idx_q, ratio * units[joint.idx_q] / (unit if prismatic else 1.0)))
         before = turn.inverse()
     placements.append(before * fixed.placement)
     return ChainArrays(

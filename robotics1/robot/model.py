@@ -93,7 +93,7 @@ class Robot:
     def revolute(self) -> npt.NDArray[np.bool_]:
         """One entry for each of `joint_names`: True where its coordinate is an angle, False where it is a length."""
         kinds = [self.model.joints[i].shortname().removeprefix("JointModel") for i in self._own_joints]
-        return np.array([kind.startswith("R") for kind in kinds])
+        return np.array([kind.startswith("R") for kind in kinds], dtype=bool)
 
     @cached_property
     def reach(self) -> float:

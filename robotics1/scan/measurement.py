@@ -108,10 +108,7 @@ def _kernel_measurement(robot: Robot, task: FrameTask, S: Array, rank: int, leng
     chain = chain_arrays(robot, task.frame, unit=length, axes=axes)
     moving = np.unique(chain.coordinate)
     units = np.where(robot.revolute, 1.0, length)
-    own = np.where(chain.prismatic, length, 1.0)  # a joint may follow one of the other kind
-    chain = chain._replace(
-        coordinate=np.searchsorted(moving, chain.coordinate), ratio=chain.ratio * units[chain.coordinate] / own
-    )
+    chain = chain._replace(coordinate=np.searchsorted(moving, chain.coordinate))
     return KernelMeasurement(chain, S, moving, units, rank)
 
 
