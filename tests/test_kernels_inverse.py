@@ -1,6 +1,9 @@
 """The parts of the descent: rotation vectors, errors, the damped step inside limits, starts, turns, preferences."""
 
 import math
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pinocchio as pin
@@ -9,9 +12,10 @@ from arms import arm, random_q
 from scipy.optimize import lsq_linear
 from scipy.spatial.transform import Rotation
 
-from robotics1 import PositionTask, forward_kinematics, frame_jacobian, load_robot
+from robotics1 import IKSolver, PoseTask, PositionTask, forward_kinematics, frame_jacobian, load_robot
 from robotics1.ik.pose_problem import pose_problem
 from robotics1.kernels.chain import chain_arrays
+from robotics1.kernels.compilation import on_all_cores
 from robotics1.kernels.damped_step import damped_step, factor, solve_factored
 from robotics1.kernels.descent import descend
 from robotics1.kernels.inverse import is_pose, nearest_start, start_table, wind
@@ -274,3 +278,53 @@ def test_along_the_null_space_the_wish_is_reached_as_far_as_its_projection_vanis
     assert np.linalg.norm(null @ (wished - x)) <= 1e-6
     assert forward_kinematics(robot, np.append(x, 0.0)).translation == pytest.approx(goal.translation, abs=1e-6)
     assert np.linalg.norm(wished - x) < np.linalg.norm(wished - q)
+
+
+# --- many targets at once
+
+FORKED = """
+import multiprocessing, sys
+import numpy as np
+from robotics1 import IKSolver, PositionTask, load_robot
+robot = load_robot("planar_2r")
+targets = np.random.default_rng(0).uniform(-1, 1, (500, 2)) + [0.6, 0.6]
+solver = IKSolver(robot, PositionTask("xy"))
+solver.solve_batch(targets)
+child = multiprocessing.get_context("fork").Process(target=solver.solve_batch, args=(targets,))
+child.start()
+child.join(60)
+sys.exit(child.exitcode)
+"""
+
+
+def test_a_batch_runs_in_a_process_that_was_forked_after_another_batch():
+    run = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=120)
+    assert run.returncode == 0, run.stderr
+
+
+def test_batches_of_two_threads_at_once_are_those_of_one_after_the_other():
+    robot = arm("six_r")
+    targets = [forward_kinematics(robot, random_q(robot, seed)) for seed in range(200)]
+    solvers = [IKSolver(arm("six_r"), PoseTask(), seed=seed) for seed in (1, 2)]
+    alone = [solver.solve_batch(targets).q for solver in solvers]
+    with ThreadPoolExecutor(2) as pool:
+        together = list(pool.map(lambda solver: solver.solve_batch(targets).q, solvers))
+    for one, other in zip(alone, together, strict=True):
+        assert one == pytest.approx(other, abs=0)
+
+
+def test_slices_on_all_cores_make_up_the_whole_once_and_errors_are_raised():
+    for count in (1, 2, 7, 100, 1001):
+        done = np.zeros(count, dtype=int)
+
+        def work(some, done=done):
+            done[some] += 1
+
+        on_all_cores(work, count)
+        assert done.tolist() == [1] * count
+
+    def fail(some):
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        on_all_cores(fail, 100)

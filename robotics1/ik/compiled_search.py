@@ -17,7 +17,7 @@ from robotics1.ik.reach import ReachBound, reach_bound
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
-from robotics1.kernels.compilation import threads
+from robotics1.kernels.compilation import on_all_cores, threads
 from robotics1.kernels.inverse import solve, solve_all
 from robotics1.kernels.redundancy import bring_all_near, bring_near
 from robotics1.robot.model import Robot
@@ -96,7 +96,7 @@ class CompiledSearch:
         self._go_on(targets, goals, starts, batch)
         if self.prefer != "any":
             wished = starts if self.prefer == "near" else np.tile(self.middle, (k, 1))
-            self.bring_many(goals, wished, batch.q, batch.error)
+            on_all_cores(lambda some: self.bring_many(goals[some], wished[some], batch.q[some], batch.error[some]), k)
         return batch
 
     def _brought_near(self, goal: Array, start: Array, q: Array, error: float) -> float:
@@ -124,10 +124,14 @@ class CompiledSearch:
         """Return what the starts of a table lead to: q (k, nq), how many were tried, and |e|, (k,)."""
         k = len(goals)
         q, tried, errors = np.empty((k, self.robot.nq)), np.empty(k, dtype=np.int64), np.empty(k)
-        if k == 1:  # spares a user of single targets the compilation of the parallel kernel
+        if k == 1:  # spares a user of single targets the compilation of the other kernel
             tried[0], errors[0] = self.solve_one(goals[0], starts[0], *table, first, q[0])
-        else:
-            self.solve_many(goals, starts, *table, first, q, tried, errors)
+            return q, tried, errors
+
+        def solve_some(some: slice) -> None:
+            self.solve_many(goals[some], starts[some], *table, first, q[some], tried[some], errors[some])
+
+        on_all_cores(solve_some, k)
         return q, tried, errors
 
     def _go_on(self, targets: list[Any], goals: Array, starts: Array, batch: IKBatch) -> None:

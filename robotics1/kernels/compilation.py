@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -15,25 +16,24 @@ except ImportError:  # the kernels are plain Python on NumPy arrays, so they ser
     numba = None
 
 COMPILED = numba is not None
-prange = numba.prange if COMPILED else range
 log = logging.getLogger(__name__)
+SLICES = 8  # a core gets, since some take longer than others
 
 
-def compiled(*, parallel: bool = False, contract: bool = False, inline: bool = False) -> Callable[[Function], Function]:
+def compiled(*, contract: bool = False, inline: bool = False) -> Callable[[Function], Function]:
     """Return a decorator that compiles a function with Numba on its first call, and keep the machine code on disk.
 
     The code is kept beside the source, else in the user's cache directory (NUMBA_CACHE_DIR names another); where
     none of them can be written, each process compiles anew.
 
     Args:
-        parallel: `prange` runs on all cores.
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
             fifth of its time.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
     if COMPILED:
         _announce_the_first()
-    options: dict[str, Any] = {"nogil": True, "parallel": parallel, "forceinline": inline}
+    options: dict[str, Any] = {"nogil": True, "forceinline": inline}
     options |= {"error_model": "numpy", "no_cfunc_wrapper": True}  # NaN for 0/0; a wrapper that nobody calls
     # False is said, since a function without the option would take that of the caller that compiles it first
     options["fastmath"] = {"contract", "reassoc", "nsz", "arcp"} if contract else False
@@ -63,8 +63,24 @@ def _sources() -> tuple[tuple[str, float, int], ...]:
 
 
 def threads() -> int:
-    """Return on how many cores `prange` runs."""
-    return int(numba.get_num_threads()) if COMPILED else 1
+    """Return on how many cores kernels run: all that this process may use, or NUMBA_NUM_THREADS."""
+    return int(numba.config.NUMBA_NUM_THREADS) if COMPILED else 1
+
+
+def on_all_cores(work: Callable[[slice], None], count: int) -> None:
+    """Do work on slices that make up 0, ..., count − 1, at once on all cores: a kernel leaves the interpreter free.
+
+    Numba's own parallel loops end the process when it was forked after one of them, or when two threads begin one;
+    threads of Python do not.
+    """
+    workers = min(threads(), count)
+    size = -(-count // (SLICES * workers)) if workers > 1 else count
+    slices = [slice(i, min(i + size, count)) for i in range(0, count, size)]
+    if len(slices) == 1:
+        work(slices[0])
+        return
+    with ThreadPoolExecutor(workers) as pool:
+        list(pool.map(work, slices))  # raises what a thread has raised
 
 
 @cache

@@ -6,7 +6,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices
-from robotics1.kernels.compilation import compiled, prange
+from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy, descend
 from robotics1.kernels.forward import place_joints
 
@@ -157,13 +157,13 @@ def solve(
     return tried, least
 
 
-@compiled(parallel=True)
+@compiled()
 def solve_all(
     chain: ChainArrays, coordinates: Array, active: Indices, task: Array, targets: Array, q0: Array, table: Array,
     group: int, first: int, q: Array, tried: Indices, errors: Array,
 ) -> None:  # fmt: skip
-    """Do what `solve` does for every target, (k, 4, 4), on all cores; q0 is (k, nq)."""
-    for i in prange(len(targets)):
+    """Do what `solve` does for every target, (k, 4, 4); q0 is (k, nq)."""
+    for i in range(len(targets)):
         tried[i], errors[i] = solve(
             chain, coordinates, active, task, targets[i], q0[i], table, group, first, q[i]
         )  # fmt: skip

@@ -6,7 +6,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices
-from robotics1.kernels.compilation import compiled, prange
+from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.descent import DAMPING, descend, move
 from robotics1.kernels.forward import geometric_jacobian, place_joints
@@ -72,12 +72,12 @@ def bring_near(
     return error
 
 
-@compiled(parallel=True)
+@compiled()
 def bring_all_near(
     chain: ChainArrays, coordinates: Array, active: Indices, task: Array, targets: Array, wished: Array, q: Array,
     errors: Array,
 ) -> None:  # fmt: skip
     """Do what `bring_near` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
-    for i in prange(len(targets)):
+    for i in range(len(targets)):
         if errors[i] <= task[10]:
             errors[i] = bring_near(chain, coordinates, active, task, targets[i], wished[i], q[i])
