@@ -275,3 +275,31 @@ def test_limit_violations_of_another_robots_motion_are_input_errors(planar_2r):
         r1.limit_violations(planar_2r, r1.cubic([0] * 3, [1] * 3, 1))
     with pytest.raises(r1.InputError, match="limits must be MotionLimits"):
         r1.limit_violations(planar_2r, r1.cubic([0, 0], [1, 1], 1), (1, 2))
+
+
+def test_the_acceleration_in_a_sharp_bend_of_a_spline_is_found_to_the_rounding_of_its_values():
+    """κ = 85/m over 3 m, by arc length: the values are rounded to 1e-12, and no interpolant is finer."""
+    path = r1.by_arc_length(r1.spline_path([[2.4, 0.6, 0.8], [0.8, -0.6, -0.1], [1.4, -0.4, 0.2]]))
+    motion = r1.PathTrajectory(path, r1.cubic(0, path.end, 2).joint())
+    peak = r1.peak_norm(motion, "acceleration")
+    t = peak.time + np.linspace(-1e-3, 1e-3, 20001)
+    assert peak.resolved
+    assert np.linalg.norm(motion.acceleration(t), axis=1).max() == pytest.approx(peak.value, rel=1e-8)
+    scaled = r1.scale_to_limits(motion, r1.NormLimits(acceleration=2))
+    assert r1.peak_norm(scaled.trajectory, "acceleration").value == pytest.approx(2, rel=1e-8)
+
+
+def test_a_motion_that_is_noise_is_an_input_error():
+    class Noise:
+        duration = 1.0
+        switching_times = ()
+
+        def __call__(self, t, side="right"):
+            return np.sin(1e9 * np.atleast_1d(t) ** 2)[:, None] if np.ndim(t) else np.zeros(1)
+
+        velocity = acceleration = jerk = __call__
+
+    with pytest.raises(r1.InputError, match="oscillates too quickly"):
+        r1.scale_to_limits(Noise(), r1.NormLimits(acceleration=2))
+    with pytest.raises(r1.InputError, match="oscillates too quickly"):
+        r1.scale_to_limits(Noise(), r1.MotionLimits(acceleration=2))

@@ -280,3 +280,13 @@ def test_a_path_of_a_spline_takes_a_timing_law():
 def test_misuse_of_splines_is_an_input_error_that_says_what_would_be_right(call, message):
     with pytest.raises(r1.InputError, match=message):
         call()
+
+
+def test_extremes_of_a_parabola_whose_cubic_term_is_rounding():
+    """Not-a-knot through three points is one parabola q = L₀ + ...; a cubic term of 1e-13 spoils no root."""
+    t, q = np.array([0, 20.38572613, 21.85966451]), np.array([0.00823793, -0.05816937, -0.29441894])
+    spline = r1.cubic_spline(q, t, ends="not-a-knot")
+    c2, c1, c0 = np.polyfit(t, q, 2)
+    times, values = spline.extremes()
+    assert values[1, 0] == pytest.approx(c0 - c1**2 / (4 * c2), abs=1e-12)
+    assert times[1, 0] == pytest.approx(-c1 / (2 * c2), abs=1e-6)

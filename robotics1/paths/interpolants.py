@@ -18,6 +18,7 @@ from robotics1.inputs import Array
 
 DEGREES = (16, 64)  # tried in turn; then the interval is halved
 CONVERGED = 1e-13  # the last coefficients, relative to the largest value of the function
+PLATEAU = 1e4  # times that: coefficients that no longer fall below it are the rounding of the function's own values
 SPLITS = 8  # times an interval is halved; 64 coefficients on 1/256 of it resolve all but noise
 SAME = 1e-12  # relative: two values so near are equal, and the first counts
 
@@ -83,12 +84,15 @@ def roots(piece: Chebyshev) -> list[float]:
 def _resolve(f: Function, a: float, b: float, noise: float, splits: int) -> tuple[list[Chebyshev], bool]:
     middle, half = (a + b) / 2, (b - a) / 2
     c: Any = None
+    tail = np.inf
     for degree in DEGREES:
         c = chebyshev.chebinterpolate(lambda x: f(middle + half * x), degree)
-        if np.abs(c[-degree // 4 :]).max() <= noise:
-            return [Chebyshev(_trimmed(c, noise / 10), domain=[a, b])], True
+        tail, before = (np.abs(part).max() for part in (c[-degree // 4 :], c[-degree // 2 : -degree // 4]))
+        flat = degree == DEGREES[-1] and before / 10 <= tail <= PLATEAU * noise
+        if tail <= noise or flat:
+            return [Chebyshev(_trimmed(c, max(noise / 10, tail * flat)), domain=[a, b])], True
     if splits == 0:
-        return [Chebyshev(c, domain=[a, b])], False
+        return [Chebyshev(c, domain=[a, b])], bool(tail <= PLATEAU * noise)
     left, right = (_resolve(f, *half, noise, splits - 1) for half in ((a, middle), (middle, b)))
     return left[0] + right[0], left[1] and right[1]
 

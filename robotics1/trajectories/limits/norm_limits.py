@@ -38,7 +38,7 @@ class NormLimits:
         """Return the largest norms, from exact extremes.
 
         Raises:
-            InputError: the motion oscillates too quickly for them to be found.
+            InputError: the motion turns too sharply, or oscillates too quickly, for them to be found.
         """
         found = []
         for name in ("velocity", "acceleration", "jerk", "normal_acceleration"):
@@ -47,6 +47,9 @@ class NormLimits:
                 quantity = name.replace("_", " ")
                 peak = peak_norm(trajectory, quantity, rows=self.rows)
                 if not peak.resolved:
-                    raise InputError(f"the motion oscillates too quickly for its largest {quantity} to be found")
+                    raise InputError(
+                        "the motion turns too sharply, or oscillates too quickly, for its largest "
+                        f"{quantity} to be found"
+                    )
                 found.append(Demand(None, quantity, peak.value, bound, peak.time))
         return tuple(found)

@@ -20,17 +20,26 @@ if TYPE_CHECKING:
 
 SAME_INSTANT = 1e-12  # of the duration: a time so near to a knot is the knot
 JUMP, NOISE = 1e-9, 1e-13  # of the largest value in the two pieces, and in all: a smaller difference is rounding
+NEWTON = 3  # steps: from three digits to all
 ROUNDING = 1e-12  # relative: two extremes so near are one, and the earlier counts
 
 
 def stationary_points(c: Array) -> Array:
     """Return 0, the τ inside (0, 1) at which Σₖ cₖ τᵏ may have an extreme, and 1, ascending.
 
-    Coefficients below 1e-14 of the largest are rounding: as leading ones they would spoil the roots.
+    Coefficients below 1e-14 of the largest are rounding: as leading ones they would spoil the roots. Those a little
+    larger cost the roots as many digits, which Newton's steps bring back; what they began with is kept beside it.
     """
-    roots = polynomial.polyroots(polynomial.polytrim(polynomial.polyder(c), 1e-14 * np.abs(c).max()))
-    inside = np.sort(roots.real[(roots.real > 0) & (roots.real < 1)])
-    return np.concatenate([[0.0], inside, [1.0]])
+    slope = polynomial.polytrim(polynomial.polyder(c), 1e-14 * np.abs(c).max())
+    bend = polynomial.polyder(slope)
+    roots = polynomial.polyroots(slope).real
+    near = polished = roots[np.abs(roots - 0.5) < 1.0]
+    for _ in range(NEWTON):
+        curvature = polynomial.polyval(polished, bend)
+        steps = polynomial.polyval(polished, slope) / np.where(curvature == 0, 1.0, curvature)
+        polished = polished - np.clip(steps, -1.0, 1.0)
+    inside = np.union1d(near, polished)
+    return np.concatenate([[0.0], inside[(inside > 0) & (inside < 1)], [1.0]])
 
 
 class PolynomialPieces:
