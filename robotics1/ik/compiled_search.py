@@ -27,7 +27,6 @@ GROUP = 64  # starts of which the one nearest to the target is taken
 FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
 LATER_STARTS = 256  # of each table after that, all of them tried
 FINER = 1e-3  # tolerance on the turn where a task tells it by angles
-FLOAT = np.dtype(float)
 CHUNK = 4096  # targets between two calls of progress
 Table = tuple[Array, int]  # starts with their poses, and how many of them share a group
 
@@ -41,8 +40,8 @@ class CompiledSearch:
         self.robot, self.task, self.seed = robot, task, seed
         self.tolerance = tolerance * (FINER if task.tells_angles else 1.0)
         self.time_limit, self.prefer = time_limit, prefer
-        self.problem, self.takes_poses = pose_problem(robot, task), task.takes_poses
-        self.middle, self.shape = self.problem.middle, (robot.nq,)
+        self.problem = pose_problem(robot, task)
+        self.middle = self.problem.middle
         constants = self.problem.arrays(self.tolerance)
         self.solve_one: Callable[..., tuple[int, float]] = partial(solve, *constants)
         self.solve_many: Callable[..., None] = partial(solve_all, *constants)
@@ -55,23 +54,41 @@ class CompiledSearch:
         """What proves that a target is out of reach."""
         return reach_bound(self.problem)
 
+    def quick_call(self) -> Callable[[Any, Any], IKResult]:
+        """Return `solve` with the usual case in front: a pose as target, q0 an array or None, a solution at once.
+
+        All names are bound here, once, and checks are left to the kernel, which refuses what is no pose or not finite:
+        around a kernel of four microseconds every function call and every attribute counts.
+        """
+        if self.prefer != "any" or not self.task.takes_poses:
+            return self.solve
+        kernel, (table, group), middle, tolerance = self.solve_one, self.first_table, self.middle, self.tolerance
+        SE3, ndarray, number, shape, empty = pin.SE3, np.ndarray, np.dtype(float), middle.shape, np.empty
+        carefully, converged = self.solve, IKStatus.CONVERGED
+
+        def call(target: Any, q0: Any) -> IKResult:
+            if type(target) is not SE3:
+                return carefully(target, q0)
+            if q0 is None:
+                start, first = middle, 0
+            elif type(q0) is ndarray and q0.dtype is number and q0.shape == shape and q0.flags.c_contiguous:
+                start, first = q0, -1
+            else:
+                return carefully(target, q0)
+            q = empty(shape)
+            tried, error = kernel(target.homogeneous, start, table, group, first, q)
+            return IKResult(converged, q, error, tried) if error <= tolerance else carefully(target, q0)
+
+        return call
+
     def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
-        """Return the answer for one target; what can be left to the kernel to check is left to it."""
-        goal = self._goal(target)
-        if q0 is None:
-            start, first = self.middle, 0
-        elif type(q0) is np.ndarray and q0.dtype is FLOAT and q0.shape == self.shape and q0.flags.c_contiguous:
-            start, first = q0, -1
-        else:
-            start, first = self.robot.configuration(q0), -1
-        q = np.empty(self.shape)
+        """Return the answer for one target."""
+        goal = self.task.goal(self.robot, target)
+        start, first = (self.middle, 0) if q0 is None else (self.robot.configuration(q0), -1)
+        q = np.empty_like(start)
         tried, error = self.solve_one(goal, start, *self.first_table, first, q)
-        if error <= self.tolerance:
-            return IKResult(IKStatus.CONVERGED, q, self._brought_near(goal, start, q, error), tried)
-        if tried < 0:
-            self.task.target(target)  # raises, and says what is wrong with it
-            self.robot.configuration(start)  # so does this
-        batch = IKBatch(q[None], np.array([IKStatus.NOT_FOUND]), np.array([error]), np.array([tried]))
+        status = IKStatus.CONVERGED if error <= self.tolerance else IKStatus.NOT_FOUND
+        batch = IKBatch(q[None], np.array([status]), np.array([error]), np.array([tried]))
         self._go_on([target], goal[None], start[None], batch)
         batch.error[0] = self._brought_near(goal, start, batch.q[0], batch.error[0])
         return batch[0]
@@ -107,7 +124,7 @@ class CompiledSearch:
 
     def _goal(self, target: Any) -> Array:
         """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
-        if self.takes_poses and type(target) is pin.SE3:
+        if self.task.takes_poses and type(target) is pin.SE3:
             return cast(Array, target.homogeneous)
         return self.task.goal(self.robot, target)
 

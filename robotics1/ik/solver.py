@@ -62,6 +62,7 @@ class IKSolver:
             self._search = CompiledSearch(robot, task, **options)
         else:
             self._search = GeneralSearch(robot, task, **options)
+        self._call = self._search.quick_call()
 
     def __call__(self, target: Any, q0: npt.ArrayLike | None = None) -> IKResult:
         """Return the answer for one target: a solution inside the joint limits, or the nearest miss and why.
@@ -76,7 +77,7 @@ class IKSolver:
         Raises:
             InputError: the target or q0 has the wrong form, or is not finite.
         """
-        return self._search.solve(target, q0)
+        return self._call(target, q0)
 
     def solve_batch(
         self, targets: Any, q0: npt.ArrayLike | None = None, *, progress: Callable[[int, int], None] | None = None
