@@ -200,7 +200,7 @@ def test_a_pose_is_finite_and_its_rotation_orthonormal_and_right_handed():
 def test_the_nearest_start_has_the_least_sum_of_squared_distance_and_half_the_squared_difference_of_rotations():
     robot, rng = arm("six_r"), np.random.default_rng(0)
     chain, starts = chain_arrays(robot), rng.uniform(-3, 3, (64, robot.nq))
-    table = start_table(tuple(chain), starts)
+    table = start_table(chain.links(), starts)
     for seed in range(20):
         goal = forward_kinematics(robot, random_q(robot, seed))
         poses = [forward_kinematics(robot, q) for q in starts]
@@ -246,7 +246,7 @@ def test_a_joint_with_limits_is_not_turned():
 
 def test_a_descent_from_a_solution_ends_there_with_no_error():
     robot, q = arm("six_r"), random_q(arm("six_r"), 2)
-    chain, goal = tuple(chain_arrays(robot)), forward_kinematics(robot, q).homogeneous
+    chain, goal = chain_arrays(robot).links(), forward_kinematics(robot, q).homogeneous
     best = np.empty(robot.nq)
     limits = np.repeat(FREE, robot.nq, axis=1)
     error = descend(chain, limits, np.ones(6), NOTHING, 1.0, 1e-9, goal, q.copy(), best)
@@ -257,7 +257,7 @@ def test_a_descent_from_a_solution_ends_there_with_no_error():
 def test_a_descent_near_a_regular_solution_converges_like_newtons_method():
     """With a tolerance of 1e-12 just one or two steps more are needed than with 1e-6."""
     robot, q = arm("six_r"), np.array([0.4, -0.7, 0.9, 0.3, 0.8, -0.2])
-    chain, goal = tuple(chain_arrays(robot)), forward_kinematics(robot, q).homogeneous
+    chain, goal = chain_arrays(robot).links(), forward_kinematics(robot, q).homogeneous
     limits, best = np.repeat(FREE, robot.nq, axis=1), np.empty(robot.nq)
     error = descend(chain, limits, np.ones(6), NOTHING, 1.0, 1e-12, goal, q + 0.02, best)
     assert error <= 1e-12
@@ -272,7 +272,7 @@ def test_along_the_null_space_the_wish_is_reached_as_far_as_its_projection_vanis
     q = np.array([0.1, 0.3, -0.2, -1.8, 0.2, 2.0, 0.4])
     goal = forward_kinematics(robot, np.append(q, 0.0))
     limits, wished, x = np.repeat(FREE, n, axis=1), q + 0.1, q.copy()
-    approach(tuple(chain), limits, np.array([1.0, 1, 1, 0, 0, 0]), NOTHING, goal.homogeneous, wished, x)
+    approach(chain.links(), limits, np.array([1.0, 1, 1, 0, 0, 0]), NOTHING, goal.homogeneous, wished, x)
     J = frame_jacobian(robot, np.append(x, 0.0))[:3, :n]
     null = np.eye(n) - np.linalg.pinv(J) @ J
     assert np.linalg.norm(null @ (wished - x)) <= 1e-6

@@ -38,9 +38,9 @@ class PoseProblem:
     box: JointBox
 
     def arrays(self, tolerance: float) -> tuple[Any, ...]:
-        """Return the first arguments of the kernels; plain tuples pass into one quicker than named ones."""
+        """Return the first arguments of the kernels."""
         task = np.concatenate([self.counted, self.axis, [self.unit, tolerance]])
-        return tuple(self.chain), self.coordinates, self.active, task
+        return self.chain.links(), self.coordinates, self.active, task
 
     @property
     def middle(self) -> Array:
@@ -50,7 +50,7 @@ class PoseProblem:
     def table(self, rng: np.random.Generator, count: int) -> Array:
         """Return random starts, uniform in the box, with their poses: (count, 12 + n)."""
         starts = self.box.random(rng, count)[:, self.active] / self.coordinates[self.active, 3]
-        return start_table(tuple(self.chain), np.ascontiguousarray(starts))  # type: ignore[arg-type]
+        return start_table(self.chain.links(), np.ascontiguousarray(starts))
 
 
 def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:

@@ -34,6 +34,15 @@ class ChainArrays(NamedTuple):
     coordinate: Indices
     ratio: Array
 
+    def links(self) -> Array:
+        """Return all of it as one array, (k+1, 15), for kernels that are called often: an array costs when it passes.
+
+        Row i holds the placement before joint i, row by row (12), and of that joint whether it is prismatic, which
+        entry of q moves it, and its ratio; the last row is of the frame.
+        """
+        joints = np.column_stack([self.prismatic, self.coordinate, self.ratio])
+        return np.column_stack([self.placements.reshape(-1, 12), np.vstack([joints, np.zeros(3)])])
+
 
 def chain_arrays(
     robot: Robot, frame: str | None = None, *, unit: float = 1.0, axes: Array | None = None

@@ -5,7 +5,6 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import ChainArrays
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.forward import geometric_jacobian, place_joints
@@ -20,7 +19,7 @@ PROGRESS = 0.9  # what counts as progress: |e| falls below 0.9 of the least so f
 
 @compiled()
 def descend(
-    chain: ChainArrays, limits: Array, counted: Array, axis: Array, unit: float, tolerance: float, goal: Array,
+    links: Array, limits: Array, counted: Array, axis: Array, unit: float, tolerance: float, goal: Array,
     x: Array, best: Array,
 ) -> float:  # fmt: skip
     """Move x, (n,), towards the goal; write the best configuration on the way to best, (n,), and return its |e|.
@@ -32,13 +31,13 @@ def descend(
     method and passes singularities.
     """
     n = len(x)
-    T, lines, M, columns = np.empty((3, 4)), np.empty((len(chain[2]), 6)), np.empty((3, 3)), np.empty((n, 6))
+    T, lines, M, columns = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty((n, 6))
     e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
     for j in range(n):
         wish[j] = 0.0
     least, stuck = np.inf, 0
     for _ in range(STEPS):
-        place_joints(chain, x, T, lines)
+        place_joints(links, x, T, lines)
         pose_error(goal, axis, T, M, e)
         linear = counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2]
         angular = counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5]
@@ -49,7 +48,7 @@ def descend(
             copy(x, best)
         if error <= tolerance or stuck == PATIENCE:
             break
-        geometric_jacobian(chain, T, lines, columns.T)
+        geometric_jacobian(links, T, lines, columns.T)
         leave_out(counted, axis, T, columns, e)
         damped_step(columns, e, wish, DAMPING + DAMPING_SLOPE * (linear + angular), limits, x, held, A, y, step)
         move(limits, step, x)

@@ -10,21 +10,20 @@ from robotics1.kernels.compilation import compiled
 
 
 @compiled(contract=True, inline=True)
-def place_joints(chain: ChainArrays, q: Array, T: Array, lines: Array) -> None:
+def place_joints(links: Array, q: Array, T: Array, lines: Array) -> None:
     """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to lines, (k, 6).
 
     T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
+    `links` are those of a chain.
     """
-    placements, prismatic, coordinate, ratio = chain
     for i in range(3):
         for j in range(4):
-            T[i, j] = placements[0, i, j]
-    for joint in range(len(coordinate)):
+            T[i, j] = links[0, 4 * i + j]
+    for joint in range(len(links) - 1):
         for i in range(3):
             lines[joint, i], lines[joint, 3 + i] = T[i, 2], T[i, 3]
-        motion = ratio[joint] * q[coordinate[joint]]
-        P = placements[joint + 1]
-        if prismatic[joint]:
+        motion = links[joint, 14] * q[int(links[joint, 13])]
+        if links[joint, 12] != 0.0:
             for i in range(3):
                 T[i, 3] += motion * T[i, 2]
         else:
@@ -32,25 +31,25 @@ def place_joints(chain: ChainArrays, q: Array, T: Array, lines: Array) -> None:
             for i in range(3):
                 x, y = T[i, 0], T[i, 1]
                 T[i, 0], T[i, 1] = c * x + s * y, c * y - s * x
+        P = links[joint + 1]
         for i in range(3):
             x, y, z, p = T[i, 0], T[i, 1], T[i, 2], T[i, 3]
             for j in range(3):
-                T[i, j] = x * P[0, j] + y * P[1, j] + z * P[2, j]
-            T[i, 3] = x * P[0, 3] + y * P[1, 3] + z * P[2, 3] + p
+                T[i, j] = x * P[j] + y * P[4 + j] + z * P[8 + j]
+            T[i, 3] = x * P[3] + y * P[7] + z * P[11] + p
 
 
 @compiled(contract=True, inline=True)
-def geometric_jacobian(chain: ChainArrays, T: Array, lines: Array, J: Array) -> None:
+def geometric_jacobian(links: Array, T: Array, lines: Array, J: Array) -> None:
     """Write J, (6, n), from what `place_joints` found: the columns (z × (p − o), z) and, of a prismatic joint, (z, 0).
 
     Joints that share a coordinate add up.
     """
-    _, prismatic, coordinate, ratio = chain
     J[:] = 0.0
-    for joint in range(len(coordinate)):
-        column, r = coordinate[joint], ratio[joint]
+    for joint in range(len(links) - 1):
+        column, r = int(links[joint, 13]), links[joint, 14]
         x, y, z = r * lines[joint, 0], r * lines[joint, 1], r * lines[joint, 2]
-        if prismatic[joint]:
+        if links[joint, 12] != 0.0:
             J[0, column] += x
             J[1, column] += y
             J[2, column] += z
@@ -66,7 +65,7 @@ def geometric_jacobian(chain: ChainArrays, T: Array, lines: Array, J: Array) -> 
 
 def pose_and_jacobian(chain: ChainArrays, q: Array, nv: int) -> tuple[Array, Array]:
     """Return the pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
-    T, lines, J = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv))
-    place_joints(chain, q, T, lines)
-    geometric_jacobian(chain, T, lines, J)
+    T, lines, J, links = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv)), chain.links()
+    place_joints(links, q, T, lines)
+    geometric_jacobian(links, T, lines, J)
     return T, J

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import ChainArrays, Indices
+from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy, descend
 from robotics1.kernels.forward import place_joints
@@ -63,11 +63,11 @@ def nearest_start(counted: Array, goal: Array, table: Array, first: int, last: i
 
 
 @compiled()
-def start_table(chain: ChainArrays, starts: Array) -> Array:
+def start_table(links: Array, starts: Array) -> Array:
     """Return (s, 12 + n): the poses at the starts, (s, n), row by row, and the starts."""
-    table, T, lines = np.empty((len(starts), 12 + starts.shape[1])), np.empty((3, 4)), np.empty((len(chain[2]), 6))
+    table, T, lines = np.empty((len(starts), 12 + starts.shape[1])), np.empty((3, 4)), np.empty((len(links) - 1, 6))
     for s in range(len(starts)):
-        place_joints(chain, starts[s], T, lines)
+        place_joints(links, starts[s], T, lines)
         for i in range(3):
             for j in range(4):
                 table[s, 4 * i + j] = T[i, j]
@@ -107,7 +107,7 @@ def from_units(coordinates: Array, active: Indices, x: Array, q: Array) -> None:
 
 @compiled()
 def solve(
-    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, target: Array, q0: Array, table: Array,
+    links: Array, coordinates: Array, active: Indices, task: Array, target: Array, q0: Array, table: Array,
     group: int, first: int, q: Array,
 ) -> tuple[int, float]:  # fmt: skip
     """Write to q, (nq,), the solution, or the best that was found; return how many starts were tried, and |e|.
@@ -116,7 +116,7 @@ def solve(
     arguments are few, since passing an array into a kernel takes a tenth of the time of a step.
 
     Args:
-        chain: lengths in units.
+        links: of the chain, lengths in units.
         coordinates: (nq, 4) of each entry of q the lower and the upper limit, 1 if it can make whole turns, and what
             counts as one.
         active: (n,) which entries of q move the chain.
@@ -145,7 +145,7 @@ def solve(
             copy(x0, x)
         else:
             copy(table[nearest_start(counted, goal, table, group * start, group * (start + 1)), 12:], x)
-        error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, found)
+        error = descend(links, limits, counted, axis, unit, tolerance, goal, x, found)
         tried += 1
         if error < least:
             least = error
@@ -159,11 +159,11 @@ def solve(
 
 @compiled()
 def solve_all(
-    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, targets: Array, q0: Array, table: Array,
+    links: Array, coordinates: Array, active: Indices, task: Array, targets: Array, q0: Array, table: Array,
     group: int, first: int, q: Array, tried: Indices, errors: Array,
 ) -> None:  # fmt: skip
     """Do what `solve` does for every target, (k, 4, 4); q0 is (k, nq)."""
     for i in range(len(targets)):
         tried[i], errors[i] = solve(
-            chain, coordinates, active, task, targets[i], q0[i], table, group, first, q[i]
+            links, coordinates, active, task, targets[i], q0[i], table, group, first, q[i]
         )  # fmt: skip

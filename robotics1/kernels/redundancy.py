@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import ChainArrays, Indices
+from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.descent import DAMPING, descend, move
@@ -18,9 +18,7 @@ LONGEST_ASIDE = 0.2  # of one of them [rad]
 
 
 @compiled()
-def approach(
-    chain: ChainArrays, limits: Array, counted: Array, axis: Array, goal: Array, wished: Array, x: Array
-) -> None:
+def approach(links: Array, limits: Array, counted: Array, axis: Array, goal: Array, wished: Array, x: Array) -> None:
     """Move a solution x, (n,), along its null space, as near to a wished configuration as that leads.
 
     x ← x + w + Jᵀ (J Jᵀ + λ² 1)⁻¹ (e − J w) with w = x_wished − x, the projected gradient of −½ |x_wished − x|².
@@ -29,12 +27,12 @@ def approach(
     Source: Liégeois, IEEE Trans. Systems, Man and Cybernetics 7 (1977).
     """
     n = len(x)
-    T, lines, M, columns = np.empty((3, 4)), np.empty((len(chain[2]), 6)), np.empty((3, 3)), np.empty((n, 6))
+    T, lines, M, columns = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty((n, 6))
     e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
     for _ in range(STEPS_ASIDE):
-        place_joints(chain, x, T, lines)
+        place_joints(links, x, T, lines)
         pose_error(goal, axis, T, M, e)
-        geometric_jacobian(chain, T, lines, columns.T)
+        geometric_jacobian(links, T, lines, columns.T)
         leave_out(counted, axis, T, columns, e)
         distance = 0.0
         for j in range(n):
@@ -49,7 +47,7 @@ def approach(
 
 @compiled()
 def bring_near(
-    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, target: Array, wished: Array, q: Array
+    links: Array, coordinates: Array, active: Indices, task: Array, target: Array, wished: Array, q: Array
 ) -> float:
     """Bring a solution q, (nq,), near to a wished configuration, (nq,), unless that loses it; return its |e|.
 
@@ -62,11 +60,11 @@ def bring_near(
     to_units(coordinates, active, wished, around, limits)
     to_units(coordinates, active, q, x, limits)
     wind(limits, around, x)
-    approach(chain, limits, counted, axis, goal, around, x)
-    error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, near)
+    approach(links, limits, counted, axis, goal, around, x)
+    error = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
     if error > tolerance:
         to_units(coordinates, active, q, x, limits)
-        error = descend(chain, limits, counted, axis, unit, tolerance, goal, x, near)
+        error = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
     wind(limits, around, near)
     from_units(coordinates, active, near, q)
     return error
@@ -74,10 +72,10 @@ def bring_near(
 
 @compiled()
 def bring_all_near(
-    chain: ChainArrays, coordinates: Array, active: Indices, task: Array, targets: Array, wished: Array, q: Array,
+    links: Array, coordinates: Array, active: Indices, task: Array, targets: Array, wished: Array, q: Array,
     errors: Array,
 ) -> None:  # fmt: skip
     """Do what `bring_near` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
     for i in range(len(targets)):
         if errors[i] <= task[10]:
-            errors[i] = bring_near(chain, coordinates, active, task, targets[i], wished[i], q[i])
+            errors[i] = bring_near(links, coordinates, active, task, targets[i], wished[i], q[i])
