@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from robotics1.errors import InputError
+from robotics1.errors import InputError, TaskError
 from robotics1.ik.batch_starts import starts_of_all
 from robotics1.ik.descent import Descent
 from robotics1.ik.pose_problem import pose_problem
@@ -132,8 +132,8 @@ class CompiledSearch:
         """Return the pose of target i of many; an error tells i."""
         try:
             return self.task.goal(self.robot, target) if task_checks else self._goal(target)
-        except InputError as error:
-            raise InputError(f"target {i} of the batch: {error}") from error
+        except (InputError, TaskError) as error:
+            raise type(error)(f"target {i} of the batch: {error}") from error
 
     def _round(
         self, goals: Array, starts: Array, table: Table, first: int
@@ -180,6 +180,6 @@ class CompiledSearch:
             return
         descent = Descent(self.robot, self.task, self.task.target(target), self.problem.box)
         q = descent.nearest_miss(batch.q[i])
-        error = float(np.linalg.norm(self.task.error(self.robot, q, target)))
+        error = float(np.hypot.reduce(self.task.error(self.robot, q, target)))
         if error < batch.error[i]:
             batch.q[i], batch.error[i] = q, error

@@ -13,6 +13,7 @@ from robotics1.tasks.task import Task
 from robotics1.tasks.units import unitless_jacobian, unitless_rows
 
 REACHED = 1e-9  # |e| of a solution, lengths in units of the reach
+HOPELESS = 1e9  # |e| in reaches: there rounding hides what the joints do
 End = tuple[Array, float]
 
 
@@ -37,11 +38,11 @@ class Descent:
         best, least, stuck = q, np.inf, 0
         for _ in range(iterations):
             e = self.error(q)
-            error = float(np.linalg.norm(e))
+            error = float(np.hypot.reduce(e))  # which does not overflow
             stuck = 0 if error < 0.9 * least else stuck + 1
             if error < least:
                 best, least = q, error
-            if least < 1e-14 or stuck > 12 or (least < REACHED and stuck > 2):
+            if least < 1e-14 or stuck > 12 or (least < REACHED and stuck > 2) or error > HOPELESS:
                 break
             q = self.box.nearest(q + self.robot.units * self._step(q, e))
         return best, least
@@ -51,15 +52,27 @@ class Descent:
         from scipy.optimize import least_squares
 
         open_ended = self.box.circular
+        lower = np.where(open_ended, -np.inf, self.box.lower)
+        upper = np.where(open_ended, np.inf, self.box.upper)
+        moving = lower < upper
+
+        def moved(x: Array) -> Array:
+            whole = self.box.nearest(q)
+            whole[moving] = x
+            return whole
+
+        def slope(x: Array) -> Array:
+            J = unitless_rows(self.robot, self.task)[:, None] * self.task.jacobian(self.robot, moved(x))
+            return np.asarray(-J[:, moving])
+
+        if not moving.any() or np.abs(self.error(q)).max() > HOPELESS:
+            return q
+        start = self.box.nearest(q)[moving]
         found = least_squares(
-            self.error,
-            np.clip(q, self.box.lower, self.box.upper),
-            jac=lambda x: -unitless_rows(self.robot, self.task)[:, None] * self.task.jacobian(self.robot, x),
-            bounds=(np.where(open_ended, -np.inf, self.box.lower), np.where(open_ended, np.inf, self.box.upper)),
-            x_scale=self.robot.units,
-            xtol=1e-12,
-        )
-        return self.box.nearest(found.x)
+            lambda x: self.error(moved(x)), start, jac=slope, bounds=(lower[moving], upper[moving]),
+            x_scale=self.robot.units[moving], xtol=1e-12,
+        )  # fmt: skip
+        return self.box.nearest(moved(found.x))
 
     def _step(self, q: Array, e: Array) -> Array:
         """Return the damped step, in units; a joint that would leave the limit it stands at is held."""

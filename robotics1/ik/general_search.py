@@ -1,19 +1,20 @@
 """The robust search in Python, for any task: for the user's own function, and where the kernels do not serve."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError
+from robotics1.errors import InputError, TaskError
 from robotics1.ik.batch_starts import starts_of_all
 from robotics1.ik.descent import Descent
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
-from robotics1.robot.box import joint_box
+from robotics1.robot.box import TURN, JointBox, joint_box
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -29,7 +30,7 @@ class GeneralSearch:
         task.check_integrable(robot)
         self.robot, self.task, self.tolerance = robot, task, tolerance
         self.seed, self.time_limit = seed, time_limit
-        self.box = joint_box(robot, unlimited=2.0)
+        self.box = box_inside_limits(robot)
 
     def quick_call(self) -> Callable[[Any, Any], IKResult]:
         """Return `solve`; there is nothing quicker."""
@@ -45,8 +46,8 @@ class GeneralSearch:
         for i, target in enumerate(targets):
             try:
                 answers.append(self.solve(target, starts[i]))
-            except InputError as error:
-                raise InputError(f"target {i} of the batch: {error}") from error
+            except (InputError, TaskError) as error:
+                raise type(error)(f"target {i} of the batch: {error}") from error
             if progress is not None:
                 progress(i + 1, k)
         return IKBatch(
@@ -70,7 +71,7 @@ class GeneralSearch:
             if error < least:
                 best, least = q, error
             if least <= self.tolerance:
-                return IKResult(IKStatus.CONVERGED, best, least, tried)
+                return self._wound(IKResult(IKStatus.CONVERGED, best, least, tried), target, q0)
             if perf_counter() > end:
                 break
             start = self.box.random(rng, 1)[0]
@@ -80,5 +81,29 @@ class GeneralSearch:
         status = IKStatus.CONVERGED if least <= self.tolerance else IKStatus.NOT_FOUND
         return IKResult(status, best, least, tried)
 
+    def _wound(self, found: IKResult, target: Any, q0: npt.ArrayLike | None) -> IKResult:
+        """Return the solution with joints without limits within half a turn of q0, if that is one."""
+        if q0 is None:
+            return found
+        turns = np.where(self.box.circular, np.round((self.robot.configuration(q0) - found.q) / TURN), 0.0)
+        q = found.q + TURN * turns
+        error = self._error(q, target)
+        return found._replace(q=q, error=error) if error <= self.tolerance else found
+
     def _error(self, q: Array, target: Any) -> float:
-        return float(np.linalg.norm(self.task.error(self.robot, q, target)))
+        return float(np.hypot.reduce(self.task.error(self.robot, q, target)))
+
+
+def box_inside_limits(robot: Robot) -> JointBox:
+    """Return the box of the limits, in which just joints without limits are circles.
+
+    A user's function may tell a joint's turns apart.
+    """
+    box = joint_box(robot, unlimited=2.0)
+    limited = np.isfinite(robot.lower) & np.isfinite(robot.upper)
+    return replace(
+        box,
+        lower=np.where(limited, robot.lower, box.lower),
+        upper=np.where(limited, robot.upper, box.upper),
+        circular=box.circular & ~limited,
+    )

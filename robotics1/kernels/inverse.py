@@ -7,11 +7,12 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
-from robotics1.kernels.descent import copy, descend
+from robotics1.kernels.descent import copy, descend, error_at
 from robotics1.kernels.forward import place_joints
 
 NO_POSE, NO_START = -1, -2  # instead of a number of starts: the goal is no pose, the start is not finite
-ORTHONORMAL = 1e-6  # |RᵀR − 1| of a matrix that is taken for a rotation
+ORTHONORMAL = 1.001e-6  # |RᵀR − 1| of what is taken for a rotation: 1e-6, as everywhere, and room for rounding
+ENDLESS = 1e5  # of a start [rad]: beyond, whole turns are left out, since its last digits are no longer 1e-10
 TURN = 2.0 * math.pi
 
 
@@ -76,16 +77,23 @@ def start_table(links: Array, starts: Array) -> Array:
 
 
 @compiled()
-def wind(limits: Array, around: Array, x: Array) -> None:
-    """Turn joints that can make whole turns to the value nearest to `around`, (n,), inside the limits."""
+def wind(limits: Array, around: Array, x: Array) -> bool:
+    """Turn joints that can make whole turns to the value nearest to `around`, (n,), inside the limits.
+
+    Return whether one was turned: that rounds its value, and |e| is another.
+    """
+    turned = False
     for j in range(len(x)):
         if limits[2, j] == 0.0:
             continue
+        before = x[j]
         x[j] -= TURN * math.floor((x[j] - around[j]) / TURN + 0.5)
         if x[j] < limits[0, j]:
             x[j] += TURN * math.ceil((limits[0, j] - x[j]) / TURN)
         if x[j] > limits[1, j]:
             x[j] -= TURN * math.ceil((x[j] - limits[1, j]) / TURN)
+        turned = turned or x[j] != before
+    return turned
 
 
 @compiled()
@@ -138,6 +146,9 @@ def solve(
             return NO_START, np.nan
     in_units(target, unit, goal)
     to_units(coordinates, active, q, x0, limits)
+    for j in range(n):
+        if limits[2, j] != 0.0 and abs(x0[j]) > ENDLESS:
+            x0[j] -= TURN * math.floor(x0[j] / TURN + 0.5)
     copy(x0, best)
     least, tried = np.inf, 0
     for start in range(first, len(table) // group):
@@ -152,7 +163,8 @@ def solve(
             copy(found, best)
         if least <= tolerance:
             break
-    wind(limits, x0, best)
+    if wind(limits, x0, best):
+        least = error_at(links, counted, axis, unit, goal, best)
     from_units(coordinates, active, best, q)
     return tried, least
 

@@ -8,7 +8,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
-from robotics1.kernels.descent import DAMPING, descend, move
+from robotics1.kernels.descent import DAMPING, descend, error_at, move
 from robotics1.kernels.forward import geometric_jacobian, place_joints
 from robotics1.kernels.inverse import from_units, in_units, to_units, wind
 from robotics1.kernels.pose_error import leave_out, pose_error
@@ -65,7 +65,8 @@ def bring_near(
     if error > tolerance:
         to_units(coordinates, active, q, x, limits)
         error = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
-    wind(limits, around, near)
+    if wind(limits, around, near):
+        error = error_at(links, counted, axis, unit, goal, near)
     from_units(coordinates, active, near, q)
     return error
 

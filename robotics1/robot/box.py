@@ -15,10 +15,10 @@ TURN = 2 * np.pi
 
 @dataclass(frozen=True, eq=False)
 class JointBox:
-    """lower ≤ q ≤ upper; a revolute joint that can make a whole turn is a circle, told in (−π, π].
+    """lower ≤ q ≤ upper; a revolute joint that can make a whole turn is a circle, told by the turn below upper.
 
     Attributes:
-        lower, upper: (n,) [rad or m].
+        lower, upper: (n,) [rad or m]; of circles −π and π, or the turn next to it inside the limits.
         circular: (n,) True where q and q + 2π are the same place.
         unit: (n,) what counts as one in distances: 1 rad, or the arm's reach [m].
     """
@@ -33,9 +33,9 @@ class JointBox:
         return rng.uniform(self.lower, self.upper, (count, len(self.lower)))
 
     def nearest(self, q: Array) -> Array:
-        """Return q with circular joints turned into (−π, π] and the others moved to their nearest limit."""
-        turned = np.pi - (np.pi - q) % TURN
-        turned[turned < 1e-9 - np.pi] = np.pi  # −π, but for rounding, is π
+        """Return q with circular joints turned into (upper − 2π, upper] and the others moved to their nearest limit."""
+        turned = self.upper - (self.upper - q) % TURN
+        turned = np.where(turned < self.upper - TURN + 1e-9, self.upper, turned)  # −π, but for rounding, is π
         return np.where(self.circular, turned, np.clip(q, self.lower, self.upper))
 
     def difference(self, a: Array, b: Array) -> Array:
@@ -68,7 +68,8 @@ def joint_box(
         lower = np.where(robot.revolute | np.isfinite(lower), lower, -unlimited * robot.reach)
         upper = np.where(robot.revolute | np.isfinite(upper), upper, unlimited * robot.reach)
     circular = robot.revolute & (upper - lower >= TURN - 1e-9)
-    lower[circular], upper[circular] = -np.pi, np.pi
+    lower[circular] = np.maximum(lower, np.minimum(-np.pi, upper - TURN))[circular]
+    upper[circular] = lower[circular] + TURN
     for name, interval in by_name("box", box, "{'q1': (-1, 1)}").items():
         if name not in robot.joint_names:
             raise UnknownNameError("joint named", name, robot.joint_names)
