@@ -6,6 +6,7 @@ import pytest
 from arms import ROBOTS
 from typer.testing import CliRunner
 
+from robotics1 import load_robot
 from robotics1.cli import main
 from robotics1.cli.arguments import parse_number, parse_vector
 from robotics1.cli.commands import app
@@ -136,6 +137,112 @@ def test_ik_of_a_pose_takes_the_matrix_row_by_row():
     eye = "1,0,0,2, 0,1,0,0, 0,0,1,0, 0,0,0,1"
     found = answer("ik", "planar_2r", "--task", "pose", "--target", eye)
     assert found["solutions"][0] == pytest.approx([0, 0], abs=1e-6)
+
+
+def test_ik_solves_one_target_inside_the_limits_from_the_start_that_is_told():
+    """(1, 1) of the 2R: cos q2 = (p² − 2)/2 = 0, so q2 = ±π/2; the start chooses the elbow."""
+    words = ["ik", "planar_2r", "--task", "position:xy", "--target", "1,1", "--method", "solve"]
+    lengths = ["-p", "l1=1", "-p", "l2=1"]
+    for q0, q in (("0.1,1.2", [0, pi / 2]), ("1.4,-1.2", [pi / 2, -pi / 2])):
+        found = answer(*words, *lengths, "--q0", q0, "--tolerance", "1e-9")
+        assert (found["status"], found["starts"]) == ("CONVERGED", 1)
+        assert found["q"] == pytest.approx(q, abs=1e-8)
+        assert found["error"] <= 1e-9
+    printed = CliRunner().invoke(app, [*words, *lengths, "--q0", "5,70", "--degrees"]).stdout
+    assert "90.000" in printed
+    assert "by forward kinematics" in printed
+
+
+def test_ik_solve_exits_with_1_and_tells_the_nearest_miss():
+    words = ["ik", "planar_2r", "--task", "position:xy", "--target", "0,2.5", "--method", "solve"]
+    found = answer(*words, "-p", "l1=1", "-p", "l2=1", code=1)
+    assert found["status"] == "UNREACHABLE"
+    assert found["error"] == pytest.approx(0.5, abs=1e-6)
+    assert found["q"] == pytest.approx([pi / 2, 0], abs=1e-2)
+    hole = [
+        "ik",
+        "planar_2r",
+        "--task",
+        "position:xy",
+        "--target",
+        "0.2,0",
+        "--method",
+        "solve",
+        "--time-limit",
+        "0.01",
+    ]
+    result = CliRunner().invoke(app, [*hole, "-p", "l1=1", "-p", "l2=0.5"])
+    assert result.exit_code == 1
+    assert "NOT_FOUND" in result.stdout
+    assert "|e| = 0.3 at" in result.stdout
+
+
+def test_ik_prefers_the_middle_of_the_ranges_of_a_redundant_arm():
+    """Of the q with z(q) = 1.1 it tells one nearer to the middle than the first it finds."""
+    path = str(ROBOTS / "redundant.urdf")
+    words = ["ik", path, "--task", "position:z", "--target", "1.1", "--method", "solve"]
+    middle, first = (answer(*words, "--prefer", wish)["q"] for wish in ("middle", "any"))
+    robot = load_robot(path)
+    ranges = 0.5 * (robot.lower + robot.upper)
+    assert np.linalg.norm(middle - ranges) < np.linalg.norm(first - ranges)
+
+
+def test_ik_answers_every_target_of_a_file_in_its_order(tmp_path):
+    """Degrees are read too: the planar pose (x, y, φ) has one angle."""
+    path = tmp_path / "targets.csv"
+    path.write_text("# x, y\n1, 1\n3, 0   # too far\n\n0.5 -0.5\n", encoding="utf-8")
+    words = ["ik", "planar_2r", "--task", "position:xy", "--targets", str(path), "-p", "l1=1", "-p", "l2=1"]
+    found = answer(*words, code=1)
+    assert [one["status"] for one in found] == ["CONVERGED", "UNREACHABLE", "CONVERGED"]
+    assert [one["error"] for one in found] == pytest.approx([0, 1, 0], abs=1e-6)
+    for one, target in zip(found, ([1, 1], [2, 0], [0.5, -0.5]), strict=True):
+        (a, b) = one["q"]
+        assert [np.cos(a) + np.cos(a + b), np.sin(a) + np.sin(a + b)] == pytest.approx(target, abs=1e-4)
+    result = CliRunner().invoke(app, words)
+    assert "2 of 3 targets reached" in result.stdout
+    assert "solving" not in result.output  # the bar is for a terminal
+    path.write_text("0.5,0.6,90\n", encoding="utf-8")
+    (turned,) = answer("ik", "prr", "--task", "planar-pose", "--targets", str(path), "--degrees")
+    assert np.sum(turned["q"][1:]) == pytest.approx(pi / 2, abs=1e-6)
+
+
+def test_of_many_targets_those_that_were_missed_are_printed(tmp_path):
+    path = tmp_path / "targets.csv"
+    path.write_text("1,1\n" * 30 + "9,9\n", encoding="utf-8")
+    printed = CliRunner().invoke(app, ["ik", "planar_2r", "--task", "position:xy", "--targets", str(path)]).stdout
+    assert "30 of 31 targets reached" in printed
+    assert "│     31 │ UNREACHABLE" in printed
+    assert "and 11 more" in printed
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ([], "give either --target"),
+        (["--target", "1,1", "--targets", "some.csv"], "give either --target"),
+        (["--targets", "some.csv"], "there is no file some.csv"),
+        (["--targets", "FILE"], "targets.csv, line 2: the target must have shape \\(2,\\)"),
+        (["--targets", "FILE", "--method", "newton"], "--targets is for --method solve"),
+        (["--target", "1,1", "--prefer", "near"], "--prefer near is for --method solve"),
+        (["--target", "1,1", "--method", "best"], "--method must be one of 'solve', 'newton'"),
+        (["--target", "1,1", "--method", "solve", "--tolerance", "0"], "tolerance must be a positive number"),
+        (["--target", "1,1", "--method", "solve", "--q0", "1"], "q must have shape \\(2,\\)"),
+    ],
+)
+def test_ik_refuses_what_it_cannot_read(words, message, tmp_path):
+    path = tmp_path / "targets.csv"
+    path.write_text("1,1\n1,1,1\n", encoding="utf-8")
+    words = [str(path) if word == "FILE" else word for word in words]
+    with pytest.raises(InputError, match=message):
+        CliRunner().invoke(app, ["ik", "planar_2r", "--task", "position:xy", *words], catch_exceptions=False)
+
+
+def test_a_file_without_targets_or_not_of_text_is_refused(tmp_path):
+    path = tmp_path / "targets.csv"
+    for content, message in ((b"# none\n", "there is no target in"), (b"\xff\xfe1,1", "is no text file in UTF-8")):
+        path.write_bytes(content)
+        with pytest.raises(InputError, match=message):
+            CliRunner().invoke(app, ["ik", "planar_2r", "--targets", str(path)], catch_exceptions=False)
 
 
 def test_view_writes_a_page(tmp_path):

@@ -9,6 +9,7 @@ import typer
 from rich.console import Console
 
 from robotics1.cli import arguments, output
+from robotics1.cli.ik import ik
 from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
 from robotics1.cli.scan import scan
 from robotics1.errors import Robotics1Error
@@ -132,36 +133,7 @@ def singularities(
         print_singularities(out, found, latex=latex, python=python, intersections=intersections, json=json)
 
 
-@app.command()
-def ik(
-    robot: RobotName,
-    target: Annotated[str, typer.Option(help="The target: x,y,z or x,y,φ; for a pose, 16 numbers row by row.")],
-    task: TaskName = "position",
-    method: Annotated[
-        str | None, typer.Option(help="newton, pseudoinverse, gradient or damped; without it, all solutions.")
-    ] = None,
-    q0: Annotated[str | None, typer.Option("--q0", help="The start of an iteration; by default zero.")] = None,
-    tolerance: Annotated[float, typer.Option(help="The wanted |e| of an iteration.")] = 1e-4,
-    max_iterations: Annotated[int, typer.Option(help="The most iterations.")] = 50,
-    frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    degrees: Degrees = False,
-    json: AsJson = False,
-) -> None:
-    """Inverse kinematics: all solutions, or the table of one method's iterations."""
-    from robotics1.cli import inverse
-
-    arm = arguments.parse_robot(robot, param or [], tool)
-    what = arguments.parse_task(task, frame)
-    goal = inverse.parse_target(what, target, degrees)
-    if method is None:
-        done = inverse.print_solutions(out, arm, what, goal, degrees=degrees, json=json)
-    else:
-        start = arguments.configuration(arm, q0, degrees)
-        options = {"method": method, "tolerance": tolerance, "max_iterations": max_iterations}
-        done = inverse.print_iteration(out, arm, what, goal, start, options=options, json=json)
-    raise typer.Exit(0 if done else 1)
+app.command()(ik)
 
 
 @app.command()
