@@ -4,6 +4,7 @@ from itertools import product
 from math import cos, hypot, pi, sin, sqrt
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from arms import arm
 from dh_arms import P, R, dh
@@ -66,6 +67,18 @@ def test_beyond_l1_plus_l2_the_2r_arm_is_stretched_towards_the_target(planar_2r,
     assert np.linalg.norm(XY.error(planar_2r, missed.q, target)) == pytest.approx(missed.error, abs=1e-12)
     assert polar(1, missed.q[0]) == pytest.approx(polar(1, angle), abs=5e-3)
     assert missed.q[1] == pytest.approx(0, abs=5e-3)
+
+
+@pytest.mark.parametrize("far", [1e10, 1e100, 1e200, 1e300])
+def test_targets_that_no_arm_can_reach_are_told_so_without_overflow(planar_2r, far):
+    for given, task, target in [
+        (planar_2r, XY, [far, far]),
+        (arm("redundant"), PoseTask(), pin.SE3(np.eye(3), np.array([0, -far, 0]))),
+    ]:
+        missed = solve_ik(given, task, target)
+        assert missed.status is IKStatus.UNREACHABLE
+        assert missed.error == pytest.approx(far * (sqrt(2) if task is XY else 1), rel=1e-9)
+        assert given.within_limits(missed.q, tolerance=0.0)
 
 
 @pytest.mark.parametrize("angle", ANGLES[:3])

@@ -95,6 +95,24 @@ def test_a_rotation_is_taken_with_a_defect_below_1e_6(defect):
     assert np.linalg.norm(POSE.error(arm("six_r"), found.q, target)) <= 1e-6 + 1e-12
 
 
+def test_at_a_defect_of_1e_6_to_rounding_a_target_is_either_refused_or_solved():
+    """Two ways to sum RᵀR, which may fall on either side of the limit."""
+    six_r, rng = arm("six_r"), np.random.default_rng(0)
+    solver, taken = IKSolver(six_r, POSE), 0
+    for q in rng.uniform(-3, 3, (2000, 6)):
+        target = forward_kinematics(six_r, q).homogeneous
+        target[:3, :3] *= np.sqrt(1 + 1e-6 * (1 + rng.uniform(-4e-10, 4e-10)))
+        try:
+            batch = solver.solve_batch([target, target])
+        except InputError as error:
+            assert "target 0 of the batch: the target's rotation is no rotation" in str(error)  # noqa: PT017
+            continue
+        taken += 1
+        assert batch.converged.all()
+        assert np.linalg.norm(POSE.error(six_r, batch.q[0], target)) <= 1e-6 + 1e-12
+    assert 100 < taken < 1900
+
+
 def test_the_error_of_a_printed_rotation_names_what_makes_it_exact():
     with pytest.raises(InputError, match=r"\|RᵀR − 1\|.*nearest_rotation\(R\)\.rotation is exact"):
         solve_ik(arm("six_r"), POSE, np.round(stretched(1), 3))
@@ -136,6 +154,14 @@ def test_a_target_of_another_form_is_refused(planar_2r, task, target, said):
 def test_so_are_directions_and_orientations(task, target, said):
     with pytest.raises(InputError, match=said):
         solve_ik(arm("six_r"), task, target)
+
+
+def test_angles_that_are_singular_at_the_target_are_refused_and_in_a_batch_by_their_number():
+    solver = IKSolver(arm("six_r"), OrientationTask(angles="ZYZ"))
+    with pytest.raises(TaskError, match=r"the target's ZYZ angles are singular.*use angles= with another sequence"):
+        solver([0.1, 0, 0.3])
+    with pytest.raises(TaskError, match=r"target 1 of the batch: the target's ZYZ angles are singular"):
+        solver.solve_batch([[0.1, 0.2, 0.3], [0.1, 0, 0.3]])
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 """Where `IKSolver` starts, what it prefers, and batches of targets."""
 
-from math import pi
+from math import cos, pi, sin
 
 import numpy as np
 import pinocchio as pin
@@ -76,6 +76,58 @@ def test_an_unlimited_joint_stays_within_half_a_turn_of_its_start(around):
         start = np.array([around, 0.0, -around])
         found = reached(continuous, PositionTask(), target, start)
         assert np.abs(found.q - start)[[0, 2]].max() <= pi + 1e-9
+
+
+@pytest.mark.parametrize("far", [1e3, 1e6, 1e9, 1e12, 1e15, 1e18, 1e300])
+@pytest.mark.parametrize("prefer", ["any"])
+def test_a_start_so_far_that_turns_are_rounded_gives_no_false_success(far, prefer):
+    """Numbers next to 1e15 are 1/8 apart: no angle there is a solution."""
+    continuous, task = arm("continuous"), PositionTask()
+    target = forward_kinematics(continuous, [0.3, 0.2, 0.4]).translation
+    solver = IKSolver(continuous, task, prefer=prefer, time_limit=0.01)
+    batch = solver.solve_batch([target, target], np.array([far, 0, -far]))
+    for found in (solver(target, np.array([far, 0, -far])), batch[0], batch[1]):
+        e = np.linalg.norm(task.error(continuous, found.q, target))
+        assert found.converged == (e <= 1e-6)
+        assert found.error == pytest.approx(e, rel=1e-6, abs=1e-12)
+
+
+def turning(folder, lower, upper):
+    """One joint with these limits that carries a tool at (1, 0, 0)."""
+    path = folder / "turning.urdf"
+    path.write_text(
+        f"""<robot name="turning"><link name="base"/><link name="tool"/><link name="a"/>
+        <joint name="q1" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/>
+        <limit lower="{lower}" upper="{upper}" velocity="1" effort="1"/></joint>
+        <joint name="tip" type="fixed"><parent link="a"/><child link="tool"/><origin xyz="1 0 0"/></joint></robot>""",
+        encoding="utf-8",
+    )
+    return load_robot(path)
+
+
+@pytest.mark.parametrize(("lower", "upper"), [(0, 7), (3, 12), (-20, -13), (-6.5, 6.5), (0, 2 * pi), (0.5, 6)])
+@pytest.mark.parametrize("task", [XY, FunctionTask(lambda p, R, q: p[:2], 2)], ids=["compiled", "general"])
+def test_limits_need_not_be_around_zero(tmp_path, task, lower, upper):
+    robot = turning(tmp_path, lower, upper)
+    solver = IKSolver(robot, task, time_limit=0.01)
+    for angle in np.linspace(lower, upper, 9):
+        direction = np.array([cos(angle), sin(angle)])
+        found, beyond = solver(direction), solver(2 * direction)
+        assert found.converged
+        assert sin(found.q[0] - angle) == pytest.approx(0, abs=2e-6)
+        assert not beyond.converged
+        assert beyond.error == pytest.approx(1, abs=1e-6)
+        for answer in (found, beyond):
+            assert lower <= answer.q[0] <= upper
+            e = np.linalg.norm(task.error(robot, answer.q, direction if answer is found else 2 * direction))
+            assert answer.error == pytest.approx(e, abs=1e-9)
+
+
+@pytest.mark.parametrize("start", [-6.1, -1.0, 0.0, 4.0, 6.1])
+def test_a_function_of_whole_turns_is_solved_within_half_a_turn_of_the_start_too(tmp_path, start):
+    robot = turning(tmp_path, -6.5, 6.5)
+    found = reached(robot, FunctionTask(lambda p, R, q: p[:2], 2), [cos(start + 0.3), sin(start + 0.3)], [start])
+    assert found.q[0] == pytest.approx(start + 0.3, abs=1e-5)
 
 
 def test_a_start_outside_the_limits_is_moved_inside():
