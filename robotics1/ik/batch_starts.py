@@ -14,5 +14,5 @@ def starts_of_all(robot: Robot, q0: npt.ArrayLike, k: int) -> Array:
         InputError: it is neither, or not finite.
     """
     if dimensions("q0", q0) < 2:
-        return np.tile(robot.configuration(q0), (k, 1))
+        return np.tile(robot.configuration(q0, "q0"), (k, 1))
     return real_array("q0", q0, (k, robot.nq), "one start for each target")

@@ -71,7 +71,7 @@ class CompiledSearch:
                 return carefully(target, q0)
             if q0 is None:
                 start, first = middle, 0
-            elif type(q0) is ndarray and q0.dtype is number and q0.shape == shape and q0.flags.c_contiguous:
+            elif type(q0) is ndarray and q0.dtype is number and q0.shape == shape and q0.flags.carray:
                 start, first = q0, -1
             else:
                 return carefully(target, q0)
@@ -84,7 +84,7 @@ class CompiledSearch:
     def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the answer for one target."""
         goal = self.task.goal(self.robot, target)
-        start, first = (self.middle, 0) if q0 is None else (self.robot.configuration(q0), -1)
+        start, first = (self.middle, 0) if q0 is None else (self.robot.configuration(q0, "q0"), -1)
         q = np.empty_like(start)
         tried, error = self.solve_one(goal, start, *self.first_table, first, q)
         status = IKStatus.CONVERGED if error <= self.tolerance else IKStatus.NOT_FOUND

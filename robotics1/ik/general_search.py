@@ -28,6 +28,8 @@ class GeneralSearch:
         if prefer != "any":
             raise InputError(f"prefer={prefer!r} needs a task on one frame, such as PoseTask; this one takes 'any'")
         task.check_integrable(robot)
+        if robot.nv == 0:
+            raise TaskError("nothing moves this task: the robot has no joint")
         self.robot, self.task, self.tolerance = robot, task, tolerance
         self.seed, self.time_limit = seed, time_limit
         self.box = box_inside_limits(robot)
@@ -62,7 +64,7 @@ class GeneralSearch:
         end = perf_counter() + self.time_limit
         descent = Descent(self.robot, self.task, self.task.target(target), self.box)
         rng = np.random.default_rng(self.seed)
-        start = self.box.random(rng, 1)[0] if q0 is None else self.box.nearest(self.robot.configuration(q0))
+        start = self.box.random(rng, 1)[0] if q0 is None else self.box.nearest(self.robot.configuration(q0, "q0"))
         best, least, tried = start, np.inf, 0
         while True:
             q, _ = descent.descend(start)
@@ -85,7 +87,7 @@ class GeneralSearch:
         """Return the solution with joints without limits within half a turn of q0, if that is one."""
         if q0 is None:
             return found
-        turns = np.where(self.box.circular, np.round((self.robot.configuration(q0) - found.q) / TURN), 0.0)
+        turns = np.where(self.box.circular, np.round((self.robot.configuration(q0, "q0") - found.q) / TURN), 0.0)
         q = found.q + TURN * turns
         error = self._error(q, target)
         return found._replace(q=q, error=error) if error <= self.tolerance else found

@@ -110,7 +110,7 @@ def iterate_ik(
     limit = counting_number("max_iterations", max_iterations)
     task.check_integrable(robot)
     target = task.target(target)
-    q = robot.configuration(q0)
+    q = robot.configuration(q0, "q0")
     table: list[IKIterate] = []
     while True:
         e, J = task.error(robot, q, target), task.jacobian(robot, q)

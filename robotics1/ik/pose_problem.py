@@ -72,7 +72,7 @@ def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
     whole = np.ones(robot.nq, dtype=bool)
     whole[chain.coordinate[~back]] = False
     lower, upper = robot.lower, robot.upper
-    circular = robot.revolute & whole & (upper - lower >= TURN - 1e-9)
+    circular = robot.revolute & whole & (upper - lower >= TURN - 1e-12)
     units = np.where(robot.revolute, 1.0, unit)
     return PoseProblem(
         chain=chain._replace(coordinate=np.searchsorted(active, chain.coordinate)),

@@ -12,6 +12,7 @@ from robotics1.kernels.pose_error import leave_out, pose_error
 
 DAMPING = 1e-9  # λ² at the target: small beside σ_min² of what still counts as regular
 DAMPING_SLOPE = 0.05  # λ² = DAMPING + DAMPING_SLOPE |e|²: far away a short step, near the target Newton's
+FAR = 10.0  # |e|², some half turn or three reaches, beyond which λ² grows no more: the way may be long
 STEPS = 40  # of one descent
 PATIENCE = 5  # steps without progress, after which the descent is given up
 PROGRESS = 0.9  # what counts as progress: |e| falls below 0.9 of the least so far
@@ -24,8 +25,8 @@ def descend(
 ) -> float:  # fmt: skip
     """Move x, (n,), towards the goal; write the best configuration on the way to best, (n,), and return its |e|.
 
-    x ← x + Jᵀ (J Jᵀ + λ² 1)⁻¹ e with λ² = 1e-9 + 0.05 |e|², inside the limits, until |e| is within the tolerance,
-    the steps are used up, or no progress is made. Lengths are in units; |e| is told in [m, rad], and so is tolerance.
+    x ← x + Jᵀ (J Jᵀ + λ² 1)⁻¹ e with λ² = 1e-9 + 0.05 min(|e|², 10), inside the limits, until |e| is within the
+    tolerance, the steps are used up, or no progress is made. Lengths are in units; |e| and tolerance in [m, rad].
 
     Source: Sugihara, IEEE Trans. Robotics 27 (2011): a damping that fades with the error converges like Newton's
     method and passes singularities.
@@ -49,7 +50,7 @@ def descend(
             break
         geometric_jacobian(links, T, lines, columns.T)
         leave_out(counted, axis, T, columns, e)
-        damped_step(columns, e, wish, DAMPING + DAMPING_SLOPE * (linear + angular), limits, x, held, A, y, step)
+        damped_step(columns, e, wish, DAMPING + DAMPING_SLOPE * min(linear + angular, FAR), limits, x, held, A, y, step)
         move(limits, step, x)
     return least
 

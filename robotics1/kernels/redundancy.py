@@ -13,36 +13,60 @@ from robotics1.kernels.forward import geometric_jacobian, place_joints
 from robotics1.kernels.inverse import from_units, in_units, to_units, wind
 from robotics1.kernels.pose_error import leave_out, pose_error
 
-STEPS_ASIDE = 60  # along the null space of a solution
+STEPS_ASIDE = 200  # along the null space of a solution, at most
 LONGEST_ASIDE = 0.2  # of one of them [rad]
+ARRIVED = 1e-9  # of a step that leads no nearer [rad]
 
 
 @compiled()
 def approach(links: Array, limits: Array, counted: Array, axis: Array, goal: Array, wished: Array, x: Array) -> None:
     """Move a solution x, (n,), along its null space, as near to a wished configuration as that leads.
 
-    x ← x + w + Jᵀ (J Jᵀ + λ² 1)⁻¹ (e − J w) with w = x_wished − x, the projected gradient of −½ |x_wished − x|².
-    The solution is kept but for terms of second order.
+    x ← x + w + Jᵀ (J Jᵀ + λ² 1)⁻¹ (e − J w) with w = x_wished − x, the projected gradient of −½ |x_wished − x|²; the
+    step is half as long at most once one has led no nearer. The solution is kept but for terms of second order.
 
     Source: Liégeois, IEEE Trans. Systems, Man and Cybernetics 7 (1977).
     """
     n = len(x)
     T, lines, M, columns = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty((n, 6))
     e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
+    longest, last = LONGEST_ASIDE, np.inf
     for _ in range(STEPS_ASIDE):
         place_joints(links, x, T, lines)
         pose_error(goal, axis, T, M, e)
         geometric_jacobian(links, T, lines, columns.T)
         leave_out(counted, axis, T, columns, e)
-        distance = 0.0
         for j in range(n):
             wish[j] = wished[j] - x[j]
-            distance += wish[j] * wish[j]
-        if distance > LONGEST_ASIDE * LONGEST_ASIDE:
-            for j in range(n):
-                wish[j] *= LONGEST_ASIDE / math.sqrt(distance)
+        far = norm(wish)
+        longest = longest if far < last else 0.5 * longest
+        last = far
         damped_step(columns, e, wish, DAMPING, limits, x, held, A, y, step)
+        length = norm(step)
+        if length < ARRIVED or longest < ARRIVED:
+            return
+        if length > longest:
+            for j in range(n):
+                step[j] *= longest / length
         move(limits, step, x)
+
+
+@compiled()
+def distance(x: Array, y: Array) -> float:
+    """Return |x − y|."""
+    square = 0.0
+    for j in range(len(x)):
+        square += (x[j] - y[j]) * (x[j] - y[j])
+    return math.sqrt(square)
+
+
+@compiled()
+def norm(x: Array) -> float:
+    """Return |x|."""
+    square = 0.0
+    for value in x:
+        square += value * value
+    return math.sqrt(square)
 
 
 @compiled()
@@ -62,8 +86,9 @@ def bring_near(
     wind(limits, around, x)
     approach(links, limits, counted, axis, goal, around, x)
     error = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
-    if error > tolerance:
-        to_units(coordinates, active, q, x, limits)
+    to_units(coordinates, active, q, x, limits)
+    wind(limits, around, x)
+    if error > tolerance or distance(near, around) > distance(x, around):
         error = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
     if wind(limits, around, near):
         error = error_at(links, counted, axis, unit, goal, near)

@@ -114,8 +114,8 @@ class Robot:
         """(nv,) what counts as one of each joint: 1 rad, or the reach [m]."""
         return np.where(self.revolute, 1.0, self.reach)
 
-    def configuration(self, q: npt.ArrayLike) -> Array:
-        """Return q as a float array (nq,).
+    def configuration(self, q: npt.ArrayLike, name: str = "q") -> Array:
+        """Return q as a float array (nq,); `name` is what an error calls it.
 
         Raises:
             InputError: wrong shape, not numeric, not finite, or a quaternion that is not of length 1.
@@ -123,10 +123,10 @@ class Robot:
         meaning = (
             f"one number for each of {', '.join(self.joint_names)}" if self.nq == self.nv else "in Pinocchio's order"
         )
-        values = real_array("q", q, (self.nq,), meaning)
+        values = real_array(name, q, (self.nq,), meaning)
         if self.nq != self.nv and not pin.isNormalized(self.model, values, 1e-6):
             raise InputError(
-                "q holds a quaternion or a (cos, sin) that is not of length 1; start from pin.neutral(model)"
+                f"{name} holds a quaternion or a (cos, sin) that is not of length 1; start from pin.neutral(model)"
             )
         return values
 
