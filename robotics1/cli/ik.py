@@ -13,7 +13,8 @@ from robotics1.inputs import one_of
 
 Target = Annotated[str | None, typer.Option(help="The target: x,y,z or x,y,φ; for a pose, 16 numbers row by row.")]
 Targets = Annotated[
-    Path | None, typer.Option(help="A file with a target on each line, for --method solve, which is then meant.")
+    Path | None,
+    typer.Option(help="A file with a target on each line as in --target, # for comments; --method solve is meant."),
 ]
 Method = Annotated[
     str | None,
@@ -42,7 +43,7 @@ def ik(
     seed: Seed = 0,
     time_limit: TimeLimit = 0.5,
     tolerance: Tolerance = None,
-    max_iterations: Annotated[int, typer.Option(help="The most iterations.")] = 50,
+    max_iterations: Annotated[int, typer.Option(help="For newton, ..., damped: the most iterations.")] = 50,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,

@@ -58,7 +58,7 @@ class RobustInverse:
         solver = IKSolver(self.robot, self.task, **self.options)
         console = Console(stderr=True)
         columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-        with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        with Progress(*columns, console=console, transient=True, disable=self.json or not console.is_terminal) as bar:
             shown = bar.add_task("solving", total=len(targets))
             batch = solver.solve_batch(
                 targets, self.q0, progress=lambda done, total: bar.update(shown, completed=done, total=total)
@@ -75,12 +75,12 @@ class RobustInverse:
         for status in dict.fromkeys(batch.status[~batch.converged]):
             self.console.print(f"{(batch.status == status).sum()} {status.name}: {status.value}", highlight=False)
         table = Table(title_justify="left")
-        for heading in ("target", "status", "|e|", "q"):
+        for heading in ("target", "status", "starts", "|e|", "q"):
             table.add_column(heading, justify="left" if heading == "status" else "right")
         missed_first = np.argsort(batch.converged, kind="stable")
         for i in sorted(missed_first[:SHOWN].tolist()):
             q = in_degrees(self.robot, batch.q[i], self.degrees)
-            table.add_row(str(i + 1), batch.status[i].name, f"{batch.error[i]:.2g}", vector(q))
+            table.add_row(str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error[i]:.2g}", vector(q))
         self.console.print(table)
         if len(batch) > SHOWN:
             self.console.print(f"and {len(batch) - SHOWN} more; --json prints all", highlight=False)

@@ -1,0 +1,175 @@
+import json
+from math import pi
+
+import numpy as np
+import pytest
+from arms import ROBOTS
+from typer.testing import CliRunner
+
+from robotics1 import load_robot
+from robotics1.cli import main
+from robotics1.cli.commands import app
+from robotics1.errors import InputError
+
+XY = ["ik", "planar_2r", "--task", "position:xy"]
+UNIT = ["-p", "l1=1", "-p", "l2=1"]
+
+
+def answer(*words, code=0):
+    """Run the command with --json and return what it answers."""
+    result = CliRunner().invoke(app, [*words, "--json"])
+    assert result.exit_code == code, result.output
+    return json.loads(result.stdout)
+
+
+def test_ik_gives_all_solutions_or_the_table_of_a_method():
+    found = answer("ik", "cylindrical", "--target", "1,-1,3")
+    assert np.array(found["solutions"]) == pytest.approx(
+        np.array([[3, -pi / 4, 2**0.5], [3, 3 * pi / 4, -(2**0.5)]]), abs=1e-9
+    )
+    newton = ["--method", "newton", "--q0", "-2,0.7pi,1.4142135623730951"]
+    found = answer("ik", "cylindrical", "--target", "1,-1,3", *newton)
+    assert (found["status"], found["iterations"]) == ("CONVERGED", 3)
+    assert len(found["table"]) == 4
+
+
+def test_ik_exits_with_1_when_there_is_no_solution_or_no_convergence():
+    found = answer(*XY, "--target", "3,0", code=1)
+    assert found["verdict"] == "UNREACHABLE"
+    assert found["least_error"] == pytest.approx(1.0, abs=1e-6)
+    found = answer("ik", "cylindrical", "--target", "1,-1,3", "--method", "newton", "--q0", "2,pi/4,0", code=1)
+    assert found["status"] == "SINGULAR"
+
+
+def test_ik_of_a_pose_takes_the_matrix_row_by_row():
+    eye = "1,0,0,2, 0,1,0,0, 0,0,1,0, 0,0,0,1"
+    found = answer("ik", "planar_2r", "--task", "pose", "--target", eye)
+    assert found["solutions"][0] == pytest.approx([0, 0], abs=1e-6)
+
+
+def test_ik_solves_one_target_inside_the_limits_from_the_start_that_is_told():
+    """(1, 1) of the 2R: cos q2 = (p² − 2)/2 = 0, so q2 = ±π/2; the start chooses the elbow."""
+    words = [*XY, "--target", "1,1", "--method", "solve"]
+    for q0, q in (("0.1,1.2", [0, pi / 2]), ("1.4,-1.2", [pi / 2, -pi / 2])):
+        found = answer(*words, *UNIT, "--q0", q0, "--tolerance", "1e-9")
+        assert (found["status"], found["starts"]) == ("CONVERGED", 1)
+        assert found["q"] == pytest.approx(q, abs=1e-8)
+        assert found["error"] <= 1e-9
+    printed = CliRunner().invoke(app, [*words, *UNIT, "--q0", "5,70", "--degrees"]).stdout
+    assert "90.000" in printed
+    assert "by forward kinematics" in printed
+
+
+def test_ik_solve_exits_with_1_and_tells_the_nearest_miss():
+    words = [*XY, "--target", "0,2.5", "--method", "solve"]
+    found = answer(*words, *UNIT, code=1)
+    assert found["status"] == "UNREACHABLE"
+    assert found["error"] == pytest.approx(0.5, abs=1e-6)
+    assert found["q"] == pytest.approx([pi / 2, 0], abs=1e-2)
+    hole = [*XY, "--target", "0.2,0", "--method", "solve", "--time-limit", "0.01"]
+    result = CliRunner().invoke(app, [*hole, "-p", "l1=1", "-p", "l2=0.5"])
+    assert result.exit_code == 1
+    assert "NOT_FOUND" in result.stdout
+    assert "|e| = 0.3 at" in result.stdout
+
+
+def test_ik_prefers_the_middle_of_the_ranges_of_a_redundant_arm():
+    """Of the q with z(q) = 1.1 it tells one nearer to the middle than the first it finds."""
+    path = str(ROBOTS / "redundant.urdf")
+    words = ["ik", path, "--task", "position:z", "--target", "1.1", "--method", "solve"]
+    middle, first = (answer(*words, "--prefer", wish)["q"] for wish in ("middle", "any"))
+    robot = load_robot(path)
+    ranges = 0.5 * (robot.lower + robot.upper)
+    assert np.linalg.norm(middle - ranges) < np.linalg.norm(first - ranges)
+
+
+def test_ik_answers_every_target_of_a_file_in_its_order(tmp_path):
+    """Degrees are read too: the planar pose (x, y, φ) has one angle."""
+    path = tmp_path / "targets.csv"
+    path.write_text("# x, y\n1, 1\n3, 0   # too far\n\n0.5 -0.5\n", encoding="utf-8")
+    words = [*XY, "--targets", str(path), *UNIT]
+    found = answer(*words, code=1)
+    assert [one["status"] for one in found] == ["CONVERGED", "UNREACHABLE", "CONVERGED"]
+    assert [one["error"] for one in found] == pytest.approx([0, 1, 0], abs=1e-6)
+    for one, target in zip(found, ([1, 1], [2, 0], [0.5, -0.5]), strict=True):
+        (a, b) = one["q"]
+        assert [np.cos(a) + np.cos(a + b), np.sin(a) + np.sin(a + b)] == pytest.approx(target, abs=1e-4)
+    path.write_text("0.5,0.6,90\n", encoding="utf-8")
+    (turned,) = answer("ik", "prr", "--task", "planar-pose", "--targets", str(path), "--degrees")
+    assert np.sum(turned["q"][1:]) == pytest.approx(pi / 2, abs=1e-6)
+
+
+def test_of_many_targets_those_that_were_missed_are_printed(tmp_path):
+    path = tmp_path / "targets.csv"
+    path.write_text("1,1\n" * 30 + "9,9\n", encoding="utf-8")
+    printed = CliRunner().invoke(app, [*XY, "--targets", str(path)]).stdout
+    assert "30 of 31 targets reached" in printed
+    assert "│     31 │ UNREACHABLE" in printed
+    assert "and 11 more" in printed
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ([], "give either --target"),
+        (["--target", "1,1", "--targets", "some.csv"], "give either --target"),
+        (["--targets", "some.csv"], "there is no file some.csv"),
+        (["--targets", "FILE"], "targets.csv, line 2: the target must have shape \\(2,\\)"),
+        (["--targets", "FILE", "--method", "newton"], "--targets is for --method solve"),
+        (["--target", "1,1", "--prefer", "near"], "--prefer near is for --method solve"),
+        (["--target", "1,1", "--method", "best"], "--method must be one of 'solve', 'newton'"),
+        (["--target", "1,1", "--method", "solve", "--tolerance", "0"], "tolerance must be a positive number"),
+        (["--target", "1,1", "--method", "solve", "--q0", "1"], "q must have shape \\(2,\\)"),
+    ],
+)
+def test_ik_refuses_what_it_cannot_read(words, message, tmp_path):
+    path = tmp_path / "targets.csv"
+    path.write_text("1,1\n1,1,1\n", encoding="utf-8")
+    words = [str(path) if word == "FILE" else word for word in words]
+    with pytest.raises(InputError, match=message):
+        CliRunner().invoke(app, [*XY, *words], catch_exceptions=False)
+
+
+def test_a_file_without_targets_or_not_of_text_is_refused(tmp_path):
+    path = tmp_path / "targets.csv"
+    for content, message in ((b"# none\n", "there is no target in"), (b"\xff\xfe1,1", "is no text file in UTF-8")):
+        path.write_bytes(content)
+        with pytest.raises(InputError, match=message):
+            CliRunner().invoke(app, ["ik", "planar_2r", "--targets", str(path)], catch_exceptions=False)
+
+
+def test_the_bar_is_on_the_stderr_of_a_terminal_only_and_not_with_json(tmp_path, monkeypatch):
+    path = tmp_path / "targets.csv"
+    path.write_text("1,1\n3,0\n0.5,-0.5\n", encoding="utf-8")
+    words = [*XY, "--targets", str(path), *UNIT]
+    piped = CliRunner().invoke(app, words)
+    assert "2 of 3 targets reached" in piped.stdout
+    assert "solving" not in piped.output
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    terminal = CliRunner().invoke(app, words)
+    assert "solving" in terminal.stderr
+    assert "3/3" in terminal.stderr
+    assert "solving" not in terminal.stdout
+    assert "solving" not in CliRunner().invoke(app, [*words, "--json"]).output
+
+
+def test_a_file_of_poses_has_their_sixteen_numbers_on_each_line(tmp_path):
+    """The 2R at q = (π/2, 0) points along y: R = Rz(π/2), p = (0, 2, 0)."""
+    path = tmp_path / "poses.csv"
+    path.write_text("0,-1,0,0, 1,0,0,2, 0,0,1,0, 0,0,0,1\n", encoding="utf-8")
+    (found,) = answer("ik", "planar_2r", "--task", "pose", "--targets", str(path), *UNIT)
+    assert found["status"] == "CONVERGED"
+    assert found["q"] == pytest.approx([pi / 2, 0], abs=1e-5)
+    path.write_text("1,0,0,2, 0,2,0,0, 0,0,1,0, 0,0,0,1\n", encoding="utf-8")
+    with pytest.raises(InputError, match="line 1: "):
+        CliRunner().invoke(app, ["ik", "planar_2r", "--task", "pose", "--targets", str(path)], catch_exceptions=False)
+
+
+def test_misuse_ends_with_2_and_a_word_on_the_line(tmp_path, monkeypatch, capsys):
+    path = tmp_path / "targets.csv"
+    path.write_text("1,1\n1,x\n", encoding="utf-8")
+    monkeypatch.setattr("sys.argv", ["robotics1", *XY, "--targets", str(path)])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 2
+    assert "targets.csv, line 2: 'x' is not a number" in capsys.readouterr().err
