@@ -20,6 +20,7 @@ from robotics1 import (
     forward_kinematics,
     frame_jacobian,
     load_robot,
+    robot_from_dh,
     solve_ik,
 )
 from robotics1.ik.pose_problem import pose_problem
@@ -160,6 +161,17 @@ def test_no_configuration_is_beyond_the_bound(name):
         assert bound.excess(T.homogeneous, np.ones(6)) <= 1e-12
         if bound.hand is not None:
             assert np.linalg.norm(T.act(bound.hand) - bound.o) <= bound.length_to_hand + 1e-12
+
+
+@pytest.mark.parametrize(("lower", "upper"), [(-3, 1), (-1, 3)])
+def test_a_travel_counts_with_its_farther_limit(lower, upper):
+    rows = [("R", 0.3, pi / 2, 0.2, 0), ("P", 0, 0, 0, 0)]
+    slide = robot_from_dh(rows, lower=[None, lower], upper=[None, upper])
+    bound = reach_bound(pose_problem(slide, PositionTask()))
+    assert bound.length == pytest.approx(0.3 + 3, abs=1e-6)
+    assert bound.o == pytest.approx(np.array([0, 0, 0.2]), abs=1e-3)
+    for q in ([0.4, lower], [0.4, upper]):
+        reached(slide, PositionTask(), forward_kinematics(slide, q).translation)
 
 
 def test_a_prismatic_joint_without_limits_has_no_bound_and_goes_as_far_as_it_must():
