@@ -175,11 +175,11 @@ class CompiledSearch:
         return self.reach.excess(goal, self.problem.counted) > self.tolerance
 
     def _look_around(self, i: int, target: Any, batch: IKBatch) -> None:
-        """Move the nearest miss of target i to where |e| is least around it."""
-        if self.task.tells_angles:  # whose e is another than the kernel's
+        """Move the nearest miss of target i to where |e| is least around it, e being the task's own error."""
+        if self.task.tells_angles:  # which a singular orientation does not have
             return
         descent = Descent(self.robot, self.task, self.task.target(target), self.problem.box)
-        q = descent.nearest_miss(batch.q[i])
-        error = float(np.hypot.reduce(self.task.error(self.robot, q, target)))
-        if error < batch.error[i]:
-            batch.q[i], batch.error[i] = q, error
+        places = (batch.q[i], descent.nearest_miss(batch.q[i]))
+        errors = [float(np.hypot.reduce(self.task.error(self.robot, q, target))) for q in places]
+        nearest = int(np.argmin(errors))
+        batch.q[i], batch.error[i] = places[nearest], errors[nearest]

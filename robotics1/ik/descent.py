@@ -70,7 +70,7 @@ class Descent:
         start = self.box.nearest(q)[moving]
         found = least_squares(
             lambda x: self.error(moved(x)), start, jac=slope, bounds=(lower[moving], upper[moving]),
-            x_scale=self.robot.units[moving], xtol=1e-12, ftol=1e-15, gtol=1e-15,
+            x_scale=self.robot.units[moving], xtol=1e-12, ftol=1e-15, gtol=1e-15, max_nfev=100,
         )  # fmt: skip
         return self.box.nearest(moved(found.x))
 

@@ -1,6 +1,6 @@
 """A robot and a task as the kernels of inverse kinematics take them: arrays, with lengths in units of the reach."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -74,6 +74,13 @@ def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
     lower, upper = robot.lower, robot.upper
     circular = robot.revolute & whole & (upper - lower >= TURN - 1e-12)
     units = np.where(robot.revolute, 1.0, unit)
+    wider = box.circular & ~circular
+    box = replace(
+        box,
+        lower=np.where(wider, np.maximum(lower, -2 * TURN), box.lower),
+        upper=np.where(wider, np.minimum(upper, 2 * TURN), box.upper),
+        circular=box.circular & circular,
+    )
     return PoseProblem(
         chain=chain._replace(coordinate=np.searchsorted(active, chain.coordinate)),
         coordinates=np.column_stack([lower, upper, circular, units]),

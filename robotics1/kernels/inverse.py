@@ -98,10 +98,15 @@ def wind(limits: Array, around: Array, x: Array) -> bool:
 
 @compiled()
 def to_units(coordinates: Array, active: Indices, q: Array, x: Array, limits: Array) -> None:
-    """Write what moves the chain, in units: of q, (nq,), to x, (n,), and of the limits to limits, (3, n)."""
+    """Write what moves the chain, in units: of q, (nq,), to x, (n,), and of the limits to limits, (3, n).
+
+    Of joints that have turned endlessly the whole turns are left out.
+    """
     for j in range(len(active)):
         lower, upper, circular, unit = coordinates[active[j]]
         x[j] = q[active[j]] / unit
+        if circular != 0.0 and abs(x[j]) > ENDLESS:
+            x[j] %= TURN
         limits[0, j], limits[1, j], limits[2, j] = lower / unit, upper / unit, circular
 
 
@@ -146,9 +151,6 @@ def solve(
             return NO_START, np.nan
     in_units(target, unit, goal)
     to_units(coordinates, active, q, x0, limits)
-    for j in range(n):
-        if limits[2, j] != 0.0 and abs(x0[j]) > ENDLESS:
-            x0[j] -= TURN * math.floor(x0[j] / TURN + 0.5)
     copy(x0, best)
     least, tried = np.inf, 0
     for start in range(first, len(table) // group):

@@ -85,15 +85,18 @@ def bring_near(
     to_units(coordinates, active, q, x, limits)
     wind(limits, around, x)
     approach(links, limits, counted, axis, goal, around, x)
-    error = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
+    descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
+    wind(limits, around, near)
+    moved = error_at(links, counted, axis, unit, goal, near)
     to_units(coordinates, active, q, x, limits)
     wind(limits, around, x)
-    if error > tolerance or distance(near, around) > distance(x, around):
-        error = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
-    if wind(limits, around, near):
-        error = error_at(links, counted, axis, unit, goal, near)
-    from_units(coordinates, active, near, q)
-    return error
+    kept = error_at(links, counted, axis, unit, goal, x)
+    if moved <= tolerance and (kept > tolerance or distance(near, around) < distance(x, around)):
+        from_units(coordinates, active, near, q)
+        return moved
+    if kept <= tolerance:
+        from_units(coordinates, active, x, q)
+    return kept
 
 
 @compiled()
