@@ -97,7 +97,7 @@ def test_a_rotation_is_taken_with_a_defect_below_1e_6(defect):
 
 def test_at_a_defect_of_1e_6_to_rounding_a_target_is_either_refused_or_solved():
     """Two ways to sum RᵀR, which may fall on either side of the limit."""
-    six_r, rng = arm("six_r"), np.random.default_rng(0)
+    six_r, rng = arm("six_r"), np.random.default_rng(20)
     solver, taken = IKSolver(six_r, POSE), 0
     for q in rng.uniform(-3, 3, (2000, 6)):
         target = forward_kinematics(six_r, q).homogeneous
