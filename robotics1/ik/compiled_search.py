@@ -28,6 +28,7 @@ FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
 LATER_STARTS = 256  # of each table after that, all of them tried
 FINER = 1e-3  # tolerance on the turn where a task tells it by angles
 CHUNK = 4096  # targets between two calls of progress
+Progress = Callable[[int, int], None]
 Table = tuple[Array, int]  # starts with their poses, and how many of them share a group
 
 
@@ -47,7 +48,7 @@ class CompiledSearch:
         self.solve_many: Callable[..., None] = partial(solve_all, *constants)
         self.bring_one: Callable[..., float] = partial(bring_near, *constants)
         self.bring_many: Callable[..., None] = partial(bring_all_near, *constants)
-        self.first_table: Table = (self.problem.table(np.random.default_rng(seed), FIRST_STARTS), GROUP)
+        self.first_table: Table = (self.problem.table(np.random.default_rng((seed, 0)), FIRST_STARTS), GROUP)
 
     @cached_property
     def reach(self) -> ReachBound:
@@ -93,9 +94,7 @@ class CompiledSearch:
         batch.error[0] = self._brought_near(goal, start, batch.q[0], batch.error[0])
         return batch[0]
 
-    def batch(
-        self, targets: list[Any], q0: npt.ArrayLike | None, progress: Callable[[int, int], None] | None
-    ) -> IKBatch:
+    def batch(self, targets: list[Any], q0: npt.ArrayLike | None, progress: Progress | None) -> IKBatch:
         """Return the answers for many targets."""
         k, nq = len(targets), self.robot.nq
         goals = np.array([self._numbered_goal(i, target) for i, target in enumerate(targets)])
@@ -106,11 +105,12 @@ class CompiledSearch:
             batch.q[some], batch.starts[some], batch.error[some] = self._round(
                 goals[some], starts[some], self.first_table, first
             )
+            done = len(some) + i - int(np.count_nonzero(batch.error[: i + len(some)] > self.tolerance))
             if progress is not None:
-                progress(len(some) + i, k)
+                progress(done, k)
         for refused in np.flatnonzero(batch.starts < 0).tolist():
             self._numbered_goal(refused, targets[refused], task_checks=True)
-        self._go_on(targets, goals, starts, batch)
+        self._go_on(targets, goals, starts, batch, progress)
         if self.prefer != "any":
             wished = starts if self.prefer == "near" else np.tile(self.middle, (k, 1))
             on_all_cores(lambda some: self.bring_many(goals[some], wished[some], batch.q[some], batch.error[some]), k)
@@ -120,7 +120,7 @@ class CompiledSearch:
         """Bring a solution q, in place, near to what is preferred, and return its |e|."""
         if self.prefer == "any" or error > self.tolerance:
             return error
-        return self.bring_one(goal, start if self.prefer == "near" else self.middle, q)
+        return self.bring_one(goal, start if self.prefer == "near" else self.middle, q, error)
 
     def _goal(self, target: Any) -> Array:
         """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
@@ -151,7 +151,9 @@ class CompiledSearch:
         on_all_cores(solve_some, k)
         return q, tried, errors
 
-    def _go_on(self, targets: list[Any], goals: Array, starts: Array, batch: IKBatch) -> None:
+    def _go_on(
+        self, targets: list[Any], goals: Array, starts: Array, batch: IKBatch, progress: Progress | None = None
+    ) -> None:
         """Try further starts for what was not reached, until the time is over; then look around the nearest misses."""
         missed = np.flatnonzero(batch.error > self.tolerance)
         proven = np.array([self._out_of_reach(goals[i]) for i in missed], dtype=bool)
@@ -166,8 +168,11 @@ class CompiledSearch:
             batch.q[left[better]], batch.error[left[better]] = q[better], errors[better]
             left = left[batch.error[left] > self.tolerance]
             spent += (perf_counter() - begin) * share
-        for i in missed[batch.error[missed] > self.tolerance]:
+        never = missed[batch.error[missed] > self.tolerance]
+        for number, i in enumerate(never, start=1 - len(never)):
             self._look_around(i, targets[i], batch)
+            if progress is not None:
+                progress(len(batch) + number, len(batch))
         batch.status[missed[batch.error[missed] <= self.tolerance]] = IKStatus.CONVERGED
 
     def _out_of_reach(self, goal: Array) -> bool:

@@ -63,7 +63,7 @@ class GeneralSearch:
         """Return the first solution, or the nearest miss when the time is over."""
         end = perf_counter() + self.time_limit
         descent = Descent(self.robot, self.task, self.task.target(target), self.box)
-        rng = np.random.default_rng(self.seed)
+        rng = np.random.default_rng((self.seed, 0))
         start = self.box.random(rng, 1)[0] if q0 is None else self.box.nearest(self.robot.configuration(q0, "q0"))
         best, least, tried = start, np.inf, 0
         while True:

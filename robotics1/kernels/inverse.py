@@ -77,6 +77,16 @@ def start_table(links: Array, starts: Array) -> Array:
 
 
 @compiled()
+def inside(lower: float, upper: float, circular: float, x: float) -> float:
+    """Return a joint value inside its limits: turned there if it can make whole turns, else at the nearer limit."""
+    if circular != 0.0 and x < lower:
+        x += TURN * math.ceil((lower - x) / TURN)
+    if circular != 0.0 and x > upper:
+        x -= TURN * math.ceil((x - upper) / TURN)
+    return min(max(x, lower), upper)
+
+
+@compiled()
 def wind(limits: Array, around: Array, x: Array) -> bool:
     """Turn joints that can make whole turns to the value nearest to `around`, (n,), inside the limits.
 
@@ -88,10 +98,7 @@ def wind(limits: Array, around: Array, x: Array) -> bool:
             continue
         before = x[j]
         x[j] -= TURN * math.floor((x[j] - around[j]) / TURN + 0.5)
-        if x[j] < limits[0, j]:
-            x[j] += TURN * math.ceil((limits[0, j] - x[j]) / TURN)
-        if x[j] > limits[1, j]:
-            x[j] -= TURN * math.ceil((x[j] - limits[1, j]) / TURN)
+        x[j] = inside(limits[0, j], limits[1, j], 1.0, x[j])
         turned = turned or x[j] != before
     return turned
 
@@ -146,7 +153,7 @@ def solve(
     if not is_pose(target):
         return NO_POSE, np.nan
     for j in range(len(q)):
-        q[j] = min(max(q0[j], coordinates[j, 0]), coordinates[j, 1])
+        q[j] = inside(coordinates[j, 0], coordinates[j, 1], coordinates[j, 2], q0[j])
         if not math.isfinite(q0[j]):
             return NO_START, np.nan
     in_units(target, unit, goal)

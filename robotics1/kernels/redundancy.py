@@ -71,9 +71,10 @@ def norm(x: Array) -> float:
 
 @compiled()
 def bring_near(
-    links: Array, coordinates: Array, active: Indices, task: Array, target: Array, wished: Array, q: Array
-) -> float:
-    """Bring a solution q, (nq,), near to a wished configuration, (nq,), unless that loses it; return its |e|.
+    links: Array, coordinates: Array, active: Indices, task: Array, target: Array, wished: Array, q: Array,
+    error: float,
+) -> float:  # fmt: skip
+    """Bring a solution q, (nq,), with its |e|, near to a wished one, (nq,), unless that loses it; return its |e|.
 
     The other arguments are those of `inverse.solve`.
     """
@@ -96,7 +97,8 @@ def bring_near(
         return moved
     if kept <= tolerance:
         from_units(coordinates, active, x, q)
-    return kept
+        return kept
+    return error
 
 
 @compiled()
@@ -107,4 +109,4 @@ def bring_all_near(
     """Do what `bring_near` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
     for i in range(len(targets)):
         if errors[i] <= task[10]:
-            errors[i] = bring_near(links, coordinates, active, task, targets[i], wished[i], q[i])
+            errors[i] = bring_near(links, coordinates, active, task, targets[i], wished[i], q[i], errors[i])
