@@ -173,7 +173,11 @@ def test_and_of_orientations_told_by_angles_where_those_are_determined(case):
 @pytest.mark.parametrize("prefer", ["near", "middle"])
 @pytest.mark.parametrize("name", ["redundant", "panda"])
 def test_what_is_moved_along_the_null_space_stays_a_solution(name, prefer):
-    check(robot(name), PoseTask(), seed=5, prefer=prefer)
+    """Where limits stop the way along the null space it ends beside the solutions: there the first one must stay."""
+    moved, rng = robot(name), np.random.default_rng(31)
+    targets = [PoseTask().value(moved, q) for q in inside(moved, rng, 1500)]
+    batch = IKSolver(moved, PoseTask(), prefer=prefer).solve_batch(targets, inside(moved, rng, 1500))
+    assert verified(moved, PoseTask(), batch, targets) == 1500
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-9, 1e-12])
