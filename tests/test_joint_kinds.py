@@ -263,3 +263,9 @@ def test_without_a_tool_the_tip_with_the_usual_name_is_meant(load):
 def test_an_angle_and_a_whole_turn_more_are_one_place_of_a_continuous_joint(load):
     robot = load(KINDS["continuous"][0])
     assert pose(robot, [0.3, -1]) == pytest.approx(pose(robot, [0.3 + 2 * pi, -1 - 2 * pi]), abs=1e-14)
+
+
+@pytest.mark.parametrize("kind", ["revolute", "continuous"])
+def test_a_follower_leaves_the_limits_of_its_leader_alone(load, kind):
+    robot = load(urdf(("a", "revolute", "base"), ("b", kind, "a", mimic("a")), ("tool", "fixed", "b")))
+    assert (robot.lower.tolist(), robot.upper.tolist()) == ([-1.5], [2.0])

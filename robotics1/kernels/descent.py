@@ -40,7 +40,8 @@ def descend(
     for _ in range(STEPS):
         place_joints(links, x, T, lines)
         pose_error(goal, axis, T, M, e)
-        linear, angular = squared(counted, e)
+        linear = counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2]
+        angular = counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5]
         error = math.sqrt(unit * unit * linear + angular)
         stuck = 0 if error < PROGRESS * least else stuck + 1
         if error < least:
@@ -53,24 +54,6 @@ def descend(
         damped_step(columns, e, wish, DAMPING + DAMPING_SLOPE * min(linear + angular, FAR), limits, x, held, A, y, step)
         move(limits, step, x)
     return least
-
-
-@compiled(inline=True)
-def squared(counted: Array, e: Array) -> tuple[float, float]:
-    """Return the sums of squares of the linear and of the angular rows of e, (6,), that count."""
-    linear = counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2]
-    angular = counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5]
-    return linear, angular
-
-
-@compiled()
-def error_at(links: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array) -> float:
-    """Return |e| at x, (n,), in [m, rad]."""
-    T, lines, M, e = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty(6)
-    place_joints(links, x, T, lines)
-    pose_error(goal, axis, T, M, e)
-    linear, angular = squared(counted, e)
-    return math.sqrt(unit * unit * linear + angular)
 
 
 @compiled()

@@ -7,7 +7,7 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
-from robotics1.kernels.descent import copy, descend, error_at
+from robotics1.kernels.descent import copy, descend
 from robotics1.kernels.forward import place_joints
 
 NO_POSE, NO_START = -1, -2  # instead of a number of starts: the goal is no pose, the start is not finite
@@ -110,19 +110,21 @@ def to_units(coordinates: Array, active: Indices, q: Array, x: Array, limits: Ar
     Of joints that have turned endlessly the whole turns are left out.
     """
     for j in range(len(active)):
-        lower, upper, circular, unit = coordinates[active[j]]
-        x[j] = q[active[j]] / unit
-        if circular != 0.0 and abs(x[j]) > ENDLESS:
+        own = active[j]
+        unit = coordinates[own, 3]
+        x[j] = q[own] / unit
+        limits[0, j], limits[1, j] = coordinates[own, 0] / unit, coordinates[own, 1] / unit
+        limits[2, j] = coordinates[own, 2]
+        if limits[2, j] != 0.0 and abs(x[j]) > ENDLESS:
             x[j] %= TURN
-        limits[0, j], limits[1, j], limits[2, j] = lower / unit, upper / unit, circular
 
 
 @compiled()
 def from_units(coordinates: Array, active: Indices, x: Array, q: Array) -> None:
     """Write x, (n,), to the entries of q that move the chain."""
     for j in range(len(active)):
-        lower, upper, _, unit = coordinates[active[j]]
-        q[active[j]] = min(max(x[j] * unit, lower), upper)
+        own = active[j]
+        q[own] = min(max(x[j] * coordinates[own, 3], coordinates[own, 0]), coordinates[own, 1])
 
 
 @compiled()
@@ -173,7 +175,8 @@ def solve(
         if least <= tolerance:
             break
     if wind(limits, x0, best):
-        least = error_at(links, counted, axis, unit, goal, best)
+        copy(best, x)
+        least = descend(links, limits, counted, axis, unit, tolerance, goal, x, best)
     from_units(coordinates, active, best, q)
     return tried, least
 

@@ -101,7 +101,7 @@ def leave_out(counted: Array, axis: Array, T: Array, columns: Array, e: Array) -
             columns[j, 4] -= y * along
             columns[j, 5] -= z * along
     for i in range(6):
-        if counted[i] == 0.0:
-            e[i] = 0.0
-            for j in range(n):
-                columns[j, i] = 0.0
+        e[i] *= counted[i]
+    for j in range(n):
+        for i in range(6):
+            columns[j, i] *= counted[i]

@@ -8,7 +8,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
-from robotics1.kernels.descent import DAMPING, descend, error_at, move
+from robotics1.kernels.descent import DAMPING, descend, move
 from robotics1.kernels.forward import geometric_jacobian, place_joints
 from robotics1.kernels.inverse import from_units, in_units, to_units, wind
 from robotics1.kernels.pose_error import leave_out, pose_error
@@ -79,24 +79,24 @@ def bring_near(
     The other arguments are those of `inverse.solve`.
     """
     n = len(active)
-    x, near, around, goal, limits = np.empty(n), np.empty(n), np.empty(n), np.empty((3, 4)), np.empty((3, n))
+    x, near, same, around = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    goal, limits = np.empty((3, 4)), np.empty((3, n))
     counted, axis, unit, tolerance = task[:6], task[6:9], task[9], task[10]
     in_units(target, unit, goal)
     to_units(coordinates, active, wished, around, limits)
     to_units(coordinates, active, q, x, limits)
     wind(limits, around, x)
     approach(links, limits, counted, axis, goal, around, x)
-    descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
-    wind(limits, around, near)
-    moved = error_at(links, counted, axis, unit, goal, near)
+    wind(limits, around, x)
+    moved = descend(links, limits, counted, axis, unit, tolerance, goal, x, near)
     to_units(coordinates, active, q, x, limits)
     wind(limits, around, x)
-    kept = error_at(links, counted, axis, unit, goal, x)
-    if moved <= tolerance and (kept > tolerance or distance(near, around) < distance(x, around)):
+    kept = descend(links, limits, counted, axis, unit, tolerance, goal, x, same)
+    if moved <= tolerance and (kept > tolerance or distance(near, around) < distance(same, around)):
         from_units(coordinates, active, near, q)
         return moved
     if kept <= tolerance:
-        from_units(coordinates, active, x, q)
+        from_units(coordinates, active, same, q)
         return kept
     return error
 

@@ -174,8 +174,9 @@ def _model(root: ET.Element, path: Path) -> pin.Model:
 def _open_limits(model: pin.Model, unlimited: list[str]) -> None:
     """Let what a file leaves without limit have none: urdfdom takes no infinity."""
     for name in unlimited:
-        if model.existJointName(name):
-            index = model.joints[model.getJointId(name)].idx_q
+        joint = model.joints[model.getJointId(name)] if model.existJointName(name) else None
+        if joint is not None and joint.nq > 0:  # a follower has no coordinate of its own, and tells its leader's
+            index = joint.idx_q
             model.lowerPositionLimit[index], model.upperPositionLimit[index] = -np.inf, np.inf
     none = float(WITHOUT_LIMIT)
     for name in ("upperVelocityLimit", "upperEffortLimit"):
