@@ -99,7 +99,7 @@ class CompiledSearch:
         k, nq = len(targets), self.robot.nq
         goals = np.array([self._numbered_goal(i, target) for i, target in enumerate(targets)])
         starts, first = (np.tile(self.middle, (k, 1)), 0) if q0 is None else (starts_of_all(self.robot, q0, k), -1)
-        batch = IKBatch(np.empty((k, nq)), np.full(k, IKStatus.CONVERGED), np.empty(k), np.empty(k, dtype=np.int64))
+        batch = IKBatch(np.empty((k, nq)), np.full(k, IKStatus.NOT_FOUND), np.empty(k), np.empty(k, dtype=np.int64))
         for i in range(0, k, CHUNK):
             some = np.arange(i, min(i + CHUNK, k))
             batch.q[some], batch.starts[some], batch.error[some] = self._round(
@@ -155,7 +155,7 @@ class CompiledSearch:
         self, targets: list[Any], goals: Array, starts: Array, batch: IKBatch, progress: Progress | None = None
     ) -> None:
         """Try further starts for what was not reached, until the time is over; then look around the nearest misses."""
-        missed = np.flatnonzero(batch.error > self.tolerance)
+        missed = np.flatnonzero(~(batch.error <= self.tolerance))  # NaN is a miss
         proven = np.array([self._out_of_reach(goals[i]) for i in missed], dtype=bool)
         batch.status[missed] = [IKStatus.UNREACHABLE if out else IKStatus.NOT_FOUND for out in proven]
         left, spent, number = missed[~proven], 0.0, 0
@@ -173,7 +173,7 @@ class CompiledSearch:
             self._look_around(i, targets[i], batch)
             if progress is not None:
                 progress(len(batch) + number, len(batch))
-        batch.status[missed[batch.error[missed] <= self.tolerance]] = IKStatus.CONVERGED
+        batch.status[batch.error <= self.tolerance] = IKStatus.CONVERGED
 
     def _out_of_reach(self, goal: Array) -> bool:
         """Whether the goal is farther than the chain is long, by more than the tolerance."""
