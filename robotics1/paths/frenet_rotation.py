@@ -8,7 +8,7 @@ from numpy.polynomial import Chebyshev
 
 from robotics1.inputs import Array
 from robotics1.paths.frenet import frenet_frame
-from robotics1.paths.interpolants import interpolants
+from robotics1.paths.interpolants import CONVERGED, interpolants
 from robotics1.paths.path import Path
 from robotics1.paths.rotations import RotationPath
 
@@ -52,10 +52,14 @@ class FrenetRotation(RotationPath):
 
     @cached_property
     def _interpolants(self) -> list[list[Chebyshev]]:
-        """w, one coordinate after the other, as converged polynomials between the breaks."""
+        """w, one coordinate after the other, as converged polynomials between the breaks.
+
+        A coordinate that vanishes holds the rounding of the others, and no polynomial converges to that.
+        """
+        rounding = CONVERGED * float(np.abs(self._w(np.array(self.path.ends[:-1]), "right")).max())
 
         def coordinate(j: int) -> list[Chebyshev]:
-            return interpolants(lambda s: self._w(s, "right")[:, j], self.path.ends)[0]
+            return interpolants(lambda s: self._w(s, "right")[:, j], self.path.ends, floor=rounding)[0]
 
         return [coordinate(j) for j in range(3)]
 
