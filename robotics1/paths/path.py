@@ -63,9 +63,9 @@ class Path(Course):
         """Return |p'(s)|, (k,)."""
         return np.asarray(np.linalg.norm(self._derivative(s, 1, side), axis=1))
 
-    def largest(self, f: Callable[..., Array]) -> Largest:
-        """Return where f(s, side=) of s (k,) is largest along the path."""
-        return largest(f, self.ends)
+    def largest(self, f: Callable[..., Array], *, floor: float = 0.0) -> Largest:
+        """Return where f(s, side=) of s (k,) is largest along the path; what is as small as `floor` is rounding."""
+        return largest(f, self.ends, floor=floor)
 
     def refuse_standstill(self, s: Array, speed: Array) -> None:
         """Raise InputError where |p'| vanishes."""

@@ -9,6 +9,8 @@ from robotics1.inputs import Array
 from robotics1.paths.path import Path
 from robotics1.paths.points import size
 
+ROUNDING = 1e-13  # relative to A: what is left of a bound that vanishes
+
 
 @dataclass(frozen=True)
 class TimingBounds:
@@ -63,10 +65,12 @@ def timing_bounds(path: Path, velocity: float, acceleration: float) -> TimingBou
 
     def bound(s: Array, side: str, sign: int) -> Array:
         g, c, bend = _products(path, s, side)
-        root = np.sqrt(np.maximum(A**2 * g - (bend * g - c**2) * v**4, 0.0))
+        left = A**2 * g - (bend * g - c**2) * v**4
+        root = np.sqrt(np.where(left > ROUNDING * A**2 * g, left, 0.0))  # the root of rounding is no smooth function
         return np.asarray((root + sign * c * v**2) / g)
 
-    least = [path.largest(lambda s, side, sign=sign: -bound(s, side, sign)) for sign in (-1, 1)]
+    floor = ROUNDING * A / fastest.value
+    least = [path.largest(lambda s, side, sign=sign: -bound(s, side, sign), floor=floor) for sign in (-1, 1)]
     tightest = max(least, key=lambda found: found.value)
     return TimingBounds(v, -tightest.value + 0.0, fastest.at, tightest.at)
 
