@@ -3,14 +3,25 @@ PYTHON ?= python3
 BIN := .venv/bin
 INSTALLED := .venv/installed
 PEERS := .venv/peers-installed
+# Tests of words, files and pages, in which no number depends on how a processor rounds.
+WORDS := check cli dh documents errors exam fuzz malformed misuse notebooks pages plots project public xacro
 
-.PHONY: exam test check notebooks coverage fuzz bench clean
+.PHONY: exam test sweep portable check notebooks coverage fuzz bench clean
 
 exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every published value
 	$(BIN)/robotics1 exam
 
-test: $(INSTALLED)  ## all tests
+test: $(INSTALLED)  ## the tests, in minutes
 	$(BIN)/python -m pytest -n auto
+
+sweep: $(INSTALLED)  ## what takes longer: every arm, more examples of each property, an installed wheel, mutants of robot files
+	$(BIN)/python -m pytest -n auto -m "sweep or hypothesis" --hypothesis-profile=sweep
+	$(BIN)/python tests/mutations.py --count 10000 --seed 1
+	$(BIN)/python tests/arms_at_random.py --count 100
+
+portable: $(INSTALLED)  ## the numeric tests as an older processor computes them, which rounds otherwise
+	OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR" \
+	$(BIN)/python -m pytest -n auto $(WORDS:%=--ignore-glob='tests/test_%*.py')
 
 check: $(INSTALLED)  ## style, types, layers
 	$(BIN)/ruff check .

@@ -20,9 +20,9 @@ FLAGS = [
     "--disable-sync",
 ]
 
-settings.register_profile("default", deadline=None, derandomize=True, max_examples=40, database=None)
-settings.register_profile("ci", parent=settings.get_profile("default"), max_examples=60, print_blob=True)
-settings.load_profile("ci" if os.environ.get("CI") else "default")
+settings.register_profile("default", deadline=None, derandomize=True, max_examples=20, database=None, print_blob=True)
+settings.register_profile("sweep", parent=settings.get_profile("default"), max_examples=100)
+settings.load_profile("default")
 
 
 @pytest.fixture(scope="session")

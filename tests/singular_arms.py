@@ -137,3 +137,10 @@ CASES = {
     "7R wrist centre": (srs, PositionTask("xyz", frame="link5"), 3, {SRS_ELBOW: 2, SRS_SHOULDER: 2}),
     "7R limited": (lambda: arm("redundant"), POSE, 6, None),
 }  # fmt: skip
+
+# One of each kind: planar, spatial, prismatic, wide, tall, regular everywhere, curved, skew, a wrist, redundant.
+CORE = {
+    *("2R xy", "2R pose", "2R polar", "3R xy", "PRR pose", "RPR xy", "RRP xyz", "RRP pointing", "RP y"),
+    *("cylindrical xyz", "SCARA twist", "3R arm xyz", "3R arm xy", "shoulder offset beyond reach xyz"),
+    *("orthogonal 3R, a2 < a3, xyz", "ZYZ wrist", "3R with 45° and equal lengths xy", "UR5"),
+}

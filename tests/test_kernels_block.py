@@ -287,6 +287,7 @@ def test_without_numba_the_answers_are_the_same_to_1e_12():
     assert np.array(found) == pytest.approx(np.array(expected), rel=0, abs=1e-12)
 
 
+@pytest.mark.sweep
 def test_where_no_directory_can_hold_the_compiled_code_each_process_compiles_anew():
     no_place = """
 from numba.core import caching
@@ -296,6 +297,7 @@ for locator in caching.CacheImpl._locator_classes:
     assert in_a_new_process(no_place)[0] is True
 
 
+@pytest.mark.sweep
 def test_the_compiled_code_is_kept_in_the_directory_that_is_named(tmp_path):
     assert in_a_new_process(NUMBA_CACHE_DIR=str(tmp_path))[0] is True
     assert any(path.name.startswith("singularity_measures.measure_blocks") for path in tmp_path.rglob("*.nbi"))

@@ -1,11 +1,13 @@
 """The project as a whole: the wheel, the README, the pinned versions, the house."""
 
 import ast
+import os
 import re
 import subprocess
 import sys
 import venv
 from pathlib import Path
+from zipfile import ZipFile
 
 import pytest
 
@@ -13,10 +15,28 @@ ROOT = Path(__file__).parents[1]
 SOURCES = sorted((ROOT / "robotics1").rglob("*.py"))
 
 
-def test_the_wheel_brings_its_robots_to_an_empty_environment(tmp_path):
+def wheel_in(folder):
     from hatchling.builders.wheel import WheelBuilder
 
-    wheel = next(iter(WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])))
+    return next(iter(WheelBuilder(str(ROOT)).build(directory=str(folder), versions=["standard"])))
+
+
+def test_the_wheel_brings_its_robots(tmp_path):
+    with ZipFile(wheel_in(tmp_path)) as wheel:
+        wheel.extractall(tmp_path / "unpacked")
+    program = "import robotics1; r = robotics1.load_robot('prr'); print(r.parameters['l2'], r.path)"
+    run = subprocess.run(
+        [sys.executable, "-c", program], check=True, cwd=tmp_path / "unpacked", capture_output=True, text=True,
+        timeout=120, env=os.environ | {"PYTHONPATH": str(tmp_path / "unpacked")},
+    )  # fmt: skip
+    length, path = run.stdout.split(maxsplit=1)
+    assert length == "0.6"
+    assert Path(path.strip()).is_relative_to(tmp_path / "unpacked")
+
+
+@pytest.mark.sweep
+def test_the_wheel_brings_its_robots_to_an_empty_environment(tmp_path):
+    wheel = wheel_in(tmp_path)
     venv.create(tmp_path / "env", with_pip=True)
     python = tmp_path / "env" / "bin" / "python"
     install = [str(python), "-m", "pip", "install", "--quiet", "--constraint", str(ROOT / "constraints.txt"), wheel]

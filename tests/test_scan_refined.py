@@ -83,12 +83,17 @@ def test_ur5_is_refined_to_s3_s5_and_the_shoulder():
             assert shoulder == pytest.approx(np.zeros(len(q)), abs=1e-8)
 
 
-def test_a_scara_and_an_srs_arm_are_refined_to_their_branches():
-    for robot, task in ((dh(*SCARA, a1=0.4, a2=0.3, d1=0.5), POSE), (srs(), POSE)):
-        box = {"q3": (0.0, 0.3)} if robot.nv == 4 else None
-        scan, found = refined(robot, task, box=box)
-        check(scan, found)
-        assert all(group.branch is not None for group in found.groups)
+def test_a_scara_is_refined_to_its_branches():
+    scan, found = refined(dh(*SCARA, a1=0.4, a2=0.3, d1=0.5), POSE, box={"q3": (0.0, 0.3)}, samples=2000)
+    check(scan, found)
+    assert all(group.branch is not None for group in found.groups)
+
+
+@pytest.mark.sweep
+def test_an_srs_arm_is_refined_to_its_branches():
+    scan, found = refined(srs(), POSE)
+    check(scan, found)
+    assert all(group.branch is not None for group in found.groups)
 
 
 def test_configurations_that_lead_to_one_place_are_one_with_all_their_starts():

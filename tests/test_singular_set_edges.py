@@ -7,8 +7,9 @@ import pytest
 import sympy
 from arms import arm
 from dh_arms import POLAR_ARM, ZYZ, dh, shoulder_arm
-from singular_arms import CASES, TURN, XY, XYZ
+from singular_arms import CASES, CORE, TURN, XY, XYZ
 from singular_checks import case, numbers, rank, read, usual_sigma, written
+from sweeps import core_first
 
 from robotics1 import (
     FormulaError,
@@ -22,6 +23,7 @@ from robotics1 import (
     robot_from_dh,
 )
 
+WIDE = ("3R xy", "spatial 4R xyz", "7R wrist centre", "SCARA twist", "2R, l2 = 0, xy")
 q1, q3 = sympy.symbols("q1 q3", real=True)
 
 # --- limits, boxes and time
@@ -70,7 +72,9 @@ def test_a_slide_that_cannot_come_to_zero_leaves_q3_0_outside():
     assert all(q[2] >= 0.2 for branch in found.branches for q in branch.samples)
 
 
-@pytest.mark.parametrize("name", ["3R arm xyz", "Stanford", "5R twist", "7R twist"])
+@pytest.mark.parametrize(
+    "name", core_first(("3R arm xyz", "Stanford", "5R twist", "7R twist"), ("3R arm xyz", "5R twist"))
+)
 @pytest.mark.parametrize("seconds", [1e-3, 0.1])
 def test_too_little_time_gives_a_part_of_the_answer_and_says_so(name, seconds):
     make, task, generic, _ = CASES[name]
@@ -255,7 +259,7 @@ def test_a_2r_is_never_singular_in_the_plane_and_loses_c1_s1_l2_s2_everywhere():
     ]
 
 
-@pytest.mark.parametrize("name", ["3R xy", "spatial 4R xyz", "7R wrist centre", "SCARA twist", "2R, l2 = 0, xy"])
+@pytest.mark.parametrize("name", core_first(WIDE, ("3R xy", "SCARA twist")))
 def test_the_bases_almost_everywhere_are_those_of_j(name):
     robot, task, generic, found, *_ = case(name)
     null, lost = (numbers(robot, getattr(found.almost_everywhere, basis)) for basis in ("null", "left_null"))
@@ -278,7 +282,7 @@ def test_a_branch_of_one_equation_may_be_two_loops():
     assert {-1, 1} == set(np.sign(sines))
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", core_first(CASES, CORE))
 def test_explain_tells_of_every_branch_its_place_and_rank(name):
     found = case(name)[3]
     text = found.explain()

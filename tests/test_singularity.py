@@ -50,6 +50,12 @@ CONSTANT = [
     ("redundant", PoseTask(), {}, 6, SRS, {"q1", "q7"}),
 ]
 WORDS = [f"{name}-{'-'.join(task.row_names)}-{lengths}" for name, task, lengths, *_ in CONSTANT]
+EACH_TIME = {("numeric", 0), ("numeric", 2), ("numeric", 6), ("numeric", 9), *(("symbolic", i) for i in range(13))}
+BOTH = [
+    pytest.param(*case, method, id=f"{words}-{method}", marks=() if (method, i) in EACH_TIME else pytest.mark.sweep)
+    for i, (case, words) in enumerate(zip(CONSTANT, WORDS, strict=True))
+    for method in ("numeric", "symbolic")
+]
 
 
 def assert_samples_are_singular(found, least=50):
@@ -66,8 +72,7 @@ def assert_samples_are_singular(found, least=50):
         assert branch.dimension == robot.nv - len(branch.values) - (1 if branch.tied_joints else 0)
 
 
-@pytest.mark.parametrize("method", ["numeric", "symbolic"])
-@pytest.mark.parametrize(("name", "task", "lengths", "rank", "values", "free"), CONSTANT, ids=WORDS)
+@pytest.mark.parametrize(("name", "task", "lengths", "rank", "values", "free", "method"), BOTH)
 def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task, lengths, rank, values, free, method):
     robot = arm(name, **lengths)
     found = find_singularities(robot, task, method=method)
@@ -84,7 +89,9 @@ def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task
 # --- curved branches
 
 
-@pytest.mark.parametrize(("a2", "a3"), [(0.35, 0.5), (0.5, 0.35), (0.5, 0.2)])
+@pytest.mark.parametrize(
+    ("a2", "a3"), [(0.35, 0.5), *(pytest.param(0.5, a3, marks=pytest.mark.sweep) for a3 in (0.35, 0.2))]
+)
 def test_anthropomorphic_singularities_are_the_elbow_and_the_two_shoulder_loops(a2, a3):
     found = numeric(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
     elbow = [branch for branch in found.branches if branch.values]
@@ -101,6 +108,7 @@ def test_anthropomorphic_singularities_are_the_elbow_and_the_two_shoulder_loops(
     assert_samples_are_singular(found)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("a2", "a3"), [(0.35, 0.5), (0.5, 0.35)])
 def test_the_two_shoulder_loops_are_apart_from_each_other(a2, a3):
     """For a2 < a3 the upper arm angle q2 goes round and q2 + q3 stays near ±π/2, for a2 > a3 the other way round."""
@@ -111,6 +119,7 @@ def test_the_two_shoulder_loops_are_apart_from_each_other(a2, a3):
     assert all((side == side[0]).all() for side in sides)
 
 
+@pytest.mark.sweep
 def test_six_r_singularities_are_shoulder_elbow_and_wrist():
     found = numeric(arm("six_r"), PoseTask())
     constant = sorted(key(branch.values) for branch in found.branches if branch.values)

@@ -6,7 +6,7 @@ the numeric J alone finds no other singular configuration.
 
 import numpy as np
 import pytest
-from singular_arms import CASES, POLAR
+from singular_arms import CASES, CORE, POLAR
 from singular_checks import (
     Equations,
     case,
@@ -20,15 +20,18 @@ from singular_checks import (
     unit_columns,
     written,
 )
+from sweeps import core_first
 
 from robotics1 import FormulaError
 
 BASES_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited"}  # a second or two for each branch
 INTERSECTIONS_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited", "cable arm with names xyz"}
-every_case = pytest.mark.parametrize("name", CASES)
+BY_HAND = [name for name, (*_, wanted) in CASES.items() if wanted is not None]
+MEETING = [name for name in CASES if name not in INTERSECTIONS_TAKE_LONG]
+every_case = pytest.mark.parametrize("name", core_first(CASES, CORE))
 
 
-@pytest.mark.parametrize("name", [name for name, (*_, wanted) in CASES.items() if wanted is not None])
+@pytest.mark.parametrize("name", core_first(BY_HAND, CORE & set(BY_HAND)))
 def test_the_singular_set_is_the_textbooks(name):
     robot, _, _, found, *_ = case(name)
     ranks = {equations: rank for text, rank in CASES[name][3].items() for equations in read(text, robot)}
@@ -112,7 +115,7 @@ def test_with_joints_at_multiples_of_half_pi_j_loses_rank_on_the_branches_and_no
         assert rank(robot, task, q, usual) <= min((branch.rank for branch in on), default=generic), q
 
 
-@pytest.mark.parametrize("name", [name for name in CASES if name not in INTERSECTIONS_TAKE_LONG])
+@pytest.mark.parametrize("name", core_first(MEETING, CORE & set(MEETING)))
 def test_where_branches_meet_j_has_the_rank_that_is_said(name):
     robot, task, _, found, usual, equations = case(name)
     rng = np.random.default_rng(5)
