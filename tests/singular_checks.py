@@ -109,7 +109,7 @@ def case(name):
     """robot, task, ρ, the set, the usual σ₁, the equations of each branch."""
     make, task, generic, _ = CASES[name]
     robot = make()
-    found = find_singularities(robot, task, method="symbolic")
+    found = find_singularities(robot, task, method="symbolic", time_limit=600)
     return robot, task, generic, found, usual_sigma(robot, task), [Equations(robot, b) for b in found.branches]
 
 
