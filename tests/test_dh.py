@@ -273,7 +273,7 @@ def test_the_file_is_replaced_as_a_whole(tmp_path):
 
 
 def test_a_folder_that_is_not_there_is_an_input_error(tmp_path):
-    with pytest.raises(InputError, match="there is no such folder"):
+    with pytest.raises(InputError, match="there is no folder"):
         dh_to_urdf(NUMBERS, tmp_path / "nowhere" / "arm.urdf")
     with pytest.raises(InputError, match="it is a folder"):
         dh_to_urdf(NUMBERS, tmp_path)

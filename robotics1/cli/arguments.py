@@ -99,6 +99,22 @@ def parse_task(text: str, frame: str | None, angles: str | None = None) -> Frame
     return kinds[kind]()
 
 
+def read_text(path: Path) -> str:
+    """Return the text of a file in UTF-8, with a byte order mark or without.
+
+    Raises:
+        InputError: there is no such file, or it is no such text.
+    """
+    if not path.is_file():
+        raise InputError(f"there is no file {path}")
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path} is no text file in UTF-8") from error
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}") from error
+
+
 def configuration(robot: Robot, text: str | None, degrees: bool) -> Array:
     """Return q as typed, in degrees where asked; without text, zero moved inside the limits.
 

@@ -6,13 +6,14 @@ from typing import Any
 
 import numpy as np
 from rich.console import Console
-from rich.markup import escape
 from rich.table import Table
+from rich.text import Text
 from rich.tree import Tree
 
-from robotics1.cli.arguments import parse_number
+from robotics1.cli.arguments import parse_number, read_text
 from robotics1.errors import InputError
 from robotics1.kinematics import forward_kinematics
+from robotics1.names import printable
 from robotics1.notation import count, joint_value
 from robotics1.robot.examination import AGREES, Examination, random_configurations
 from robotics1.robot.model import Robot, tips
@@ -24,11 +25,9 @@ def read_dh_table(path: Path) -> list[tuple[str, float, float, float, float]]:
     """Return the rows of a DH table from a CSV file with the columns type, a, alpha, d, theta.
 
     Raises:
-        InputError: there is no such file, or it has other columns.
+        InputError: there is no such file, it is no text, or it has other columns.
     """
-    if not path.is_file():
-        raise InputError(f"there is no file {path}")
-    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
+    lines = [line for line in read_text(path).splitlines() if line.strip()]
     rows = [[cell.strip() for cell in row] for row in csv.reader(lines)]
     if not rows or [cell.lower() for cell in rows[0]] != COLUMNS:
         raise InputError(f"{path} must begin with the line {','.join(COLUMNS)}")
@@ -82,35 +81,35 @@ def as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
 def print_examination(console: Console, found: Examination, dh_difference: float | None) -> None:
     """Print the verdict, and the robot as it was understood."""
     for finding in found.errors:
-        console.print(f"[red]error[/red] {escape(str(finding))}", highlight=False, soft_wrap=True)
+        console.print(Text.assemble(("error", "red"), f" {printable(str(finding))}"), soft_wrap=True)
     for finding in found.warnings:
-        console.print(f"[yellow]warning[/yellow] {escape(str(finding))}", highlight=False, soft_wrap=True)
-    robot = found.robot
+        console.print(Text.assemble(("warning", "yellow"), f" {printable(str(finding))}"), soft_wrap=True)
+    robot, path = found.robot, printable(str(found.path))
     if robot is None:
-        console.print(f"{found.path} is no robot: {count(len(found.errors), 'error')}.", soft_wrap=True)
+        console.print(f"{path} is no robot: {count(len(found.errors), 'error')}.", soft_wrap=True)
         return
     console.print(link_tree(robot))
     console.print(joint_table(robot))
-    listed = ", ".join(tips(robot.model))
-    console.print(f"tips: {listed}; tool: {robot.tool or 'open, name it with --tool'}", highlight=False)
-    console.print(_agreement("yourdfpy's parser", found.fk_difference), highlight=False)
+    listed = ", ".join(map(printable, tips(robot.model)))
+    console.print(f"tips: {listed}; tool: {printable(robot.tool or 'open, name it with --tool')}")
+    console.print(_agreement("yourdfpy's parser", found.fk_difference))
     if dh_difference is not None:
-        console.print(_agreement("the DH table", dh_difference), highlight=False)
-    console.print(f"{found.path} is a robot with {count(robot.nv, 'degree')} of freedom.", soft_wrap=True)
+        console.print(_agreement("the DH table", dh_difference))
+    console.print(f"{path} is a robot with {count(robot.nv, 'degree')} of freedom.", soft_wrap=True)
 
 
 def link_tree(robot: Robot) -> Tree:
     """Return the links as a tree, each with the joint it hangs on."""
     model = robot.model
     nodes: dict[int, Tree] = {}
-    tree = Tree(robot.name)
+    tree = Tree(printable(robot.name))
     for i, frame in enumerate(model.frames):
         parent = nodes.get(frame.parentFrame, tree)
         if frame.name in robot.frame_names and frame.type.name == "BODY":
             joint = model.frames[frame.parentFrame]
             above = {"JOINT": f" ({joint.name})", "FIXED_JOINT": f" (fixed: {joint.name})"}.get(joint.type.name, "")
             label = "" if joint.name == "universe" else above
-            nodes[i] = parent.add(escape(frame.name) + f"[dim]{escape(label)}[/dim]")
+            nodes[i] = parent.add(Text.assemble(printable(frame.name), (printable(label), "dim")))
         else:
             nodes[i] = parent
     return tree
@@ -130,7 +129,7 @@ def joint_table(robot: Robot) -> Table:
             rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
         else:
             limits, rates = ["", ""], ["", ""]
-        table.add_row(escape(name), _kind(kind), *limits, *rates)
+        table.add_row(printable(name), _kind(kind), *limits, *rates)
     return table
 
 
@@ -150,8 +149,8 @@ def _limit(value: float, kind: str) -> str:
     return joint_value(float(value)) if kind.startswith("R") else f"{value:g}"
 
 
-def _agreement(other: str, difference: float | None) -> str:
+def _agreement(other: str, difference: float | None) -> Text:
     if difference is None:
-        return f"forward kinematics was not compared with {other}"
-    verdict = "agrees with" if difference <= AGREES else "[red]differs from[/red]"
-    return f"forward kinematics {verdict} {other}: largest difference {difference:.1e}"
+        return Text(f"forward kinematics was not compared with {other}")
+    verdict = ("agrees with", "") if difference <= AGREES else ("differs from", "red")
+    return Text.assemble("forward kinematics ", verdict, f" {other}: largest difference {difference:.1e}")

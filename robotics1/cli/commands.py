@@ -1,18 +1,20 @@
 """The commands: each reads its arguments, asks the package, and prints."""
 
 import sys
+import traceback
 import webbrowser
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NoReturn
 
 import typer
-from rich.console import Console
 
 from robotics1.cli import arguments, output
 from robotics1.cli.ik import ik
 from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
 from robotics1.cli.scan import scan
+from robotics1.cli.streams import streams_ready
 from robotics1.errors import Robotics1Error
+from robotics1.names import file_stem, printable
 from robotics1.notation import vector
 from robotics1.report.tables import matrix_table
 
@@ -22,16 +24,32 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-out, err = Console(), Console(stderr=True)
+out, err = output.PlainConsole(), output.PlainConsole(stderr=True)
 
 
 def main() -> None:
-    """Run the command: exit code 0 done, 1 the verdict is negative, 2 misuse."""
+    """Run the command: exit code 0 done, 1 the verdict is negative, 2 misuse or an error, 130 interrupted (Ctrl-C)."""
     try:
-        app()
-    except Robotics1Error as error:
-        err.print(f"error: {error}", style="red", markup=False, highlight=False, soft_wrap=True)
-        sys.exit(2)
+        with streams_ready():
+            app()
+    except KeyboardInterrupt:
+        _stop("interrupted", 130)
+    except SystemExit as end:
+        if end.code == 130:  # Typer has caught the interrupt
+            _stop("interrupted", 130)
+        raise
+    except (Robotics1Error, OSError) as error:
+        _stop(f"error: {error}", 2)
+    except Exception as error:  # 1 is a verdict: what this package got wrong must not look like one
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{Path(place.filename).name}, line {place.lineno}"
+        _stop(f"error inside robotics1, please report it: {type(error).__name__}: {error} ({where})", 2)
+
+
+def _stop(message: str, code: int) -> NoReturn:
+    """Print a message on one line, whatever it holds, and end."""
+    err.print(printable(message), style="red", soft_wrap=True)
+    sys.exit(code)
 
 
 @app.command()
@@ -71,7 +89,8 @@ def fk(
         output.write_json({"q": values, "position": T.translation, "rotation": T.rotation})
         return
     output.say_outside_limits(out, arm, values)
-    out.print(f"{frame or arm.tool} of {arm.name} at q = {vector(output.in_degrees(arm, values, degrees))}")
+    where = f"{printable(frame or arm.tool or '')} of {printable(arm.name)}"
+    out.print(f"{where} at q = {vector(output.in_degrees(arm, values, degrees))}")
     out.print(f"p = {vector(T.translation)} m")
     out.print(matrix_table(T.rotation, title="R"))
 
@@ -166,10 +185,10 @@ def statics(
         output.write_json({"q": values, "torque": torque, "within_limits": within, "forces_without_torque": free.T})
         return
     output.say_outside_limits(out, arm, values)
-    out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(arm.joint_names)}) [N m, for a prismatic joint N]")
-    for name, value, ok, limit in zip(arm.joint_names, torque, within, arm.max_effort, strict=True):
+    out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(output.joint_names(arm))}) [N m, for a prismatic joint N]")
+    for name, value, ok, limit in zip(output.joint_names(arm), torque, within, arm.max_effort, strict=True):
         if not ok:
-            out.print(f"[yellow]{name} would need {value:.4g}, beyond its effort limit {limit:.4g}[/yellow]")
+            out.print(f"{name} would need {value:.4g}, beyond its effort limit {limit:.4g}", style="yellow")
     if free.size:
         out.print(f"forces along {directions(free)} need no torque")
 
@@ -181,7 +200,12 @@ app.command()(scan)
 def view(
     robot: RobotName,
     q: Q = None,
-    page: Annotated[Path | None, typer.Option("--out", "-o", help="The page to write; by default ROBOT.html.")] = None,
+    page: Annotated[
+        Path | None,
+        typer.Option(
+            "--out", "-o", help="The page to write; by default ROBOT.html, of the letters and digits of its name."
+        ),
+    ] = None,
     show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
     param: Parameters = None,
     tool: Tool = None,
@@ -194,12 +218,12 @@ def view(
     arm = arguments.parse_robot(robot, param or [], tool)
     values = arguments.configuration(arm, q, degrees)
     caption = f"q = {vector(output.in_degrees(arm, values, degrees))}"
-    written = write_view(arm, values, page or Path(f"{arm.name}.html"), caption=caption)
+    written = write_view(arm, values, page or Path(f"{file_stem(arm.name)}.html"), caption=caption)
     if json:
         output.write_json({"files": [str(written)]})
     else:
         output.say_outside_limits(out, arm, values)
-        out.print(f"wrote {written}", highlight=False, soft_wrap=True)
+        out.print(f"wrote {written}", soft_wrap=True)
     if show:
         webbrowser.open(written.resolve().as_uri())
 

@@ -1,13 +1,13 @@
 """The command `robotics1 ik`."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
-from rich.console import Console
 
 from robotics1.cli import arguments
 from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.output import PlainConsole
 from robotics1.errors import InputError
 from robotics1.inputs import one_of
 
@@ -23,13 +23,27 @@ Method = Annotated[
         "its iterations; without it, all solutions."
     ),
 ]
-Start = Annotated[str | None, typer.Option("--q0", help="The start; by default zero, for solve at random.")]
-Prefer = Annotated[
-    str, typer.Option(help="For solve, of a redundant arm: any, near (to q0) or middle (of the ranges).")
+Start = Annotated[
+    str | None, typer.Option("--q0", help="For a method: the start; by default zero, for solve at random.")
 ]
-Seed = Annotated[int, typer.Option(help="For solve: of the random starts.")]
-TimeLimit = Annotated[float, typer.Option(help="For solve: the most seconds for one target.")]
-Tolerance = Annotated[float | None, typer.Option(help="The wanted |e|; by default 1e-4, for solve 1e-6.")]
+Prefer = Annotated[
+    str | None,
+    typer.Option(help="For solve, of a redundant arm: any (the default), near (to q0) or middle (of the ranges)."),
+]
+Seed = Annotated[int | None, typer.Option(help="For solve and for all solutions: of the random starts; by default 0.")]
+TimeLimit = Annotated[float | None, typer.Option(help="For solve: the most seconds for one target; by default 0.5.")]
+Tolerance = Annotated[float | None, typer.Option(help="For a method: the wanted |e|; by default 1e-4, for solve 1e-6.")]
+Iterations = Annotated[int | None, typer.Option(help="For newton, ..., damped: the most iterations; by default 50.")]
+
+ALL, SOLVE, ITERATE = "all solutions", "--method solve", "--method newton, pseudoinverse, gradient or damped"
+USES = {  # option → the questions whose answer it changes
+    "q0": (SOLVE, ITERATE),
+    "prefer": (SOLVE,),
+    "seed": (ALL, SOLVE),
+    "time_limit": (SOLVE,),
+    "tolerance": (SOLVE, ITERATE),
+    "max_iterations": (ITERATE,),
+}
 
 
 def ik(
@@ -39,11 +53,11 @@ def ik(
     method: Method = None,
     targets: Targets = None,
     q0: Start = None,
-    prefer: Prefer = "any",
-    seed: Seed = 0,
-    time_limit: TimeLimit = 0.5,
+    prefer: Prefer = None,
+    seed: Seed = None,
+    time_limit: TimeLimit = None,
     tolerance: Tolerance = None,
-    max_iterations: Annotated[int, typer.Option(help="For newton, ..., damped: the most iterations.")] = 50,
+    max_iterations: Iterations = None,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
@@ -60,23 +74,37 @@ def ik(
         one_of("--method", method, ("solve", *METHODS))
     if targets is not None and method not in (None, "solve"):
         raise InputError(f"--targets is for --method solve; {method!r} takes one --target")
-    solve = method == "solve" or targets is not None
-    if prefer != "any" and not solve:
-        raise InputError(f"--prefer {prefer} is for --method solve")
+    question = SOLVE if method == "solve" or targets is not None else ALL if method is None else ITERATE
+    given = {"prefer": prefer, "seed": seed, "time_limit": time_limit, "tolerance": tolerance}
+    options = _used(question, given | {"q0": q0, "max_iterations": max_iterations})
     arm = arguments.parse_robot(robot, param or [], tool)
-    what, out = arguments.parse_task(task, frame), Console()
-    wanted = tolerance if tolerance is not None else 1e-6 if solve else 1e-4
+    what, out = arguments.parse_task(task, frame), PlainConsole()
     start = None if q0 is None else arguments.configuration(arm, q0, degrees)
-    if not solve:
+    if question == SOLVE:
+        search = robust_inverse.RobustInverse(out, arm, what, start, options, degrees=degrees, json=json)
+        done = search.answer(target or "") if targets is None else search.answer_all(targets)
+    else:
         goal = inverse.parse_target(what, target or "", degrees)
-        if method is None:
-            done = inverse.print_solutions(out, arm, what, goal, degrees=degrees, json=json)
+        if question == ALL:
+            done = inverse.print_solutions(out, arm, what, goal, options=options, degrees=degrees, json=json)
         else:
             begin = arguments.configuration(arm, None, degrees) if start is None else start
-            options = {"method": method, "tolerance": wanted, "max_iterations": max_iterations}
-            done = inverse.print_iteration(out, arm, what, goal, begin, options=options, json=json)
-    else:
-        wishes = {"prefer": prefer, "seed": seed, "time_limit": time_limit, "tolerance": wanted}
-        search = robust_inverse.RobustInverse(out, arm, what, start, wishes, degrees=degrees, json=json)
-        done = search.answer(target or "") if targets is None else search.answer_all(targets)
+            options["method"] = method
+            done = inverse.print_iteration(out, arm, what, goal, begin, options=options, degrees=degrees, json=json)
     raise typer.Exit(0 if done else 1)
+
+
+def _used(question: str, given: dict[str, Any]) -> dict[str, Any]:
+    """Return the options that were given, without the start; what is left out has the default of the function called.
+
+    Raises:
+        InputError: an option would change nothing.
+    """
+    typed = {name: value for name, value in given.items() if value is not None}
+    for name, value in typed.items():
+        if question not in USES[name]:
+            option = f"--{name.replace('_', '-')} {value}"
+            raise InputError(f"{option} is for {' and '.join(USES[name])}; it changes nothing for {question}")
+    if typed.get("prefer") == "near" and "q0" not in typed:
+        raise InputError("--prefer near needs --q0: the solution is brought near to it")
+    return {name: value for name, value in typed.items() if name != "q0"}

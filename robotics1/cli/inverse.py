@@ -1,14 +1,15 @@
 """The two answers of `robotics1 ik`: every solution, or one method's iterations."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from rich.console import Console
 
 from robotics1.cli.arguments import parse_vector
-from robotics1.cli.output import in_degrees, say_outside_limits, write_json
+from robotics1.cli.output import in_degrees, joint_names, say_outside_limits, write_json
 from robotics1.errors import InputError
-from robotics1.ik.iterate import iterate_ik
+from robotics1.ik.iterate import IKIterate, IKIteration, iterate_ik
 from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array
 from robotics1.notation import count, vector
@@ -38,9 +39,18 @@ def parse_target(task: FrameTask, text: str, degrees: bool) -> Any:
     return values
 
 
-def print_solutions(console: Console, robot: Robot, task: FrameTask, target: Any, *, degrees: bool, json: bool) -> bool:
+def print_solutions(
+    console: Console,
+    robot: Robot,
+    task: FrameTask,
+    target: Any,
+    *,
+    options: dict[str, Any],
+    degrees: bool,
+    json: bool,
+) -> bool:
     """Print every solution, and return whether there is one."""
-    found = ik_solutions(robot, task, target)
+    found = ik_solutions(robot, task, target, **options)
     if json:
         write_json(
             {
@@ -52,13 +62,13 @@ def print_solutions(console: Console, robot: Robot, task: FrameTask, target: Any
             }
         )
         return len(found) > 0
-    console.print(f"{found.verdict.value} ({len(found)} found by search)", highlight=False)
+    console.print(f"{found.verdict.value} ({len(found)} found by search)")
     if not len(found):
         nearest = vector(in_degrees(robot, found.closest, degrees))
         console.print(f"the nearest miss is |e| = {found.least_error:.4g} at q = {nearest}")
         return False
     rows = tuple(f"{i + 1}{' singular' if flag else ''}" for i, flag in enumerate(found.singular[:SHOWN]))
-    console.print(matrix_table(in_degrees(robot, found.q[:SHOWN], degrees), rows, robot.joint_names))
+    console.print(matrix_table(in_degrees(robot, found.q[:SHOWN], degrees), rows, joint_names(robot)))
     if len(found) > SHOWN:
         console.print(f"and {len(found) - SHOWN} more")
     return True
@@ -72,6 +82,7 @@ def print_iteration(
     q0: Array,
     *,
     options: dict[str, Any],
+    degrees: bool,
     json: bool,
 ) -> bool:
     """Print the table of an iteration, and return whether it converged."""
@@ -87,7 +98,20 @@ def print_iteration(
             }
         )
         return run.converged
-    console.print(iteration_table(run, f"{run.method}, angles in radians"))
-    console.print(f"{run.status.name} after {count(run.iterations, 'iteration')}: {run.status.value}", highlight=False)
+    title = f"{run.method}, angles in {'degrees, |e| in radians' if degrees else 'radians'}"
+    console.print(iteration_table(_in_degrees(run, robot, task) if degrees else run, title))
+    console.print(f"{run.status.name} after {count(run.iterations, 'iteration')}: {run.status.value}")
     say_outside_limits(console, robot, run.q)
     return run.converged
+
+
+def _in_degrees(run: IKIteration, robot: Robot, task: FrameTask) -> IKIteration:
+    """Return an iteration for printing, with its q, and r where it is a vector, in degrees."""
+    angles = np.array(task.row_units) == "rad"
+
+    def converted(row: IKIterate) -> IKIterate:
+        is_vector = isinstance(row.r, np.ndarray) and row.r.shape == angles.shape
+        r = np.where(angles, np.degrees(row.r), row.r) if is_vector else row.r
+        return row._replace(q=in_degrees(robot, row.q, True), r=r)
+
+    return replace(run, table=tuple(map(converted, run.table)))

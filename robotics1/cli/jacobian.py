@@ -49,7 +49,7 @@ def print_jacobian(
         return
     output.say_outside_limits(console, robot, q)
     at = vector(output.in_degrees(robot, q, degrees))
-    console.print(matrix_table(J, row_names, robot.joint_names, f"J of {name} at q = {at}, world axes"))
+    console.print(matrix_table(J, row_names, output.joint_names(robot), f"J of {name} at q = {at}, world axes"))
     determinant = "" if det is None else f", det J = {number(det)}"
     console.print(f"rank {spaces.rank}{determinant}, singular values {vector(spaces.singular_values)}")
     if spaces.null.size:

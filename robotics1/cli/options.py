@@ -12,5 +12,7 @@ Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
 Frame = Annotated[str | None, typer.Option(help="The link that is asked about; by default the tool.")]
 Q = Annotated[str | None, typer.Option("--q", help="Joint values, as in 0.5,pi/2,-0.7pi; by default zero.")]
 TaskName = Annotated[str, typer.Option("--task", help=f"The task: {', '.join(TASKS)}.")]
-Degrees = Annotated[bool, typer.Option("--degrees", help="Angles are read and printed in degrees.")]
+Degrees = Annotated[
+    bool, typer.Option("--degrees", help="Angles are read and printed in degrees; JSON stays in radians.")
+]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]

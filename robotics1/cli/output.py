@@ -7,14 +7,30 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 from rich.console import Console
+from rich.text import Text
 
 from robotics1.inputs import Array
+from robotics1.names import printable
 from robotics1.robot.model import Robot
 
 
+class PlainConsole(Console):
+    """A console that prints text as it is: names come from files, and may hold markup or control characters.
+
+    Colour is given by `style=`, never by marks in the text.
+    """
+
+    def __init__(self, *, stderr: bool = False):
+        super().__init__(stderr=stderr, markup=False, highlight=False, emoji=False)
+
+    def render_str(self, text: str, **options: Any) -> Text:
+        """Return a text as Rich draws it, here and in the cells of tables."""
+        return super().render_str(printable(text, keep="\n"), **options)
+
+
 def write_json(answer: Any) -> None:
-    """Print an answer as JSON on stdout."""
-    json.dump(plain(answer), sys.stdout, indent=2, ensure_ascii=False)
+    """Print an answer as JSON on stdout, in ASCII: so it fits every terminal, and holds every name as it is."""
+    json.dump(plain(answer), sys.stdout, indent=2)
     sys.stdout.write("\n")
 
 
@@ -38,8 +54,13 @@ def in_degrees(robot: Robot, q: Array, degrees: bool) -> Array:
     return np.where(robot.revolute, np.degrees(q), q) if degrees else q
 
 
+def joint_names(robot: Robot) -> tuple[str, ...]:
+    """Return the names of the joints for printing, each on one line."""
+    return tuple(map(printable, robot.joint_names))
+
+
 def say_outside_limits(console: Console, robot: Robot, q: Array) -> None:
     """Say which joints are beyond their limits."""
-    for name, value, low, high in zip(robot.joint_names, q, robot.lower, robot.upper, strict=True):
+    for name, value, low, high in zip(joint_names(robot), q, robot.lower, robot.upper, strict=True):
         if not low - 1e-9 <= value <= high + 1e-9:
-            console.print(f"[yellow]{name} = {value:.4g} is outside its limits [{low:.4g}, {high:.4g}][/yellow]")
+            console.print(f"{name} = {value:.4g} is outside its limits [{low:.4g}, {high:.4g}]", style="yellow")

@@ -9,8 +9,9 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
+from robotics1.cli.arguments import read_text
 from robotics1.cli.inverse import parse_target
-from robotics1.cli.output import in_degrees, write_json
+from robotics1.cli.output import PlainConsole, in_degrees, joint_names, write_json
 from robotics1.errors import InputError
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.solver import IKSolver
@@ -43,20 +44,20 @@ class RobustInverse:
             write_json(_as_json(result))
             return result.converged
         starts = count(result.starts, "start")
-        self.console.print(f"{result.status.name} after {starts}: {result.status.value}", highlight=False)
+        self.console.print(f"{result.status.name} after {starts}: {result.status.value}")
         if not result.converged:
             self.console.print(f"the nearest miss is |e| = {result.error:.4g} at")
         q = in_degrees(self.robot, result.q, self.degrees)
-        self.console.print(matrix_table(q[:, None], self.robot.joint_names, ("q",)))
+        self.console.print(matrix_table(q[:, None], joint_names(self.robot), ("q",)))
         if result.converged:
-            self.console.print(f"|e| = {result.error:.2g} by forward kinematics", highlight=False)
+            self.console.print(f"|e| = {result.error:.2g} by forward kinematics")
         return result.converged
 
     def answer_all(self, path: Path) -> bool:
         """Print the answers for the targets of a file, and return whether all are solutions."""
         targets = read_targets(path, self.task, self.degrees)
         solver = IKSolver(self.robot, self.task, **self.options)
-        console = Console(stderr=True)
+        console = PlainConsole(stderr=True)
         columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
         with Progress(*columns, console=console, transient=True, disable=self.json or not console.is_terminal) as bar:
             shown = bar.add_task("solving", total=len(targets))
@@ -71,9 +72,9 @@ class RobustInverse:
 
     def _print(self, batch: IKBatch) -> None:
         reached = int(batch.converged.sum())
-        self.console.print(f"{reached} of {count(len(batch), 'target')} reached", highlight=False)
+        self.console.print(f"{reached} of {count(len(batch), 'target')} reached")
         for status in dict.fromkeys(batch.status[~batch.converged]):
-            self.console.print(f"{(batch.status == status).sum()} {status.name}: {status.value}", highlight=False)
+            self.console.print(f"{(batch.status == status).sum()} {status.name}: {status.value}")
         table = Table(title_justify="left")
         for heading in ("target", "status", "starts", "|e|", "q"):
             table.add_column(heading, justify="left" if heading == "status" else "right")
@@ -83,7 +84,7 @@ class RobustInverse:
             table.add_row(str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error[i]:.2g}", vector(q))
         self.console.print(table)
         if len(batch) > SHOWN:
-            self.console.print(f"and {len(batch) - SHOWN} more; --json prints all", highlight=False)
+            self.console.print(f"and {len(batch) - SHOWN} more; --json prints all")
 
 
 def read_targets(path: Path, task: FrameTask, degrees: bool) -> list[Any]:
@@ -92,14 +93,8 @@ def read_targets(path: Path, task: FrameTask, degrees: bool) -> list[Any]:
     Raises:
         InputError: there is no such file, it holds no target, or a line is none; the message tells the line.
     """
-    if not path.is_file():
-        raise InputError(f"there is no file {path}")
-    try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path} is no text file in UTF-8") from error
     targets = []
-    for n, line in enumerate(lines, 1):
+    for n, line in enumerate(read_text(path).splitlines(), 1):
         text = line.partition("#")[0].strip()
         if not text:
             continue

@@ -3,10 +3,10 @@
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from robotics1.cli import arguments
 from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.output import PlainConsole
 
 
 def scan(
@@ -33,7 +33,7 @@ def scan(
 
     arm = arguments.parse_robot(robot, param or [], tool)
     done = run_scan(
-        Console(stderr=True),
+        PlainConsole(stderr=True),
         workers,
         arm,
         arguments.parse_task(task, frame),
@@ -45,4 +45,4 @@ def scan(
         box=parse_box(arm, box or [], degrees),
         length=arm.reach if length == "reach" else arguments.parse_number(length),
     )
-    print_scan(Console(), done, degrees=degrees, json=json)
+    print_scan(PlainConsole(), done, degrees=degrees, json=json)

@@ -89,7 +89,7 @@ def print_scan(console: Console, scan: SingularityScan, *, degrees: bool, json: 
     ]
     for value, q in zip(scan.worst_values[:SHOWN], scan.worst, strict=False):
         lines.append(f"  {value:<10.4g} {vector(in_degrees(scan.robot, q, degrees))}")
-    console.print("\n".join(lines), highlight=False, markup=False, soft_wrap=True)
+    console.print("\n".join(lines), soft_wrap=True)
     console.print(_histogram(scan))
 
 

@@ -20,23 +20,28 @@ def print_singularities(
     """Print the branches in the form that is asked for.
 
     Raises:
-        InputError: both LaTeX and Python are asked for.
+        InputError: both LaTeX and Python are asked for, or one of them with the intersections.
         FormulaError: LaTeX or Python is asked for of branches that were found by numbers, or the intersections were
             not found in time.
     """
     if latex and python:
         raise InputError("choose one of --latex and --python")
+    if intersections and (latex or python):
+        raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
     if latex or python:
         form = _in_latex if latex else _in_python
         text = "\n\n".join(form(found, number, branch) for number, branch in enumerate(found.branches, start=1))
         text = f"import numpy as np\n\n\n{text}" if python else text
-        console.print(text, highlight=False, markup=False, soft_wrap=True)
+        if json:
+            write_json({"latex" if latex else "python": text})
+        else:
+            console.print(text, soft_wrap=True)
     elif json:
         write_json(_as_json(found, intersections))
     else:
-        console.print(found.explain(), highlight=False, markup=False, soft_wrap=True)
+        console.print(found.explain(), soft_wrap=True)
         if intersections:
-            console.print(found.explain_intersections(), highlight=False, markup=False, soft_wrap=True)
+            console.print(found.explain_intersections(), soft_wrap=True)
 
 
 def _in_latex(found: SingularSet, number: int, branch: SingularBranch) -> str:

@@ -41,7 +41,7 @@ def print_formulas(
         if json:
             write_json({"python": source})
         else:
-            console.print(source, highlight=False, markup=False, soft_wrap=True, end="")
+            console.print(source, soft_wrap=True, end="")
         return
     minors, reason = _named_minors(found)
     if json:
@@ -55,13 +55,13 @@ def print_formulas(
         )
         return
     for name, formula in (("r", found.value), ("J", found.jacobian), *minors):
-        console.print(f"{name} =", highlight=False, markup=False)
+        console.print(f"{name} =")
         text = latex_text(formula) if latex else unicode_text(formula)
-        console.print(text, highlight=False, markup=False, soft_wrap=True)
+        console.print(text, soft_wrap=True)
     if reason:
-        console.print(f"no minors: {reason}", highlight=False, markup=False, soft_wrap=True)
+        console.print(f"no minors: {reason}", soft_wrap=True)
     if found.cleaned:
-        console.print(f"angles of the file were made exact, by at most {found.cleaned:.1e} rad", highlight=False)
+        console.print(f"angles of the file were made exact, by at most {found.cleaned:.1e} rad")
 
 
 def _named_minors(found: Formulas) -> tuple[list[tuple[str, sympy.Expr]], str]:

@@ -21,6 +21,7 @@ from robotics1.exams.exam_2025_01_13 import (
 )
 from robotics1.exams.formula_table import FormulaTable
 from robotics1.exams.formulas_2025_01_13 import formula_tables
+from robotics1.files import make_folder
 from robotics1.notation import count, vector
 from robotics1.report.formula_page import write_formula_page
 from robotics1.report.tables import iteration_table, polynomial_table
@@ -77,7 +78,7 @@ def work_exam(folder: Path) -> WorkedExam:
     """Solve the exam, check it, and write its formulas, figures 2 to 5 and two animated pages into the folder."""
     one, two, three = exercise_1(), exercise_2(), exercise_3()
     tables = formula_tables(one, two, three)
-    folder.mkdir(parents=True, exist_ok=True)
+    make_folder(folder)
     sections = [table.section() for table in tables]
     files = [write_formula_page(folder / "formulas.html", sections, title="Robotics 1, 13 January 2025: formulas")]
     for first, name, branch in ((2, "right", three.right), (4, "left", three.left)):
@@ -139,7 +140,7 @@ def _print_exercise_3(console: Console, three: Exercise3) -> None:
         console.print(f"\n{name} arm: q = {vector(branch.q)} rad, q̇ = {vector(branch.qdot)} rad/s", highlight=False)
         console.print(polynomial_table(three.robot, branch.trajectory))
         for violation in branch.violations:
-            console.print(f"[yellow]{violation}[/yellow]")
+            console.print(str(violation), style="yellow")
     console.print("\nFrom a perturbed start, with q̇ = q̇_d + K (q_d − q) and the robot's velocity limits:")
     for choice in (three.feedback, three.too_far):
         start = choice.run.q[0]
@@ -165,6 +166,7 @@ def _print_checks(console: Console, comparison: Comparison) -> None:
         if check.agreement == "erratum":
             console.print(f"print error: {check.name} is printed {check.printed}, and is {check.computed:.4f}")
     for check in comparison.failures():
-        console.print(f"[red]not reproduced: {check.name}, printed {check.printed}, computed {check.computed}[/red]")
+        missed = f"not reproduced: {check.name}, printed {check.printed}, computed {check.computed}"
+        console.print(missed, style="red")
     held = len(kinds) - kinds.count(None)
     console.print(f"{held} of {len(kinds)} published values and formulas are reproduced.", style="bold")

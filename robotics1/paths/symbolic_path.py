@@ -44,12 +44,12 @@ class FormulaPath(Path):
         return {}
 
     def _derivative(self, s: Array, order: int, side: str) -> Array:
-        import sympy
+        from robotics1.symbolic.writing.numeric_functions import numpy_function
 
         try:
             if order not in self._functions:
                 numbers = self.derivative_formula(order).subs(self.values or {})
-                self._functions[order] = [sympy.lambdify(self.parameter, entry, modules="numpy") for entry in numbers]
+                self._functions[order] = [numpy_function([self.parameter], entry) for entry in numbers]
             with np.errstate(all="ignore"):
                 columns = [np.broadcast_to(np.asarray(f(s)), s.shape) for f in self._functions[order]]
         except (KeyError, NameError, TypeError, AttributeError) as error:

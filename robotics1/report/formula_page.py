@@ -6,7 +6,8 @@ from importlib.resources import files
 from pathlib import Path
 from string import Template
 
-from robotics1.errors import InputError
+from robotics1.files import write_file
+from robotics1.names import printable
 from robotics1.report.named_formulas import FormulaSection, NamedFormula
 from robotics1.symbolic.writing.printing import mathml_text
 
@@ -15,24 +16,18 @@ def write_formula_page(path: str | Path, sections: Sequence[FormulaSection], *, 
     """Write the sections, their formulas as MathML, and return the page's path.
 
     Raises:
-        InputError: the folder does not exist.
+        InputError: the file cannot be written there.
     """
-    path = Path(path)
-    if not path.parent.is_dir():
-        raise InputError(f"there is no folder {path.parent}, so {path.name} cannot be written there")
     template = Template(files("robotics1.report").joinpath("formulas.html").read_text(encoding="utf-8"))
-    text = template.substitute(title=html.escape(title), body="\n".join(map(_section, sections)))
-    unfinished = path.with_name(path.name + ".part")
-    unfinished.write_text(text, encoding="utf-8")
-    unfinished.replace(path)
-    return path
+    text = template.substitute(title=_escaped(title), body="\n".join(map(_section, sections)))
+    return write_file(path, text)
 
 
 def _section(section: FormulaSection) -> str:
     return "\n".join(
         [
             "<section>",
-            f"<h2>{html.escape(section.title)}</h2>",
+            f"<h2>{_escaped(section.title)}</h2>",
             *_paragraphs([section.given] if section.given else []),
             "<dl>",
             *map(_entry, section.formulas),
@@ -44,9 +39,13 @@ def _section(section: FormulaSection) -> str:
 
 
 def _entry(formula: NamedFormula) -> str:
-    number = f'<p class="number">= {html.escape(formula.number)}</p>' if formula.number else ""
-    return f"<div><dt>{html.escape(formula.name)}</dt><dd>{mathml_text(formula.equation)}{number}</dd></div>"
+    number = f'<p class="number">= {_escaped(formula.number)}</p>' if formula.number else ""
+    return f"<div><dt>{_escaped(formula.name)}</dt><dd>{mathml_text(formula.equation)}{number}</dd></div>"
+
+
+def _escaped(text: str) -> str:
+    return html.escape(printable(text))
 
 
 def _paragraphs(lines: Sequence[str]) -> list[str]:
-    return [f"<p>{html.escape(line)}</p>" for line in lines]
+    return [f"<p>{_escaped(line)}</p>" for line in lines]

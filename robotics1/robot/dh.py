@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from robotics1.errors import InputError
+from robotics1.files import write_file
 from robotics1.robot.dh_markup import dh_markup
 from robotics1.robot.dh_rows import Limits, checked_table
 from robotics1.robot.loading import robot_from_text
@@ -79,15 +79,7 @@ def dh_to_urdf(
         lower, upper: (n,) joint limits [rad or m].
 
     Raises:
-        InputError, UnknownNameError: as `robot_from_dh`; or there is no such folder.
+        InputError, UnknownNameError: as `robot_from_dh`; or the file cannot be written there.
     """
     table = checked_table(rows, parameters, convention, base_placement, tool_placement, lower, upper)
-    path = Path(path)
-    if not path.parent.is_dir() or path.is_dir():
-        raise InputError(
-            f"{path} cannot be written: {'it is a folder' if path.is_dir() else 'there is no such folder'}"
-        )
-    unfinished = path.with_name(path.name + ".part")
-    unfinished.write_text(dh_markup(table, "dh", named=False), encoding="utf-8")
-    unfinished.replace(path)
-    return path
+    return write_file(path, dh_markup(table, "dh", named=False))

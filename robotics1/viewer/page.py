@@ -10,8 +10,9 @@ from string import Template
 
 import numpy as np
 
-from robotics1.errors import InputError
+from robotics1.files import write_file
 from robotics1.inputs import Array
+from robotics1.names import printable
 
 
 def write_page(
@@ -35,18 +36,15 @@ def write_page(
         camera, look_at: (3,) where the camera is and what it looks at, in world axes [m].
 
     Raises:
-        InputError: the folder does not exist.
+        InputError: the file cannot be written there.
     """
-    path = Path(path)
-    if not path.parent.is_dir():
-        raise InputError(f"there is no folder {path.parent}, so {path.name} cannot be written there")
     import meshcat
 
     library = Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js"
     template = Template(files("robotics1.viewer").joinpath("page.html").read_text(encoding="utf-8"))
     text = template.substitute(
-        title=html.escape(title),
-        caption=html.escape(caption),
+        title=html.escape(printable(title)),
+        caption=html.escape(printable(caption, keep="\n")),
         duration=json.dumps(duration),
         controls="flex" if duration > 0 else "none",
         meshcat=library.read_text(encoding="utf-8"),
@@ -54,10 +52,7 @@ def write_page(
         camera=json.dumps(_three(camera)),
         lookat=json.dumps(_three(look_at)),
     )
-    unfinished = path.with_name(path.name + ".part")
-    unfinished.write_text(text, encoding="utf-8")
-    unfinished.replace(path)
-    return path
+    return write_file(path, text)
 
 
 def _three(p: Array) -> list[float]:

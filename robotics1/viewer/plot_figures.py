@@ -1,6 +1,7 @@
 """Figures as SVG files: made without pyplot's state, the same bytes each time, lines that differ without colour."""
 
 from collections.abc import Sequence
+from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -8,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from robotics1.errors import InputError, MissingExtraError
+from robotics1.files import write_file
 from robotics1.inputs import Array, text
 
 if TYPE_CHECKING:
@@ -35,16 +37,14 @@ def write_svg(figure: "Figure", path: str | Path) -> Path:
     """Write a figure as SVG and return the path.
 
     Raises:
-        InputError: the folder does not exist.
+        InputError: the file cannot be written there.
     """
-    path = Path(path)
-    if not path.parent.is_dir():
-        raise InputError(f"there is no folder {path.parent}, so {path.name} cannot be written there")
     from matplotlib import rc_context
 
+    drawn = BytesIO()
     with rc_context({"svg.hashsalt": "robotics1"}):  # the same figure gives the same bytes
-        figure.savefig(path, format="svg", metadata={"Date": None})
-    return path
+        figure.savefig(drawn, format="svg", metadata={"Date": None})
+    return write_file(path, drawn.getvalue())
 
 
 def line_style(i: int) -> dict[str, Any]:

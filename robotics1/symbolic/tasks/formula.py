@@ -93,9 +93,12 @@ def _joints_to_axes(chain: Chain, task: FrameTask | FunctionTask) -> Joints:
 
 
 def _check_names(robot: Robot, chain: Chain) -> None:
+    joints = {symbol.name for symbol in chain.q}
+    rates = {f"qdot{i}" for i in range(1, len(chain.q) + 1)}
     for name in robot.parameters:
-        if name in {symbol.name for symbol in chain.q}:
-            raise FormulaError(f"robot {robot.name!r} has a parameter {name!r}, which in formulas is a joint")
+        if name in joints | rates:
+            kind = "joint" if name in joints else "joint's velocity"
+            raise FormulaError(f"robot {robot.name!r} has a parameter {name!r}, which in formulas is a {kind}")
 
 
 def row_places(task: Task, rows: Sequence[str] | None) -> tuple[int, ...]:

@@ -13,6 +13,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.cleaning import cleaned
+from robotics1.symbolic.writing.numeric_functions import numpy_function
 from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import Task
 
@@ -64,7 +65,7 @@ class Trials:
             FormulaError: they differ by more than 1e-9, relative to the larger of 1 and the value.
         """
         parameters = [sympy.Symbol(parameter, real=True) for parameter in self.robot.parameters]
-        evaluate = sympy.lambdify([*self.q, *self.qdot, *parameters], formula, modules="numpy")
+        evaluate = numpy_function([*self.q, *self.qdot, *parameters], formula)
         for point in self.points:
             theirs = np.asarray(numbers(point), dtype=float)
             with np.errstate(all="ignore"):

@@ -1,15 +1,25 @@
 """Formulas as text: for the terminal, for LaTeX, for a page (MathML), and as a function in Python."""
 
+import html
 import keyword
 import re
-from collections.abc import Mapping, Sequence
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy
+from sympy.printing.latex import LatexPrinter
+from sympy.printing.mathml import MathMLPresentationPrinter
 from sympy.printing.numpy import NumPyPrinter
+
+from robotics1.names import printable
 
 INDENT = "    "
 LONGEST_NUMBER = 8  # characters of a number that is read as it is
+USED = {"np", "float", "__debug__"}  # a written function needs the first two; Python assigns the last to nothing
+LATEX = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}"}
+LATEX |= {">": r"\textgreater{}"} | {c: rf"\{c}" for c in "{}$&#%_"}
+WORD = re.compile(r"[^\W_]+(_[^\W_]+)*")  # a name such as l2 or l_2
 
 Formula = Any  # a sympy.Expr, a sympy.Matrix, or a list of expressions that is a vector
 
@@ -21,15 +31,31 @@ def unicode_text(formula: Any) -> str:
 
 def latex_text(formula: Any) -> str:
     """Return a formula in LaTeX."""
-    return str(sympy.latex(formula))
+    return str(_Latex().doprint(formula))
 
 
 def mathml_text(formula: Any) -> str:
     """Return a formula as a MathML element of an HTML page: q̇ with its dot above, and − for a hyphen."""
-    text = sympy.mathml(formula, printer="presentation")
+    text = _MathML().doprint(formula)
     text = re.sub(r"<mi>(\w)dot</mi>", r"<mover><mi>\1</mi><mo>˙</mo></mover>", text)
     text = re.sub("<(mo|mn|mi)>-", r"<\1>−", text)
     return f'<math display="block">{text}</math>'
+
+
+class _Latex(LatexPrinter):  # type: ignore[misc]
+    """SymPy's printer, with names from a file as text: SymPy writes a name such as </math> or a macro as it is."""
+
+    def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> str:
+        if WORD.fullmatch(symbol.name):
+            return str(super()._print_Symbol(symbol, style=style))
+        return rf"\text{{{''.join(LATEX.get(c, c) for c in printable(symbol.name))}}}"
+
+
+class _MathML(MathMLPresentationPrinter):  # type: ignore[misc]
+    """SymPy's printer, with names from a file as text: SymPy writes a name such as <img> as it is."""
+
+    def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> Any:
+        return super()._print_Symbol(sympy.Symbol(html.escape(printable(symbol.name))), style=style)
 
 
 def python_function(
@@ -46,16 +72,17 @@ def python_function(
         formula: an expression, a matrix, or a list that is a vector.
         vectors: the arguments that are arrays: name → the symbols of its entries.
         parameters: the arguments that are named lengths: name → value, or None if it must be given.
-        summary: the line that says what is returned.
+        summary: what is returned; it may hold names from a file, for it is written as text.
     """
     used = {symbol.name for symbols in vectors.values() for symbol in symbols}
-    spelled = {parameter: _spelled(parameter, {*used, *vectors}) for parameter in parameters}
+    spelled = _spelled(parameters, {*used, *vectors, *USED})
     written = {sympy.Symbol(old, real=True): sympy.Symbol(new, real=True) for old, new in spelled.items()}
     entries = [entry.xreplace(written) for entry in _entries(formula)]
     free = (s for s in sympy.numbered_symbols("t", real=True) if s.name not in {*used, *spelled.values()})
     shared, entries = sympy.cse(entries, symbols=free)
     given = [spelled[p] if value is None else f"{spelled[p]}={value!r}" for p, value in parameters.items()]
-    lines = [f"def {name}({', '.join([*vectors, *(['*', *given] if given else [])])}):", f'{INDENT}"""{summary}"""']
+    taking = ", ".join([*vectors, *(["*", *given] if given else [])])
+    lines = [f"def {name}({taking}):", f'{INDENT}"""{_inside_quotes(summary)}"""']
     for vector, symbols in vectors.items():
         names = [symbol.name for symbol in symbols]
         lines.append(f"{INDENT}{', '.join(names) if len(names) > 1 else f'({names[0]},)'} = {vector}")
@@ -90,10 +117,21 @@ def _python(e: sympy.Expr) -> str:
     return re.sub(r"\bnumpy\.", "np.", NumPyPrinter().doprint(e))
 
 
-def _spelled(name: str, taken: set[str]) -> str:
-    """Return a name as Python takes it."""
-    word = re.sub(r"\W", "_", name)
-    return f"{word}_" if keyword.iskeyword(word) or word == "np" or word in taken else word
+def _spelled(names: Iterable[str], taken: set[str]) -> dict[str, str]:
+    """Return each name as an identifier of Python, no two alike and none of those that are taken."""
+    spelled: dict[str, str] = {}
+    for name in names:
+        word = re.sub(r"\W", "_", unicodedata.normalize("NFKC", name))  # Python takes "ﬁ" and "fi" for one name
+        word = word if word.isidentifier() else f"_{word}"
+        while keyword.iskeyword(word) or word in taken or word in spelled.values():
+            word += "_"
+        spelled[name] = word
+    return spelled
+
+
+def _inside_quotes(text: str) -> str:
+    """Return a text as it is written between three quotes, which nothing in it ends or continues."""
+    return printable(text.replace("\\", r"\\").replace('"', r"\""))
 
 
 def line_text(formula: Any) -> str:

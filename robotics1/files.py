@@ -1,0 +1,89 @@
+"""The one way in which this package writes a file: whole or not at all."""
+
+import os
+import secrets
+import stat
+from contextlib import suppress
+from pathlib import Path
+
+from robotics1.errors import InputError
+
+
+def write_file(path: str | Path, content: str | bytes) -> Path:
+    """Write a file as a whole, text as UTF-8, and return its path.
+
+    The content goes to a new file of a random name in the same folder, which then takes the place of the old one. So a
+    reader sees the old file or the new one, of two writers the last one wins, and a full disk leaves the old file.
+    An existing file keeps its mode and owner, and a symbolic link keeps pointing to it.
+
+    Raises:
+        InputError: the path is no name of a file, its folder does not exist, it names something other than a regular
+            file, or the file cannot be written, as on a full disk.
+    """
+    path = _as_path(path)
+    data = content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
+    try:
+        target = Path(os.path.realpath(path))  # where a link points to
+        _refuse_unless_a_file_fits(path, target)
+        _replace(target, data)
+    except (OSError, ValueError) as error:  # ValueError: a name with a null character
+        if isinstance(error, InputError):
+            raise
+        reason = getattr(error, "strerror", None) or str(error)
+        raise InputError(f"{str(path)!r} cannot be written: {reason}") from error
+    return path
+
+
+def make_folder(path: Path) -> None:
+    """Make a folder, and those above it, where there is none.
+
+    Raises:
+        InputError: something else has its name, or it must not be made there.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise InputError(f"the folder {str(path)!r} cannot be made: {reason}") from error
+
+
+def _as_path(path: str | Path) -> Path:
+    try:
+        return Path(path)
+    except TypeError as error:
+        raise InputError(f"a file must be given as its path, such as 'arm.html', not {path!r}") from error
+
+
+def _refuse_unless_a_file_fits(path: Path, target: Path) -> None:
+    if not target.parent.is_dir():
+        missing = target.parent if path.is_symlink() else path.parent
+        raise InputError(f"there is no folder {missing}, so {path.name} cannot be written there")
+    if target.is_dir():
+        raise InputError(f"{path} is a folder; name a file in it, such as {path / 'arm.html'}")
+    if os.path.lexists(target):  # a link that is left here points in a circle
+        if not target.is_file():
+            raise InputError(f"{path} is no regular file, so it is not replaced; name another file")
+        if not os.access(target, os.W_OK):
+            raise InputError(f"{path} must not be written, says its mode; name another file")
+
+
+def _replace(target: Path, data: bytes) -> None:
+    """Put the data in the place of a file, through a new file beside it."""
+    unfinished = target.with_name(f".{secrets.token_hex(8)}.part")
+    try:
+        with open(unfinished, "xb") as file:  # x: it is new, and no link that somebody put there
+            file.write(data)
+        if target.exists():
+            _take_mode_and_owner(unfinished, target.stat())
+        unfinished.replace(target)
+    except BaseException:
+        with suppress(OSError):
+            unfinished.unlink(missing_ok=True)
+        raise
+
+
+def _take_mode_and_owner(file: Path, old: os.stat_result) -> None:
+    if hasattr(os, "chown"):
+        with suppress(PermissionError):  # only root may give a file away
+            os.chown(file, old.st_uid, old.st_gid)
+    file.chmod(stat.S_IMODE(old.st_mode))  # after chown, which may clear bits

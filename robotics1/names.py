@@ -1,0 +1,28 @@
+"""Names that a file or a user gives, as plain text: whatever they hold, they only are read, and do nothing."""
+
+import re
+import unicodedata
+
+LONGEST_FILE_NAME = 100  # characters, well below the 255 bytes of most file systems
+
+
+def printable(text: str, keep: str = "") -> str:
+    r"""Return a text for a terminal or a page: its control and format characters written as \x1b, \u202e, \n.
+
+    Such characters move the cursor, change colours, or turn the direction of what follows.
+
+    Args:
+        text: any text.
+        keep: characters that stay, as "\n" in a text of several lines.
+    """
+    return "".join(c if c.isprintable() or c in keep else _escaped(c) for c in str(text))
+
+
+def file_stem(name: str) -> str:
+    """Return a file name without suffix that is made of a name's letters, digits, _ and -: never another folder."""
+    plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
+    return re.sub(r"[^A-Za-z0-9_-]+", "_", plain).strip("_-")[:LONGEST_FILE_NAME] or "robot"
+
+
+def _escaped(character: str) -> str:
+    return character.encode("unicode_escape").decode("ascii")
