@@ -2,6 +2,7 @@
 
 import sys
 import traceback
+import warnings
 import webbrowser
 from pathlib import Path
 from typing import Annotated, NoReturn
@@ -30,7 +31,8 @@ out, err = output.PlainConsole(), output.PlainConsole(stderr=True)
 def main() -> None:
     """Run the command: exit code 0 done, 1 the verdict is negative, 2 misuse or an error, 130 interrupted (Ctrl-C)."""
     try:
-        with streams_ready():
+        with streams_ready(), warnings.catch_warnings():
+            warnings.showwarning = _show_warning
             app()
     except KeyboardInterrupt:
         _stop("interrupted", 130)
@@ -44,6 +46,10 @@ def main() -> None:
         place = traceback.extract_tb(error.__traceback__)[-1]
         where = f"{Path(place.filename).name}, line {place.lineno}"
         _stop(f"error inside robotics1, please report it: {type(error).__name__}: {error} ({where})", 2)
+
+
+def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
+    err.print(printable(f"warning: {message}"), style="yellow", soft_wrap=True)
 
 
 def _stop(message: str, code: int) -> NoReturn:

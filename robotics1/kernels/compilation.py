@@ -5,7 +5,6 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from functools import cache
-from pathlib import Path
 from typing import Any, TypeVar, cast
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -24,7 +23,7 @@ def compiled(*, contract: bool = False, inline: bool = False) -> Callable[[Funct
     """Return a decorator that compiles a function with Numba on its first call, and keep the machine code on disk.
 
     The code is kept beside the source, else in the user's cache directory (NUMBA_CACHE_DIR names another); where
-    none of them can be written, each process compiles anew.
+    none of them can be written, and where what is there is damaged, it compiles anew.
 
     Args:
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
@@ -41,25 +40,14 @@ def compiled(*, contract: bool = False, inline: bool = False) -> Callable[[Funct
     def compile_later(function: Function) -> Function:
         if not COMPILED:
             return function
-        try:
-            dispatcher = numba.njit(cache=True, **options)(function)
-        except RuntimeError:  # "no locator available": there is no directory to write the cache to
-            return cast(Function, numba.njit(**options)(function))
-        with suppress(AttributeError):  # these attributes are private to Numba
-            dispatcher._cache._cache_file._source_stamp = _sources()
+        from robotics1.kernels.machine_code import MachineCode
+
+        dispatcher = numba.njit(**options)(function)
+        with suppress(RuntimeError):  # "no locator available": there is no directory to write to
+            dispatcher._cache = MachineCode(function)
         return cast(Function, dispatcher)
 
     return compile_later
-
-
-@cache
-def _sources() -> tuple[tuple[str, float, int], ...]:
-    """Return what tells whether a kernel on disk is that of these files.
-
-    Numba looks at the file of the function alone; but the machine code holds that of all functions it calls.
-    """
-    files = sorted(Path(__file__).parent.glob("*.py"))
-    return tuple((file.name, file.stat().st_mtime, file.stat().st_size) for file in files)
 
 
 def threads() -> int:

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array
+from robotics1.errors import InputError
+from robotics1.inputs import Array, real_array, real_number
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
 from robotics1.trajectories.protocols import Trajectory, number_of_joints
@@ -46,16 +47,21 @@ def animate(
 
     Raises:
         MissingExtraError: Meshcat is not installed.
-        InputError: the trajectory is not of the robot's joints, or the folder does not exist.
+        InputError: the trajectory is not of the robot's joints, it or the target is not finite, or the file cannot be
+            written there.
+
+    Warns:
+        RobotWarning: a mesh cannot be read, and is not drawn.
     """
     number_of_joints("trajectory", trajectory, robot.nv)
-    T = trajectory.duration
+    T = real_number("the trajectory's duration", trajectory.duration, positive=True)
     count = max(2, min(ceil(T * FRAME_RATE), MOST_FRAMES))
     times = np.linspace(0.0, T, count + 1)
     rate = count / T
     last = count + max(1, round(HOLD * rate))
+    states = real_array("q(t) of the trajectory", trajectory(times), (len(times), robot.nv))
+    course = None if target is None else np.array([_in_space(target(float(t))) for t in times])
     scene = Scene(robot, rate)
-    states = trajectory(times)
     trail = np.array([forward_kinematics(robot, q).translation for q in states])
     seen = [trail]
     for frame, q in [*enumerate(states), (last, states[-1])]:
@@ -65,8 +71,7 @@ def animate(
     for frame, (start, end) in enumerate(pairwise(trail), start=1):
         scene.rod(f"trail/{frame}", start, end, THIN * robot.reach, TRAIL)
         scene.appear(f"trail/{frame}", frame, last)
-    if target is not None:
-        course = np.array([_in_space(target(float(t))) for t in times])
+    if course is not None:
         _show_target(scene, course, last, robot.reach)
         seen.append(course)
     scene.animate()
@@ -87,7 +92,10 @@ def view(robot: Robot, q: npt.ArrayLike, path: str | Path, *, title: str | None 
 
     Raises:
         MissingExtraError: Meshcat is not installed.
-        InputError: q has the wrong shape, or the folder does not exist.
+        InputError: q has the wrong shape or is not finite, or the file cannot be written there.
+
+    Warns:
+        RobotWarning: a mesh cannot be read, and is not drawn.
     """
     q = robot.configuration(q)
     scene = Scene(robot)
@@ -126,4 +134,7 @@ def _show_target(scene: Scene, course: Array, last: int, reach: float) -> None:
 
 
 def _in_space(p: npt.ArrayLike) -> Array:
-    return np.pad(np.asarray(p, dtype=float), (0, 3 - len(np.asarray(p))))
+    point = real_array("p(t) of the target", p, (None,), "two or three coordinates")
+    if point.size not in (2, 3):
+        raise InputError(f"p(t) of the target must have two or three coordinates; it has {point.size}")
+    return np.pad(point, (0, 3 - point.size))

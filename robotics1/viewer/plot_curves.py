@@ -32,7 +32,7 @@ def plot_path(curve: Any, path: str | Path, *, frames: int = 0, unit: str = "m",
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: it has not two or three coordinates, or the folder does not exist.
+        InputError: it has not two or three coordinates, or the file cannot be written there.
     """
     counting_number("frames", frames)
     text("unit", unit)

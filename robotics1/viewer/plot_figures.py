@@ -11,6 +11,7 @@ import numpy as np
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.files import write_file
 from robotics1.inputs import Array, text
+from robotics1.names import printable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,6 +46,12 @@ def write_svg(figure: "Figure", path: str | Path) -> Path:
     with rc_context({"svg.hashsalt": "robotics1"}):  # the same figure gives the same bytes
         figure.savefig(drawn, format="svg", metadata={"Date": None})
     return write_file(path, drawn.getvalue())
+
+
+def legend_text(name: str) -> str:
+    """Return a name from a file as Matplotlib draws it: $ begins no formula, and _ at the start hides no line."""
+    text = printable(name).replace("$", r"\$")
+    return f" {text}" if text.startswith("_") else text
 
 
 def line_style(i: int) -> dict[str, Any]:

@@ -28,7 +28,7 @@ def plot_timing_law(
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: the limits are for several joints, or the folder does not exist.
+        InputError: the limits are for several joints, or the file cannot be written there.
     """
     text("unit", unit)
     pieces = smooth_samples(smooth_ends(law))

@@ -11,7 +11,7 @@ from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.trajectories.limits.motion_limits import MotionLimits
 from robotics1.trajectories.protocols import smooth_ends
-from robotics1.viewer.plot_figures import line_style, names_of, new_figure, smooth_samples, write_svg
+from robotics1.viewer.plot_figures import legend_text, line_style, names_of, new_figure, smooth_samples, write_svg
 
 TURNS = ("θx", "θy", "θz")
 PANELS = (("position", ""), ("velocity", "/s"), ("acceleration", "/s²"))
@@ -42,7 +42,7 @@ def plot_trajectory(
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: names or units are too many or too few, or the folder does not exist.
+        InputError: names or units are too many or too few, or the file cannot be written there.
     """
     pieces = smooth_samples(smooth_ends(trajectory))
     t = np.concatenate([times for _, times in pieces])
@@ -100,7 +100,7 @@ def _labels(start: Any, n: int, rates: int, robot: Robot | None) -> tuple[list[s
     if robot is not None:
         if robot.nv != n:
             raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
-        return list(robot.joint_names), ["rad" if angle else "m" for angle in robot.revolute]
+        return list(map(legend_text, robot.joint_names)), ["rad" if angle else "m" for angle in robot.revolute]
     if hasattr(start, "rotation"):
         return [*"xyz", *TURNS], ["m"] * 3 + ["rad"] * 3
     if np.ndim(start) == 2:

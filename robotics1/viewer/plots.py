@@ -8,7 +8,7 @@ from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
 from robotics1.trajectories.protocols import Trajectory, number_of_joints
 from robotics1.trajectories.target_motion import TargetMotion
-from robotics1.viewer.plot_figures import SAMPLES, line_style
+from robotics1.viewer.plot_figures import SAMPLES, legend_text, line_style
 from robotics1.viewer.plot_figures import new_figure as _figure
 from robotics1.viewer.plot_figures import write_svg as _write
 
@@ -18,7 +18,7 @@ def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *,
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: the trajectory is not of the robot's joints, or the folder does not exist.
+        InputError: the trajectory is not of the robot's joints, or the file cannot be written there.
     """
     number_of_joints("trajectory", trajectory, robot.nv)
     figure = _figure((6.4, 5.6))
@@ -26,8 +26,8 @@ def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *,
     t = np.linspace(0.0, trajectory.duration, SAMPLES)
     units = ["rad" if angle else "m" for angle in robot.revolute]
     for i, (name, q, v) in enumerate(zip(robot.joint_names, trajectory(t).T, trajectory.velocity(t).T, strict=True)):
-        upper.plot(t, q, label=f"{name} [{units[i]}]", **line_style(i))
-        lower.plot(t, v, label=f"{name} [{units[i]}/s]", **line_style(i))
+        upper.plot(t, q, label=f"{legend_text(name)} [{units[i]}]", **line_style(i))
+        lower.plot(t, v, label=f"{legend_text(name)} [{units[i]}/s]", **line_style(i))
     upper.set(ylabel="joint position", title=title)
     lower.set(xlabel="t [s]", ylabel="joint velocity")
     for axes in (upper, lower):
@@ -48,7 +48,7 @@ def plot_tool_path(
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: the trajectory is not of the robot's joints, or the folder does not exist.
+        InputError: the trajectory is not of the robot's joints, or the file cannot be written there.
     """
     number_of_joints("trajectory", trajectory, robot.nv)
     figure = _figure((6.4, 5.0))

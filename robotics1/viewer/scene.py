@@ -13,6 +13,7 @@ import pinocchio as pin
 from robotics1.errors import MissingExtraError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
+from robotics1.viewer.visuals import drawable_visuals
 
 Color = tuple[float, float, float]
 
@@ -60,8 +61,7 @@ class Scene:
             raise MissingExtraError("meshcat", "viewer") from error
         self._viewer = meshcat.Visualizer(window=self.window)
         self._animation = Animation(default_framerate=self.frame_rate)
-        visuals = pin.buildGeomFromUrdfString(self.robot.model, self.robot.urdf, pin.GeometryType.VISUAL)
-        self._display = MeshcatVisualizer(self.robot.model, None, visuals)
+        self._display = MeshcatVisualizer(self.robot.model, None, drawable_visuals(self.robot))
         self._display.initViewer(viewer=self._viewer)
         self._display.loadViewerModel("robot")
         self._viewer["/Grid"].set_property("visible", False)
