@@ -14,7 +14,7 @@ from robotics1.cli.ik import ik
 from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
 from robotics1.cli.scan import scan
 from robotics1.cli.streams import streams_ready
-from robotics1.errors import Robotics1Error
+from robotics1.errors import Robotics1Error, RobotWarning
 from robotics1.names import file_stem, printable
 from robotics1.notation import vector
 from robotics1.report.tables import matrix_table
@@ -32,6 +32,7 @@ def main() -> None:
     """Run the command: exit code 0 done, 1 the verdict is negative, 2 misuse or an error, 130 interrupted (Ctrl-C)."""
     try:
         with streams_ready(), warnings.catch_warnings():
+            warnings.simplefilter("always", RobotWarning)
             warnings.showwarning = _show_warning
             app()
     except KeyboardInterrupt:

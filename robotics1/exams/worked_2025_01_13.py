@@ -76,9 +76,9 @@ class WorkedExam:
 
 def work_exam(folder: Path) -> WorkedExam:
     """Solve the exam, check it, and write its formulas, figures 2 to 5 and two animated pages into the folder."""
+    make_folder(folder)  # first, for the exercises take seconds
     one, two, three = exercise_1(), exercise_2(), exercise_3()
     tables = formula_tables(one, two, three)
-    make_folder(folder)
     sections = [table.section() for table in tables]
     files = [write_formula_page(folder / "formulas.html", sections, title="Robotics 1, 13 January 2025: formulas")]
     for first, name, branch in ((2, "right", three.right), (4, "left", three.left)):
