@@ -78,7 +78,10 @@ def test_each_option_changes_what_it_is_for():
     assert ask(*near, "--q0", "0.5,0.5,0.5")["q"] != ask(*near, "--q0", "0.6,1,0.9")["q"]
     newton = [*ARM, *QUESTIONS["newton"]]
     assert len(ask(*newton, "--q0", "0.5,1", "--max-iterations", "2")["table"]) == 3
-    assert ask(*newton, "--q0", "0.5,1", "--tolerance", "1e-12")["iterations"] > ask(*newton, "--q0", "0.5,1")["iterations"]
+    assert (
+        ask(*newton, "--q0", "0.5,1", "--tolerance", "1e-12")["iterations"]
+        > ask(*newton, "--q0", "0.5,1")["iterations"]
+    )
     family = [*REDUNDANT, "--target", "1,0.5"]
     assert ask(*family, "--seed", "1")["solutions"] != ask(*family, "--seed", "2")["solutions"]
     assert ask(*family, "--seed", "0")["solutions"] == ask(*family)["solutions"]

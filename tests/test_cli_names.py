@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import pytest
-from hostile import NAMES, arm_file
+from hostile_names import NAMES, arm_file
 
 from robotics1.cli import main
 from robotics1.names import printable

@@ -11,6 +11,7 @@ from robotics1.analysis.singular_points import SingularPoints
 from robotics1.analysis.spaces import Subspaces, subspaces_of_rank
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
+from robotics1.names import printable
 from robotics1.notation import pi_fraction
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -126,7 +127,7 @@ class SingularBranch:
         """Return what the branch means for the robot, in sentences."""
         from robotics1.analysis.singularity_words import branch_sentences
 
-        return branch_sentences(self)
+        return printable(branch_sentences(self), keep="\n")
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,13 +195,13 @@ class SingularSet:
         """Return the singularities in sentences."""
         from robotics1.analysis.singularity_words import set_sentences
 
-        return set_sentences(self)
+        return printable(set_sentences(self), keep="\n")
 
     def explain_intersections(self) -> str:
         """Return the rank where branches meet, a line for each piece. Raises as `intersections`."""
         from robotics1.analysis.singularity_words import intersection_sentences
 
-        return intersection_sentences(self)
+        return printable(intersection_sentences(self), keep="\n")
 
 
 def _recognised(value: float) -> "sympy.Expr":

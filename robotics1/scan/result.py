@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, one_of
+from robotics1.names import printable
 from robotics1.robot.model import Robot
 from robotics1.scan.histogram import MeasureDistribution
 from robotics1.scan.refinement import Refinement
@@ -88,4 +89,4 @@ class SingularityScan:
         """Return the answer in sentences."""
         from robotics1.scan.words import scan_sentences
 
-        return scan_sentences(self)
+        return printable(scan_sentences(self), keep="\n")
