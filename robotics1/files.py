@@ -59,12 +59,12 @@ def _refuse_unless_a_file_fits(path: Path, target: Path) -> None:
         missing = target.parent if path.is_symlink() else path.parent
         raise InputError(f"there is no folder {missing}, so {path.name} cannot be written there")
     if target.is_dir():
-        raise InputError(f"{path} is a folder; name a file in it, such as {path / 'arm.html'}")
+        raise InputError(f"{path} cannot be written: it is a folder; name a file in it")
     if os.path.lexists(target):  # a link that is left here points in a circle
         if not target.is_file():
-            raise InputError(f"{path} is no regular file, so it is not replaced; name another file")
+            raise InputError(f"{path} cannot be written: it is no regular file; name another one")
         if not os.access(target, os.W_OK):
-            raise InputError(f"{path} must not be written, says its mode; name another file")
+            raise InputError(f"{path} cannot be written: its mode does not allow it; name another one")
 
 
 def _replace(target: Path, data: bytes) -> None:

@@ -231,8 +231,9 @@ def test_a_junk_mesh_is_named_on_stderr_and_the_rest_is_drawn(run, tmp_path):
     (tmp_path / "junk[1].stl").write_bytes(b"\x00" * 40)
     (tmp_path / "arm.urdf").write_text(
         '<robot name="r"><link name="base"><visual><geometry><mesh filename="junk[1].stl"/></geometry></visual></link>'
-        '<link name="a"><visual><geometry><box size="1 1 1"/></geometry></visual></link><joint name="q1" type="revolute">'
-        '<parent link="base"/><child link="a"/><axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="1" effort="1"/>'
+        '<link name="a"><visual><geometry><box size="1 1 1"/></geometry></visual></link>'
+        '<joint name="q1" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/>'
+        '<limit lower="-3" upper="3" velocity="1" effort="1"/>'
         "</joint></robot>"
     )
     code, out, err = run("view", tmp_path / "arm.urdf", "--out", tmp_path / "page.html")

@@ -29,8 +29,9 @@ def robot_with(folder, *meshes):
     path = folder / "arm.urdf"
     path.write_text(
         f'<robot name="r"><link name="base">{visuals}</link>'
-        '<link name="a"><visual><geometry><box size="1 1 1"/></geometry></visual></link><joint name="q1" type="revolute">'
-        '<parent link="base"/><child link="a"/><axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="1" effort="1"/>'
+        '<link name="a"><visual><geometry><box size="1 1 1"/></geometry></visual></link>'
+        '<joint name="q1" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/>'
+        '<limit lower="-3" upper="3" velocity="1" effort="1"/>'
         "</joint></robot>"
     )
     return r1.load_robot(path)
