@@ -221,6 +221,21 @@ def test_a_reader_that_goes_away_ends_the_command_quietly():
         assert (done.returncode, done.stderr) == (-signal.SIGPIPE, b"")
 
 
+@pytest.mark.skipif(os.name == "nt", reason="limits of POSIX")
+def test_a_full_disk_below_stdout_is_one_line_and_exit_code_2(tmp_path):
+    script = (
+        "import resource, signal; signal.signal(signal.SIGXFSZ, signal.SIG_IGN); "
+        "from robotics1.cli import main; resource.setrlimit(resource.RLIMIT_FSIZE, (10, 10)); main()"
+    )
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    with open(tmp_path / "out", "wb") as out:
+        line = [sys.executable, "-c", script, "jacobian", "prr"]
+        done = subprocess.run(line, check=False, env=environment, stdout=out, stderr=subprocess.PIPE, timeout=120)
+    assert done.returncode == 2
+    assert done.stderr.startswith(b"error: ")
+    assert done.stderr.count(b"\n") == 1
+
+
 def test_the_signal_for_closed_pipes_is_as_before_after_a_command(run):
     before = signal.getsignal(signal.SIGPIPE)
     run("fk", "prr")

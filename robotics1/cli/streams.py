@@ -1,6 +1,7 @@
 """What stdout and stderr can take: a terminal without Unicode, and a reader that goes away."""
 
 import codecs
+import os
 import signal
 import sys
 import threading
@@ -37,6 +38,15 @@ def _spelled(character: str) -> str:
     return character.encode("unicode_escape").decode("ascii")
 
 
+def _flush() -> None:
+    """Write out what stdout still holds; where the disk is full, drop it, else Python fails on it again at its end."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise
+
+
 @contextmanager
 def streams_ready() -> Iterator[None]:
     """Let characters that stdout or stderr do not know be spelled out, and a closed pipe end the process quietly.
@@ -52,7 +62,6 @@ def streams_ready() -> Iterator[None]:
     try:
         yield
     finally:
-        if sys.stdout is not None:
-            sys.stdout.flush()
+        _flush()
         if settable:
             signal.signal(signal.SIGPIPE, before)
