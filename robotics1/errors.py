@@ -19,10 +19,26 @@ Misuse raises. An unreachable target is not misuse: it is an outcome, reported i
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
+from typing import Any
 
 
 class Robotics1Error(Exception):
-    """The root of every error this package raises on purpose."""
+    """The root of every error this package raises on purpose.
+
+    An error can be pickled and copied, so that it comes back from another process with its data: it is made again
+    from its message and its attributes, whatever arguments its class has.
+    """
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        _, message, *attributes = super().__reduce__()
+        return (_made_again, (type(self), message), *attributes)
+
+
+def _made_again(kind: type[Robotics1Error], message: tuple[Any, ...]) -> Robotics1Error:
+    """Return an error of a kind with a message, without the arguments from which its class writes the message."""
+    error = kind.__new__(kind, *message)
+    super(Robotics1Error, error).__init__(*message)
+    return error
 
 
 class RobotFileError(Robotics1Error, ValueError):

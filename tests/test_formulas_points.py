@@ -101,13 +101,13 @@ def test_the_numbers_of_the_result_are_those_of_the_point():
     q = [0.4, -0.3, 0.8]
     T = forward_kinematics(robot, q)
     assert f.task.value(f.robot, q) == pytest.approx(T.translation + T.rotation @ [0.1, -0.2, 0.3], abs=1e-12)
-    longer = f.robot.variant({"a2": 2.0})
+    longer = f.robot.with_parameters({"a2": 2.0})
     assert longer.parameters["a2"] == 2.0
     assert forward_kinematics(longer, q, frame="point").translation == pytest.approx(
         forward_kinematics(longer, q) * np.array([0.1, -0.2, 0.3]), abs=1e-12
     )
     with pytest.raises(UnknownNameError, match="no parameter of robot 'anthropomorphic' named 'a4'"):
-        f.robot.variant({"a4": 2.0})
+        f.robot.with_parameters({"a4": 2.0})
 
 
 def test_a_second_point_has_another_name():

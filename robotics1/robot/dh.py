@@ -1,13 +1,14 @@
 """From a DH table to a robot, and to a URDF file that any other tool reads."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from robotics1.files import write_file
 from robotics1.robot.dh_markup import dh_markup
 from robotics1.robot.dh_rows import Limits, checked_table
+from robotics1.robot.dh_table import DHTable
 from robotics1.robot.loading import robot_from_text
 from robotics1.robot.model import Robot
 
@@ -46,12 +47,28 @@ def robot_from_dh(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; Craig, Introduction to Robotics,
     2005, section 3.6.
     """
-    table = checked_table(rows, parameters, convention, base_placement, tool_placement, lower, upper)
+    return _robot_of(checked_table(rows, parameters, convention, base_placement, tool_placement, lower, upper))
+
+
+@dataclass(frozen=True, eq=False)
+class RobotTable:
+    """The table a robot was made from."""
+
+    table: DHTable
+
+    def with_parameters(self, values: Mapping[str, float]) -> Robot:
+        """Return the robot of the table with these values of its names; the others stay."""
+        options = self.table.options
+        options["parameters"] |= values
+        return robot_from_dh(self.table.rows, **options)
+
+
+def _robot_of(table: DHTable) -> Robot:
     named = bool(table.parameters)
     path = Path("dh_table.urdf.xacro" if named else "dh_table.urdf")
     robot = robot_from_text(dh_markup(table, "dh", named=named), path=path, tool="tool")
     robot.model.lowerPositionLimit, robot.model.upperPositionLimit = table.lower, table.upper
-    return replace(robot, warnings=())  # a table has no inertia: nothing to warn of
+    return replace(robot, warnings=(), source=RobotTable(table))  # a table has no inertia: nothing to warn of
 
 
 def dh_to_urdf(

@@ -7,7 +7,6 @@ steps S_0 S_1 ⋯ S_n, S_i = Z_i X_i, with the brackets put in another place:
     modified:  T_base = Z_0,      A_i = X_{i−1} Z_i
 """
 
-from types import MappingProxyType
 
 import numpy as np
 import pinocchio as pin
@@ -17,6 +16,7 @@ from robotics1.inputs import one_of, real_number
 from robotics1.robot.common_normals import Axis, Step, clean_placement, first_step, last_step, step_to
 from robotics1.robot.dh_table import CONVENTIONS, DHRow, DHTable
 from robotics1.robot.model import Robot
+from robotics1.robot.parameters import Parameters
 
 PARALLEL = 1e-8  # sine of an angle; nearer to parallel, the common normal is so far away that rounding loses more
 COINCIDENT = 1e-12  # m
@@ -120,8 +120,7 @@ def _closed(robot: Robot, joints: list[int], frame: int, rows: list[DHRow], conv
     names = tuple(model.names[joint] for joint in joints)
 
     def table(tool: pin.SE3, residual: float = 0.0) -> DHTable:
-        empty: MappingProxyType[str, float] = MappingProxyType({})
-        return DHTable(tuple(rows), convention, base, tool, lower, upper, empty, names, residual)
+        return DHTable(tuple(rows), convention, base, tool, lower, upper, Parameters(), names, residual)
 
     def pose(q: np.ndarray) -> pin.SE3:
         whole = pin.neutral(model)

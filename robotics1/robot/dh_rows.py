@@ -4,7 +4,6 @@ import keyword
 import math
 import re
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import Any
 from unicodedata import normalize
 
@@ -14,6 +13,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, one_of, real_number
 from robotics1.robot.dh_table import CONVENTIONS, DHRow, DHTable
+from robotics1.robot.parameters import Parameters
 from robotics1.robot.placements import homogeneous
 
 Limits = Sequence[float | None] | npt.NDArray[np.floating[Any]] | None
@@ -42,7 +42,7 @@ def checked_table(
         homogeneous("tool_placement", tool_placement),
         low,
         high,
-        MappingProxyType(_values(checked, parameters or {})),
+        Parameters(_values(checked, parameters or {})),
         tuple(f"q{i}" for i in range(1, len(checked) + 1)),
     )
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +10,7 @@ import pinocchio as pin
 
 from robotics1.inputs import Array, real_array
 from robotics1.notation import joint_value, number, vector
+from robotics1.robot.parameters import Parameters
 
 CONVENTIONS = ("standard", "modified")
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
@@ -56,7 +56,7 @@ class DHTable:
     tool_placement: pin.SE3
     lower: Array
     upper: Array
-    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    parameters: Mapping[str, float] = field(default_factory=Parameters)
     joint_names: tuple[str, ...] = ()
     residual: float = 0.0
 

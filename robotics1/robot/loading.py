@@ -2,8 +2,8 @@
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 import pinocchio as pin
@@ -17,6 +17,7 @@ from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
 from robotics1.robot.model import Robot, frame_number, tips
 from robotics1.robot.ordering import leaders_first, numbered, unnumbered
+from robotics1.robot.parameters import Parameters
 from robotics1.robot.rewriting import WITHOUT_LIMIT, clean, lock, rebase
 from robotics1.robot.silence import stderr_kept
 from robotics1.robot.sources import robot_file
@@ -92,13 +93,8 @@ def robot_from_text(
     trusted = trusted is True
     values_at = by_name("locked", locked, "{'q1': 0.5}")
 
-    def variant(other: Mapping[str, float]) -> Robot:
-        return robot_from_text(
-            source, path=path, parameters=other, base=base, tool=tool, locked=locked, packages=folders, trusted=trusted
-        )
-
-    source = text
     given = by_name("parameters", parameters, "{'l2': 0.5}")
+    source = LoadedText(text, path, given, base, tool, values_at, tuple(folders), trusted)
     text, values = urdf_text(text, path, given, folders, trusted=trusted)
     root = parse_xml(text, path)
     findings = findings_of(root, path)
@@ -116,12 +112,31 @@ def robot_from_text(
         model.name,
         model,
         _tool(model, tool),
-        MappingProxyType(values),
+        Parameters(values),
         text,
         path,
         tuple(warnings),
-        variant if values else None,
+        source if values else None,
     )
+
+
+@dataclass(frozen=True)
+class LoadedText:
+    """The arguments of `robot_from_text`, kept so that a xacro can be expanded with other parameters."""
+
+    text: str
+    path: Path
+    parameters: Mapping[str, float]
+    base: str | None
+    tool: str | None
+    locked: Mapping[str, float]
+    packages: tuple[Path, ...]
+    trusted: bool
+
+    def with_parameters(self, values: Mapping[str, float]) -> Robot:
+        """Return the robot of the text with these parameters; the others stay as they were given."""
+        options = dict(vars(replace(self, parameters={**self.parameters, **values})))
+        return robot_from_text(options.pop("text"), **options)
 
 
 def _folders(packages: Iterable[str | Path]) -> list[Path]:

@@ -1,23 +1,32 @@
 """The robot: a Pinocchio model with a name, a tool and its named parameters."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, by_name, real_array
+
+
+class RobotSource(Protocol):
+    """What a robot was made from, so that it can be made again with other parameters."""
+
+    def with_parameters(self, values: Mapping[str, float]) -> "Robot":
+        """Return the robot with these values of its named parameters; the others stay."""
 
 
 @dataclass(frozen=True, eq=False)
 class Robot:
     """A robot as Pinocchio sees it.
 
-    One scratch `pin.Data` serves every call, so a Robot is not safe to share between threads.
+    Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied.
 
     Attributes:
         name: the robot's name in its file.
@@ -27,7 +36,7 @@ class Robot:
         urdf: the URDF text the model was made from.
         path: the file it came from.
         warnings: what is odd about the file, one sentence each.
-        variant: the same robot with other values of its parameters; None when it has none.
+        source: what the robot was made from, which `with_parameters` uses.
     """
 
     name: str
@@ -37,12 +46,44 @@ class Robot:
     urdf: str = field(repr=False)
     path: Path
     warnings: tuple[str, ...] = ()
-    variant: Callable[[Mapping[str, float]], "Robot"] | None = field(default=None, repr=False)
+    source: RobotSource | None = field(default=None, repr=False)
 
-    @cached_property
+    def __post_init__(self) -> None:
+        """Make the place for the scratch memory of each thread."""
+        object.__setattr__(self, "_scratch", threading.local())
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled and copied: the fields, but no scratch memory."""
+        return {f.name: getattr(self, f.name) for f in fields(self)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.__post_init__()
+
+    @property
     def data(self) -> pin.Data:
-        """The scratch memory of Pinocchio's algorithms."""
-        return self.model.createData()
+        """The scratch memory of Pinocchio's algorithms, one for each thread."""
+        scratch: Any = self.__dict__["_scratch"]
+        try:
+            return scratch.data
+        except AttributeError:
+            scratch.data = self.model.createData()
+            return scratch.data
+
+    def with_parameters(self, values: Mapping[str, float]) -> "Robot":
+        """Return the same robot with other values of its named parameters; those that are not named stay.
+
+        Args:
+            values: name → value, such as {"l2": 0.7} [m].
+
+        Raises:
+            InputError: the robot has no named parameters, or a value is not a finite number.
+            UnknownNameError: there is no parameter of that name.
+            RobotFileError: the robot's file is no robot at these values, or is there no longer.
+        """
+        if self.source is None or not self.parameters:
+            raise InputError(f"robot {self.name!r} has no named parameters that could be given other values")
+        return self.source.with_parameters(by_name("values", values, "{'l2': 0.5}"))
 
     @property
     def nq(self) -> int:

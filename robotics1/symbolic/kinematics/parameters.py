@@ -4,7 +4,6 @@ The file is expanded again at other values, and each number is fitted by a polyn
 further expansion must confirm.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations_with_replacement
@@ -122,7 +121,7 @@ def _fit_of_degree(
     centre = np.array([robot.parameters[name] for name in names])
     spread = np.where(centre == 0, 1.0, np.abs(centre))
     others = centre + spread * rng.uniform(0.1, 0.9, (len(monomials), len(names)))
-    values = [_numbers(_path(_variant(robot, dict(zip(names, p, strict=True))), frame)) for p in others]
+    values = [_numbers(_path(robot.with_parameters(dict(zip(names, p, strict=True))), frame)) for p in others]
     if any(value.shape != base.shape for value in values):
         raise FormulaError("the joints themselves depend on a parameter")
     points = [centre, *others]
@@ -134,9 +133,3 @@ def _fit_of_degree(
     rounded = np.round(solution, 9)
     solution = np.where(np.abs(solution - rounded) < CONFIRMS / 10, rounded, solution)
     return dict(zip(monomials, solution, strict=True)), wrong
-
-
-def _variant(robot: Robot, parameters: Mapping[str, float]) -> Robot:
-    if robot.variant is None:
-        raise FormulaError(f"robot {robot.name!r} cannot be expanded at other parameters")
-    return robot.variant(parameters)

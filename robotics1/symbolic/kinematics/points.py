@@ -3,8 +3,7 @@
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
-from dataclasses import replace
-from types import MappingProxyType
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,9 +11,10 @@ import pinocchio as pin
 import sympy
 
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array
+from robotics1.inputs import Array, real_number
 from robotics1.orientation.expressions import expressions
 from robotics1.robot.model import Robot
+from robotics1.robot.parameters import Parameters
 
 UNVALUED = 1.0  # the length that a name without a value stands for [m]
 
@@ -54,17 +54,44 @@ def with_point(robot: Robot, frame: str | None, point: Any) -> tuple[Robot, str]
     while robot.model.existFrame(name):
         name += "_"
 
-    def variant(values: Mapping[str, float]) -> Robot:
-        unknown = [key for key in values if key not in home]
-        if unknown:
-            raise UnknownNameError(f"parameter of robot {robot.name!r} named", unknown[0], home)
-        at = {**home, **values}
-        own = robot if robot.variant is None else robot.variant({key: at[key] for key in robot.parameters})
-        p = np.array([float(x.xreplace({sympy.Symbol(key, real=True): at[key] for key in names})) for x in coordinates])
-        return replace(_with_frame(own, link, name, p), parameters=MappingProxyType(at), variant=variant)
+    return RobotWithPoint(robot, link, name, tuple(coordinates), Parameters(home)).with_parameters({}), name
 
-    found = variant({})
-    return (found if home else replace(found, variant=None)), name
+
+@dataclass(frozen=True)
+class RobotWithPoint:
+    """What a robot with a point on a link is made from.
+
+    Attributes:
+        robot: the robot without the point.
+        link, name: the link, and the frame at the point.
+        coordinates: (x, y, z) of the point in the link's axes [m], of real symbols.
+        parameters: the values of the robot's parameters and of the symbols.
+    """
+
+    robot: Robot
+    link: str
+    name: str
+    coordinates: tuple[sympy.Expr, ...]
+    parameters: Mapping[str, float]
+
+    def with_parameters(self, values: Mapping[str, float]) -> Robot:
+        """Return the robot with the point, at these values; the others stay.
+
+        Raises:
+            UnknownNameError: neither the robot nor the point has such a parameter.
+            InputError: a value is not a finite number.
+        """
+        for key in values:
+            if key not in self.parameters:
+                raise UnknownNameError(f"parameter of robot {self.robot.name!r} named", key, self.parameters)
+        new = {key: real_number(f"parameter {key!r}", value) for key, value in values.items()}
+        at = Parameters({**self.parameters, **new})
+        own = {key: value for key, value in new.items() if key in self.robot.parameters}
+        robot = self.robot.with_parameters(own) if own else self.robot
+        numbers = {sympy.Symbol(key, real=True): value for key, value in at.items()}
+        p = np.array([float(x.xreplace(numbers)) for x in self.coordinates])
+        found = _with_frame(robot, self.link, self.name, p)
+        return replace(found, parameters=at, source=replace(self, robot=robot, parameters=at))
 
 
 def _coordinates(point: Any) -> list[sympy.Expr]:

@@ -51,9 +51,9 @@ class Trials:
         found = []
         for _ in range(TRIALS):
             values = {key: value * rng.uniform(0.7, 1.3) for key, value in self.robot.parameters.items()}
-            variant = self.robot.variant(values) if self.robot.variant is not None else self.robot
+            robot = self.robot.with_parameters(values) if values else self.robot
             q, qdot = rng.uniform(-2, 2, self.robot.nq), rng.uniform(-1, 1, self.robot.nq)
-            found.append(Point(cleaned(variant)[0], list(values.values()), q, qdot / np.abs(qdot).sum()))
+            found.append(Point(cleaned(robot)[0], list(values.values()), q, qdot / np.abs(qdot).sum()))
         return found
 
     def verify(
