@@ -19,7 +19,7 @@ Misuse raises. An unreachable target is not misuse: it is an outcome, reported i
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 
 class Robotics1Error(Exception):
@@ -30,7 +30,7 @@ class Robotics1Error(Exception):
     """
 
     def __reduce__(self) -> tuple[Any, ...]:
-        _, message, *attributes = super().__reduce__()
+        _, message, *attributes = cast(tuple[Any, ...], super().__reduce__())
         return (_made_again, (type(self), message), *attributes)
 
 

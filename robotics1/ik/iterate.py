@@ -29,6 +29,16 @@ class IKIterate(NamedTuple):
     det: float
     sigma_min: float
 
+    def __eq__(self, other: object) -> bool:
+        """Return whether all entries are the same; a plain tuple would ask an array whether it is true."""
+        return isinstance(other, IKIterate) and all(map(np.array_equal, self, other))
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))  # which says that an array has none
+
 
 @dataclass(frozen=True, eq=False)
 class IKIteration:

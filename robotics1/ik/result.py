@@ -26,6 +26,16 @@ class IKResult(NamedTuple):
     error: float
     starts: int
 
+    def __eq__(self, other: object) -> bool:
+        """Return whether all entries are the same; a plain tuple would ask an array whether it is true."""
+        return isinstance(other, IKResult) and all(map(np.array_equal, self, other))
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))  # which says that an array has none
+
     @property
     def converged(self) -> bool:
         """Whether `q` is a solution: |e| is within the tolerance, and all joints are inside their limits."""

@@ -57,12 +57,22 @@ class IKSolver:
             "tolerance": real_number("tolerance", tolerance, positive=True),
             "time_limit": real_number("time_limit", time_limit, positive=True),
         }
-        self._search: CompiledSearch | GeneralSearch
-        if isinstance(task, FrameTask):
-            self._search = CompiledSearch(robot, task, **options)
-        else:
-            self._search = GeneralSearch(robot, task, **options)
+        self._options = options
+        self._prepare()
+
+    def _prepare(self) -> None:
+        search: type[CompiledSearch | GeneralSearch]
+        search = CompiledSearch if isinstance(self.task, FrameTask) else GeneralSearch
+        self._search = search(self.robot, self.task, **self._options)
         self._call = self._search.quick_call()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled and copied: what is prepared, machine code among it, is prepared again."""
+        return {name: value for name, value in vars(self).items() if name not in ("_search", "_call")}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._prepare()
 
     def __call__(self, target: Any, q0: npt.ArrayLike | None = None) -> IKResult:
         """Return the answer for one target: a solution inside the joint limits, or the nearest miss and why.

@@ -30,6 +30,10 @@ class FormulaPath(Path):
     end: float = 1.0
     values: Mapping[Any, float] | None = None
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled and copied: not the functions that were made of the formula."""
+        return {name: value for name, value in vars(self).items() if name != "_functions"}
+
     @property
     def dimension(self) -> int:
         """The number of coordinates, n."""

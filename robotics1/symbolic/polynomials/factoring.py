@@ -7,9 +7,10 @@ are sin(φ/2) and cos(φ/2); parts of half angles are multiplied together again 
 from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import combinations
+from typing import Any
 
 import sympy
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from robotics1.symbolic.polynomials.half_tangents import (
     Degrees,
@@ -29,6 +30,10 @@ class Part:
     frequencies: Frequencies
     numerator: fmpq_mpoly
     degrees: Degrees  # eⱼ
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        numbers = {m: (int(a.p), int(a.q)) for m, a in self.numerator.to_dict().items()}
+        return _part, (self.frequencies, numbers, self.degrees)  # FLINT's polynomials cannot be pickled
 
     @property
     def parity(self) -> Degrees:
@@ -69,6 +74,10 @@ class Part:
     def __mul__(self, other: "Part") -> "Part":
         degrees = tuple(a + b for a, b in zip(self.degrees, other.degrees, strict=True))
         return Part(self.frequencies, self.numerator * other.numerator, degrees)
+
+
+def _part(F: Frequencies, numbers: dict[tuple[int, ...], tuple[int, int]], degrees: Degrees) -> Part:
+    return Part(F, context(F).from_dict({m: fmpq(*a) for m, a in numbers.items()}), degrees)
 
 
 def factors(f: Laurent) -> tuple[Laurent, ...]:

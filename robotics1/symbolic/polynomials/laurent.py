@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import sympy
-from sympy.polys.domains import QQ_I
+from sympy.polys.domains import QQ, QQ_I
 from sympy.polys.rings import PolyElement, PolyRing
 
 Exponents = tuple[int, ...]
@@ -35,6 +35,9 @@ class Frequencies:
     angles: tuple[sympy.Symbol, ...]
     ring: PolyRing
     q: tuple[sympy.Symbol, ...]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _frequencies, (self.angles, self.ring.symbols, self.q)  # SymPy's rings cannot be pickled
 
     def constant(self, value: Any) -> "Laurent":
         """Return a coefficient as a polynomial without angles."""
@@ -77,6 +80,10 @@ class Laurent:
 
     frequencies: Frequencies
     terms: dict[Exponents, PolyElement]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        numbers = {k: {m: _integers(a) for m, a in c.items()} for k, c in self.terms.items()}
+        return _laurent, (self.frequencies, numbers)
 
     @property
     def angles(self) -> tuple[int, ...]:
@@ -133,6 +140,24 @@ class Laurent:
         generator = self.frequencies.ring(symbol)
         terms = {k: c.diff(generator) for k, c in self.terms.items()}
         return Laurent(self.frequencies, {k: c for k, c in terms.items() if c})
+
+
+def _frequencies(
+    angles: tuple[sympy.Symbol, ...], generators: tuple[sympy.Symbol, ...], q: tuple[sympy.Symbol, ...]
+) -> Frequencies:
+    return Frequencies(angles, PolyRing(generators, QQ_I), q)
+
+
+def _laurent(F: Frequencies, numbers: dict[Exponents, dict[Exponents, tuple[int, ...]]]) -> Laurent:
+    def element(a: int, b: int, c: int, d: int) -> Any:
+        return QQ_I(QQ(a, b), QQ(c, d))
+
+    return Laurent(F, {k: F.ring.from_dict({m: element(*n) for m, n in c.items()}) for k, c in numbers.items()})
+
+
+def _integers(a: Any) -> tuple[int, int, int, int]:
+    """Return the numerators and denominators of the real and the imaginary part of an element of ℚ(i)."""
+    return int(a.x.numerator), int(a.x.denominator), int(a.y.numerator), int(a.y.denominator)
 
 
 def gaussian(value: Any) -> Any:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property, reduce
+from typing import Any
 
 import sympy
 
@@ -38,6 +39,10 @@ class BranchFormulas:
     groups: Groups
     configurations: Configurations
     rank: int
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled and copied: not the echelon form, whose entries are polynomials of FLINT."""
+        return {name: value for name, value in vars(self).items() if name != "_columns_of_rows"}
 
     @cached_property
     def conditions(self) -> tuple[sympy.Eq, ...]:

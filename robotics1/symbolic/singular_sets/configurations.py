@@ -34,7 +34,7 @@ class Configurations:
     parameters: Mapping[sympy.Symbol, float]
     pinned: Mapping[int, float]
 
-    @cached_property
+    @property
     def key(self) -> Hashable:
         """What is the same of two pieces with the same equations and choices."""
         return self.locus.key, frozenset(self.pinned.items())
@@ -72,7 +72,8 @@ class Configurations:
 
     def _rare(self, box: JointBox, rng: np.random.Generator) -> Array | None:
         """Return a configuration found by least squares: from anywhere in the box, or near those found before."""
-        found = self._found.setdefault(id(box), [])
+        place = box.lower.tobytes(), box.upper.tobytes()
+        found = self._found.setdefault(place, [])
         if found is None:
             return None
         starts = box.random(rng, STARTS)
@@ -86,11 +87,11 @@ class Configurations:
                 return q
         if found:
             return found[rng.integers(len(found))].copy()
-        self._found[id(box)] = None
+        self._found[place] = None
         return None
 
     @cached_property
-    def _found(self) -> dict[int, list[Array] | None]:
+    def _found(self) -> dict[tuple[bytes, bytes], list[Array] | None]:
         """What least squares have found in each box; None if nothing."""
         return {}
 

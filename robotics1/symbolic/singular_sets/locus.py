@@ -34,7 +34,7 @@ class Locus:
         """Polynomials that vanish on the locus, and nowhere else."""
         return tuple(zero.equation for zero in self.zeros)
 
-    @cached_property
+    @property
     def key(self) -> Hashable:
         """What is the same of two loci with the same joint values and the same implicit equations."""
         values = {(s.symbol, frozenset(s.value.terms.items())) for s in self.substitutions}

@@ -1,0 +1,225 @@
+"""Instances of every public class, each made by public calls."""
+
+from functools import cache
+from math import pi
+
+import numpy as np
+import pinocchio as pin
+import sympy
+from arms import arm
+
+import robotics1 as r1
+
+PLANE = r1.PositionTask("xy")
+Q = np.array([0.4, 0.9])
+TARGET = np.array([1.0, 0.8])
+
+
+def squared_distance(p, R, q):
+    return [p[0] ** 2 + p[1] ** 2]
+
+
+def its_jacobian(p, R, q):
+    return [[0.0, -2 * 1.2 * 0.8 * np.sin(q[1])]]
+
+
+def moved_position(t):
+    return np.array([1.0 + 0.1 * t, 0.2])
+
+
+def moved_velocity(t):
+    return np.array([0.1, 0.0])
+
+
+@cache
+def robots():
+    """A robot of every origin."""
+    spherical = [("R", 0, pi / 2, 0.3, 0), ("R", 0.4, 0, 0, 0), ("R", 0, pi / 2, 0, pi / 2)]
+    named = [("R", "l1", pi / 2, 0.2, 0), ("P", "-l2", 0, 0, pi / 2), ("R", 0.1, 0, 0, 0)]
+    return {
+        "urdf": arm("six_r"),
+        "continuous": arm("continuous"),
+        "xacro": r1.load_robot("prr", parameters={"l2": 0.7}),
+        "locked": r1.load_robot("prr", locked={"q1": 0.2}),
+        "table": r1.robot_from_dh(spherical, lower=[-1, None, -2], upper=[1, None, 2]),
+        "table with names": r1.robot_from_dh(named, parameters={"l1": 0.4, "l2": 0.5}),
+        "point": r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]).robot,
+        "two tips": arm("two_tips"),
+    }
+
+
+@cache
+def singular_sets():
+    """In exact form with intersections, of another arm, and by numbers."""
+    return [
+        r1.find_singularities(arm("prr"), r1.PlanarPoseTask()),
+        r1.find_singularities(arm("planar_2r"), PLANE),
+        r1.find_singularities(arm("planar_2r"), PLANE, method="numeric"),
+    ]
+
+
+@cache
+def formulas():
+    return [
+        r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]),
+        r1.formulas(arm("planar_2r"), r1.FunctionTask(squared_distance, 1)),
+    ]
+
+
+@cache
+def scan():
+    measures = ("sigma_min", "manipulability")
+    return r1.scan_singularities(arm("planar_2r"), PLANE, samples=500, measures=measures, refine=8)
+
+
+@cache
+def meeting():
+    return r1.rendezvous(arm("planar_2r"), PLANE, r1.LinearMotion([-2, 1], [1.4, 0.4]), [0, 0], meet=1.4)
+
+
+@cache
+def followed():
+    robot, q0 = arm("planar_2r"), [0.1, 1.2]
+    start = r1.forward_kinematics(robot, q0).translation[:2]
+    line = r1.line_path(start, start + np.array([-0.1, 0.1]))
+    motion = r1.PathTrajectory(line, r1.trapezoidal(0, line.end, 1.0, acceleration=1).laws[0])
+    return [
+        r1.follow_trajectory(robot, PLANE, motion, q0, gain=4.0),
+        r1.follow_trajectory_by_acceleration(robot, PLANE, motion, (q0, [0, 0]), gains=(16.0, 8.0)),
+    ]
+
+
+q0, q1, T = sympy.symbols("q0 q1 T", real=True)
+
+
+def cubic():
+    return r1.cubic([0, 1], [1, -1], 2.0, v0=[0.1, 0])
+
+
+def laws():
+    return [
+        r1.trapezoidal(0, 1, 2.0, acceleration=3),
+        r1.cosine(0, 1, 2.0),
+        r1.cycloidal(0, 1, 2.0),
+        r1.bang_bang(0, 1, 2.0),
+        r1.double_s([0, 1], [1, 3], 2.0, jerk=40),
+    ]
+
+
+def rotations():
+    return [r1.turn_path(np.eye(3), [0, 0, 1], 1.0), r1.euler_path("ZYZ", r1.line_path([0, 0.2, 0], [1, 1, 1]))]
+
+
+def paths():
+    """A path of every kind."""
+    return [
+        r1.line_path([0, 0, 0], [1, 1, 0]),
+        r1.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2),
+        r1.circle_path([0, 0], 1.0),
+        r1.ellipse_path([0, 0], [2, 0], [0, 1]),
+        r1.by_arc_length(r1.ellipse_path([0, 0], [2, 0], [0, 1])),
+        r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2),
+        r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2, kind="parabolic"),
+        r1.spline_path([[0, 0], [1, -0.5], [2, 0.3]]),
+        r1.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3}),
+        *rotations(),
+        r1.frenet_path(r1.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2)),
+        r1.axis_angle_path(np.eye(3), pin.exp3(np.array([0.1, 0.2, 0.3]))),
+        r1.pose_line(pin.SE3.Identity(), pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
+    ]
+
+
+LIMITS = r1.MotionLimits(1.0, 3.0, 20.0)
+
+
+INSTANCES = {
+    "AccelerationSplit": lambda: [r1.acceleration_split(cubic(), 0.5)],
+    "Alignment": lambda: [r1.align_direction([0, 0, 1], [1, 1, 0])],
+    "AxisAngle": lambda: [r1.rotation_to_axis_angle(np.eye(3)), r1.rotation_to_axis_angle(pin.exp3(np.ones(3)))],
+    "DHRow": lambda: [r1.DHRow("R", 1.0, 0.0, "l", 0.0)],
+    "DHTable": lambda: [r1.urdf_to_dh(arm("six_r")), r1.urdf_to_dh(arm("prr"), convention="modified")],
+    "Demand": lambda: list(r1.minimum_time(0, 1, LIMITS, "double-S").active),
+    "EulerFormulas": lambda: [r1.euler_formulas("ZYZ")],
+    "EulerRates": lambda: [r1.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
+    "EulerSequence": lambda: [r1.euler_formulas("ZYZ").sequence],
+    "EulerSolutions": lambda: [r1.rotation_to_euler("ZYZ", pin.exp3(np.ones(3)))],
+    "Examination": lambda: [r1.examine("prr")],
+    "FollowedTrajectory": followed,
+    "FollowingVerdict": lambda: list(r1.FollowingVerdict),
+    "FormulaPath": lambda: [r1.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
+    "Formulas": formulas,
+    "FrameAlignment": lambda: [r1.align_two_directions([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1])],
+    "FrenetFormulas": lambda: [r1.frenet_formulas(r1.formula_path(["cos(s)", "sin(s)", "s"], "s", 2.0))],
+    "FrenetFrame": lambda: [r1.frenet_frame(r1.circle_path([0, 0], 1.0), 0.3)],
+    "FunctionMotion": lambda: [r1.FunctionMotion(moved_position, moved_velocity)],
+    "FunctionTask": lambda: [r1.FunctionTask(squared_distance, 1), r1.FunctionTask(squared_distance, 1, its_jacobian)],
+    "GainChoice": lambda: [r1.smallest_gain(cubic(), [0.1, 1], 1e-2)],
+    "GainVerdict": lambda: list(r1.GainVerdict),
+    "IKBatch": lambda: [r1.IKSolver(arm("planar_2r"), PLANE).solve_batch([TARGET, [0.5, 0.5]])],
+    "IKIterate": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q).table[0]],
+    "IKIteration": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q)],
+    "IKResult": lambda: [r1.solve_ik(arm("planar_2r"), PLANE, TARGET), r1.solve_ik(arm("planar_2r"), PLANE, [9, 9])],
+    "IKSolutions": lambda: [r1.ik_solutions(arm("planar_2r"), PLANE, TARGET)],
+    "IKSolver": lambda: [
+        r1.IKSolver(arm("planar_2r"), PLANE, seed=3),
+        r1.IKSolver(arm("six_r"), r1.PoseTask(), prefer="middle", tolerance=1e-8),
+        r1.IKSolver(arm("planar_2r"), r1.FunctionTask(squared_distance, 1), time_limit=0.2),
+    ],
+    "IKStatus": lambda: list(r1.IKStatus),
+    "IKVerdict": lambda: list(r1.IKVerdict),
+    "Join": lambda: list(r1.TrajectorySequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),
+    "JointAcceleration": lambda: [r1.joint_acceleration(arm("planar_2r"), PLANE, Q, [0.1, 0.2], [1, 0])],
+    "JointLaws": laws,
+    "JointVelocity": lambda: [r1.joint_velocity(arm("planar_2r"), PLANE, Q, [1, 0])],
+    "LimitViolation": lambda: list(r1.limit_violations(arm("planar_2r"), cubic(), r1.MotionLimits(0.1))),
+    "LinearMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
+    "MeasureDistribution": lambda: list(scan().distributions.values()),
+    "MeetingBranch": lambda: list(meeting().branches),
+    "MeetingVerdict": lambda: list(r1.MeetingVerdict),
+    "MinimumTime": lambda: [r1.minimum_time([0, 0], [1, 2], LIMITS, "double-S")],
+    "MotionLimits": lambda: [LIMITS, r1.MotionLimits([1, 2])],
+    "NearestRotation": lambda: [r1.nearest_rotation(np.eye(3))],
+    "NormLimits": lambda: [r1.NormLimits(velocity=1.0, rows=slice(0, 2))],
+    "NormPeak": lambda: [r1.peak_norm(cubic())],
+    "OrientationTask": lambda: [r1.OrientationTask(), r1.OrientationTask("ZYZ", fixed=True)],
+    "Path": paths,
+    "PathSequence": lambda: [r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)],
+    "PathTiming": lambda: [r1.fastest_along(r1.line_path([0, 0], [1, 1]), r1.MotionLimits(1.0, 3.0), grid=50)],
+    "PathTrajectory": lambda: [r1.PathTrajectory(r1.circle_path([0, 0], 1.0), laws()[0].laws[0])],
+    "Peak": lambda: [laws()[0].laws[0].peak_velocity],
+    "PiecewiseTrajectory": lambda: [
+        r1.cubic_spline([[0, 0], [1, -1], [0, 2]], [0, 1, 2.5]),
+        r1.overfly([[0, 0], [1, 0], [1, 1]], [1.0, 1.0], [0.2]),
+    ],
+    "PlanarPoseTask": lambda: [r1.PlanarPoseTask(), r1.PlanarPoseTask("xz")],
+    "PointingTask": lambda: [r1.PointingTask(), r1.PointingTask((1, 1, 0))],
+    "PolynomialFormula": lambda: [r1.polynomial_formula((q0, 0), (q1, 0), T)],
+    "PolynomialLaw": lambda: [r1.PolynomialLaw(r1.quintic(0, 1, 2.0))],
+    "PolynomialTrajectory": lambda: [cubic(), r1.quintic([0, 1], [1, -1], 2.0), r1.septic(0, 1, 1.0)],
+    "PosePath": lambda: [r1.pose_line(pin.SE3.Identity(), pin.SE3(np.eye(3), np.ones(3)))],
+    "PoseTask": lambda: [r1.PoseTask(), r1.PoseTask("XYZ", frame="tool")],
+    "PositionTask": lambda: [r1.PositionTask(), r1.PositionTask("xz", frame="tool", reference="tool")],
+    "ProfileLaw": lambda: [laws()[0].laws[0], r1.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0)],
+    "RateVerdict": lambda: list(r1.RateVerdict),
+    "RefinedGroup": lambda: list(scan().refined.groups),
+    "Refinement": lambda: [scan().refined],
+    "Rendezvous": lambda: [meeting()],
+    "Resolution": lambda: [r1.Resolution(), r1.Resolution(weights=[1, 2], damping=0.1)],
+    "Robot": lambda: list(robots().values()),
+    "SingularAngle": lambda: list(r1.euler_formulas("ZYZ").singular),
+    "SingularBranch": lambda: [branch for found in singular_sets() for branch in found.branches],
+    "SingularSet": singular_sets,
+    "SingularityScan": lambda: [scan()],
+    "StackedPath": lambda: [r1.StackedPath([r1.line_path([0], [1]), r1.line_path([1], [3])])],
+    "Subspaces": lambda: [r1.subspaces(PLANE.jacobian(arm("planar_2r"), q)) for q in (Q, [0.3, 0])],
+    "TargetMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
+    "Task": lambda: [r1.PositionTask()],
+    "TaskTrajectory": lambda: [r1.TaskTrajectory(arm("planar_2r"), PLANE, cubic())],
+    "TimeScaling": lambda: [r1.scale_to_limits(cubic(), LIMITS)],
+    "TimingBounds": lambda: [r1.timing_bounds(r1.ellipse_path([0, 0], [2, 0], [0, 1]), 1.0, 2.0)],
+    "TimingLaw": lambda: [r1.stretched(laws()[1].laws[0], 2.0)],
+    "Tracking": lambda: [r1.simulate_tracking(cubic(), [0.1, 1], 2.0)],
+    "Trajectory": lambda: [cubic(), r1.stretched(r1.TaskTrajectory(arm("planar_2r"), PLANE, cubic()), 2.0)],
+    "TrajectorySequence": lambda: [r1.TrajectorySequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0)))],
+    "UnitQuaternions": lambda: [r1.rotation_to_quaternion(pin.exp3(np.ones(3)))],
+}
