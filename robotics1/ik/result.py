@@ -28,7 +28,7 @@ class IKResult(NamedTuple):
 
     def __eq__(self, other: object) -> bool:
         """Return whether all entries are the same; a plain tuple would ask an array whether it is true."""
-        return isinstance(other, IKResult) and all(map(np.array_equal, self, other))
+        return isinstance(other, IKResult) and all(np.array_equal(a, b) for a, b in zip(self, other, strict=True))
 
     def __ne__(self, other: object) -> bool:
         return not self == other

@@ -61,9 +61,11 @@ class IKSolver:
         self._prepare()
 
     def _prepare(self) -> None:
-        search: type[CompiledSearch | GeneralSearch]
-        search = CompiledSearch if isinstance(self.task, FrameTask) else GeneralSearch
-        self._search = search(self.robot, self.task, **self._options)
+        self._search: CompiledSearch | GeneralSearch
+        if isinstance(self.task, FrameTask):
+            self._search = CompiledSearch(self.robot, self.task, **self._options)
+        else:
+            self._search = GeneralSearch(self.robot, self.task, **self._options)
         self._call = self._search.quick_call()
 
     def __getstate__(self) -> dict[str, Any]:
