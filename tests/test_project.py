@@ -118,3 +118,9 @@ def test_import_is_light():
     program = "import sys, robotics1; print([m for m in ('pinocchio', 'scipy', 'sympy', 'numpy') if m in sys.modules])"
     run = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
     assert run.stdout.strip() == "[]"
+
+
+def test_no_cached_property_holds_a_lock():
+    """That of the standard library does in Python 3.11: see robotics1/caching.py."""
+    locked = [path.name for path in SOURCES if re.search("from functools import .*cached_property", path.read_text())]
+    assert locked == ["caching.py"]

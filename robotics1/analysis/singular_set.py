@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from robotics1.analysis.singular_points import SingularPoints
 from robotics1.analysis.spaces import Subspaces, subspaces_of_rank
+from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.names import printable

@@ -1,7 +1,7 @@
 """The robust search in the kernels: for tasks whose error is made of rows of the pose error."""
 
 from collections.abc import Callable
-from functools import cached_property, partial
+from functools import partial
 from time import perf_counter
 from typing import Any, cast
 
@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.batch_starts import starts_of_all
 from robotics1.ik.descent import Descent

@@ -12,10 +12,11 @@ Source: Shuster, Markley, Generalization of the Euler angles, J. Astronautical S
 
 import re
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import numpy as np
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array, text
 from robotics1.orientation.elementary import turn

@@ -1,12 +1,12 @@
 """All that a textbook says of a sequence of three angles, as formulas."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 import sympy
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.orientation.euler_inverse import canonical, solution_formula

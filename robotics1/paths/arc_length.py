@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import Chebyshev
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.paths.course import chain_rule

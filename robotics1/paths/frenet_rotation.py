@@ -1,11 +1,11 @@
 """Orientations that go with the Frenet frame of a curve."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import Chebyshev
 
+from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.paths.frenet import frenet_frame
 from robotics1.paths.interpolants import CONVERGED, interpolants

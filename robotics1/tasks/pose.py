@@ -1,12 +1,12 @@
 """The orientation of a frame, and its full pose."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 import pinocchio as pin
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
 from robotics1.robot.model import Robot

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ import sympy
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyRing
 
+from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot

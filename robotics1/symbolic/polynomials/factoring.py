@@ -5,13 +5,14 @@ are sin(φ/2) and cos(φ/2); parts of half angles are multiplied together again 
 """
 
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import reduce
 from itertools import combinations
 from typing import Any
 
 import sympy
 from flint import fmpq, fmpq_mpoly
 
+from robotics1.caching import cached_property
 from robotics1.symbolic.polynomials.half_tangents import (
     Degrees,
     context,

@@ -1,10 +1,10 @@
 """A joint (or a named length) replaced by its value, in trigonometric polynomials."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import sympy
 
+from robotics1.caching import cached_property
 from robotics1.symbolic.polynomials.laurent import Laurent
 
 

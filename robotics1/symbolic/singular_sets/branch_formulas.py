@@ -2,11 +2,12 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import reduce
 from typing import Any
 
 import sympy
 
+from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.symbolic.kinematics.convenient_axes import Convenient
 from robotics1.symbolic.polynomials.factoring import Part, factors

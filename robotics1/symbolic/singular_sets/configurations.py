@@ -2,12 +2,12 @@
 
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 import sympy
 
+from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.robot.box import TURN, JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part

@@ -2,8 +2,8 @@
 
 from collections.abc import Hashable
 from dataclasses import dataclass, replace
-from functools import cached_property
 
+from robotics1.caching import cached_property
 from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
 from robotics1.symbolic.polynomials.substitution import Substitution

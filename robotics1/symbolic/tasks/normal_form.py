@@ -6,11 +6,12 @@ the sums of angles are done; roots, quotients and arcs are kept around them.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property, reduce
+from functools import reduce
 from typing import Any
 
 import sympy
 
+from robotics1.caching import cached_property
 from robotics1.symbolic.kinematics.exact import exact_length
 from robotics1.symbolic.polynomials.factoring import factors
 from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent, gaussian

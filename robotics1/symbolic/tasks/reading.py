@@ -1,10 +1,11 @@
 """A task of a robot, read as formulas that have not yet been compared with anything."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property, reduce
+from functools import reduce
 
 import sympy
 
+from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.orientation.expressions import angle_of
 from robotics1.symbolic.kinematics.chain import Chain

@@ -1,11 +1,11 @@
 """The formulas of a task, each compared with Pinocchio when it is asked for."""
 
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import numpy as np
 import sympy
 
+from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, one_of
 from robotics1.robot.model import Robot

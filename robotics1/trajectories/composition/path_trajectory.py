@@ -1,12 +1,12 @@
 """A path and a timing law make a trajectory: p(s(t))."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, one_of, real_array
 from robotics1.paths.course import SAME_PLACE, Course, chain_rule

@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.paths.course import piece_at

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.caching import cached_property
 from robotics1.errors import NotConverged
 from robotics1.inputs import Array
 from robotics1.trajectories.following.differences import derivative_inside

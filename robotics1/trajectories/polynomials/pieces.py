@@ -1,12 +1,12 @@
 """Motions made of polynomials one after the other: their values, one-sided where they switch, and exact extremes."""
 
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 from numpy.polynomial import polynomial
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, real_number
 from robotics1.trajectories.instants import times_inside

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.trajectories.polynomials.pieces import PolynomialPieces
 from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory

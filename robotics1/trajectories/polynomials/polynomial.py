@@ -1,12 +1,12 @@
 """Joint trajectories that are polynomials of normalised time."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 from numpy.polynomial import polynomial
 
+from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.trajectories.polynomials.pieces import PolynomialPieces
 from robotics1.trajectories.quantities import joint_numbers, joint_rates, positive_duration

@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from math import factorial, perm
 from typing import Any
 
+from robotics1.caching import cached_property
 from robotics1.errors import InputError
 
 TIMES = ("tau", "t")  # the variables of the formulas
