@@ -33,7 +33,7 @@ def assert_as_in_one_thread(calls_of, threads=THREADS):
 def test_kinematics_of_a_shared_robot(name):
     def calls():
         robot = fresh(name)
-        q, qdot = np.random.default_rng(0).uniform(-1, 1, (2, 40, robot.nq))
+        q, qdot = np.random.default_rng(0).uniform(-1, 1, (2, 100, robot.nq))
         frames = robot.frame_names[-2:]
         return [
             *(partial(r1.forward_kinematics, robot, x, frame=frame) for x in q for frame in frames),
