@@ -13,6 +13,8 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
 from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
+PRECISION = 1e-12  # of the integration, of the largest value of each joint
+
 
 @dataclass(frozen=True, eq=False)
 class Tracking:
@@ -71,6 +73,8 @@ def simulate_tracking(
     def wanted(time: float, q: Array, side: Side) -> Array:
         return trajectory.velocity(time, side=side) + k * (trajectory(time) - q)
 
+    size = np.maximum(np.abs(q0), np.abs(trajectory(t)).max(axis=0))
+    precision = PRECISION * np.where(size > 0, size, 1.0)
     q, now = np.empty((len(t), n)), q0
     for start, end in pairwise(ends):
 
@@ -82,7 +86,7 @@ def simulate_tracking(
         here = (t >= start) & (t <= end)
         instants = np.union1d(t[here], end)  # the last value is where the next integration starts
         run = solve_ivp(
-            rate, (start, end), now, t_eval=instants, rtol=1e-10, atol=1e-12, method="LSODA", max_step=ends[-1] / 50
+            rate, (start, end), now, t_eval=instants, rtol=1e-10, atol=precision, method="LSODA", max_step=ends[-1] / 50
         )
         q[here], now = run.y.T[: here.sum()], run.y[:, -1]
     asked = np.array([wanted(time, position, "right") for time, position in zip(t, q, strict=True)])

@@ -16,7 +16,9 @@ from robotics1.tasks.position import PositionTask
 from robotics1.tasks.task import FrameTask
 
 TASKS = ("position[:xyz]", "planar-pose[:xy]", "orientation", "pose")
-NUMBER = re.compile(r"([+-]?)(\d*\.?\d*(?:e[+-]?\d+)?)\s*\*?\s*(pi|π)?(?:/(\d+\.?\d*))?", re.IGNORECASE)
+NUMBER = re.compile(  # with one way only to read each text: else a long one takes the square of its length
+    r"([+-]?)((?:\d+(?:\.\d*)?|\.\d+)?(?:e[+-]?\d+)?)\s*(?:\*\s*)?(pi|π)?(?:/(\d+(?:\.\d*)?))?", re.IGNORECASE
+)
 
 
 def parse_number(text: str) -> float:
@@ -27,11 +29,13 @@ def parse_number(text: str) -> float:
     """
     match = NUMBER.fullmatch(text.strip().replace("−", "-"))
     if match is None or not (match[2] or match[3]):
-        raise InputError(f"{text!r} is not a number; write it like 1.5, 0.7pi or -pi/4")
+        raise InputError(f"{text[:100]!r} is not a number; write it like 1.5, 0.7pi or -pi/4")
     try:
         value = float(match[2] or 1) * (np.pi if match[3] else 1.0) / float(match[4] or 1)
     except (ValueError, ZeroDivisionError) as error:
         raise InputError(f"{text!r} is not a number; write it like 1.5, 0.7pi or -pi/4") from error
+    if not np.isfinite(value):
+        raise InputError(f"a number must be finite; {text[:100]!r} is beyond 1e308")
     return -value if match[1] == "-" else value
 
 

@@ -16,6 +16,7 @@ from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, per_joint, real_array, real_number
 from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
+from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.limits.violations import LimitViolation, limit_violations
 from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory, cubic
@@ -135,7 +136,8 @@ def rendezvous(
         InputError: the event has no zero before the horizon, the time is not positive, or a shape is wrong.
         TaskError: the task does not fit the robot.
     """
-    q0 = robot.configuration(q0)
+    require_task(task)
+    q0 = require_robot(robot).configuration(q0)
     qdot0 = per_joint("qdot0", qdot0, robot.nv)
     if not callable(target_motion) or not hasattr(target_motion, "velocity"):
         raise InputError("target_motion must give p(t) and velocity(t); use LinearMotion or FunctionMotion")
@@ -174,7 +176,7 @@ def meeting_time(
         if after == 0:
             return float(end)
         if before * after < 0:
-            return float(brentq(g, start, end, xtol=1e-14, rtol=1e-15))
+            return float(brentq(g, start, end, xtol=1e-15 * end, rtol=1e-15))
         before = after
     raise InputError(f"the event does not happen within {horizon:g} s; give another event or a longer horizon")
 

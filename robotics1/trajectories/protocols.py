@@ -109,6 +109,69 @@ def require_motion(name: str, value: Any, *, derivatives: int = 3) -> Any:
     return value
 
 
+def require_law(name: str, value: Any) -> Any:
+    """Return the timing law of `value`, a law or a motion of one joint.
+
+    Raises:
+        InputError: it is neither: no motion, or one of several joints, or a pose's.
+    """
+    start = require_motion(name, value)(0.0)
+    if np.ndim(start) == 0 and not hasattr(start, "rotation"):
+        return value
+    if np.shape(start) != (1,):
+        raise InputError(
+            f"{name} must be a timing law s(t), such as cubic(0, L, T).joint(), or a motion of one joint; it is {value!r}"
+        )
+    return value.joint() if hasattr(value, "joint") else OneJoint(value)
+
+
+@dataclass(frozen=True, eq=False)
+class OneJoint:
+    """The timing law of a motion that has one joint and cannot give the law itself.
+
+    Attributes:
+        motion: q(t), (1,) for a number.
+    """
+
+    motion: Any
+
+    @property
+    def duration(self) -> float:
+        """T [s]."""
+        return float(self.motion.duration)
+
+    @property
+    def start(self) -> float:
+        """s(0)."""
+        return float(self(0.0))
+
+    @property
+    def end(self) -> float:
+        """s(T)."""
+        return float(self(self.duration))
+
+    @property
+    def switching_times(self) -> Array:
+        """Those of the motion [s]."""
+        return np.array(smooth_ends(self.motion)[1:-1])
+
+    def __call__(self, t: npt.ArrayLike) -> Any:
+        """Return s(t)."""
+        return self.motion(t)[..., 0]
+
+    def velocity(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
+        """Return ṡ(t)."""
+        return self.motion.velocity(t, side=side)[..., 0]
+
+    def acceleration(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
+        """Return s̈(t)."""
+        return self.motion.acceleration(t, side=side)[..., 0]
+
+    def jerk(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
+        """Return d³s/dt³."""
+        return self.motion.jerk(t, side=side)[..., 0]
+
+
 def number_of_joints(name: str, value: Any, n: int | None = None) -> int:
     """Return n of a trajectory of joints that lasts longer than 0 s, with at least the velocity.
 

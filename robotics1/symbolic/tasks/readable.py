@@ -34,7 +34,7 @@ def _method(function: Callable[..., sympy.Expr], *, swapped: bool = False) -> Ca
     def method(*entries: Any) -> Any:
         if any(isinstance(entry, np.ndarray) for entry in entries):
             return NotImplemented  # the array goes through its entries itself
-        values = [sympy.sympify(entry) for entry in (reversed(entries) if swapped else entries)]
+        values = [sympy.sympify(entry, strict=True) for entry in (reversed(entries) if swapped else entries)]
         return Readable(function(*values))
 
     return method

@@ -105,7 +105,7 @@ def _exact(values: Any) -> Expressions:
 
 
 def _exact_entry(value: Any) -> sympy.Expr:
-    e = sympy.sympify(value)
+    e = sympy.sympify(value, strict=True)  # a text would be run as code
     return e.xreplace({x: sympy.Rational(exact_length(float(x))) for x in e.atoms(sympy.Float)})
 
 

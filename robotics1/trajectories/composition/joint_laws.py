@@ -13,7 +13,7 @@ from robotics1.inputs import Array, counting_number
 from robotics1.trajectories.composition.stretching import stretched
 from robotics1.trajectories.instants import distinct_instants, times_inside
 from robotics1.trajectories.peaks.extremes import extremes_of
-from robotics1.trajectories.protocols import Side, TimingLaw, require_motion
+from robotics1.trajectories.protocols import Side, TimingLaw, require_law
 
 SAME_DURATION = 1e-9  # relative
 
@@ -33,10 +33,10 @@ class JointLaws:
         laws = tuple(self.laws) if isinstance(self.laws, Sequence) else ()
         if not laws:
             raise InputError(f"laws must be one timing law for each joint; they are {self.laws!r}")
-        object.__setattr__(self, "laws", tuple(require_motion("a law", law) for law in laws))
+        object.__setattr__(self, "laws", tuple(require_law("a law", law) for law in laws))
         for i, law in enumerate(self.laws):
             v1 = law.velocity(law.duration, side="left")
-            if self._stays(law) and abs(v1) > 1e-9 * abs(law.peak_velocity.value):
+            if self._stays(law) and abs(v1) > 1e-9 * np.abs(extremes_of(law, 1)[1]).max():
                 raise InputError(
                     f"joint {i} arrives at {law.duration:g} s with the velocity {v1:g}, before the others, and cannot "
                     "stay; let all joints take the same time"

@@ -11,7 +11,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, one_of, real_array
 from robotics1.paths.course import SAME_PLACE, Course, chain_rule
 from robotics1.paths.interpolants import interpolants, largest, roots
-from robotics1.trajectories.protocols import Side, TimingLaw, smooth_ends
+from robotics1.trajectories.protocols import Side, TimingLaw, require_law, smooth_ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,10 +36,7 @@ class PathTrajectory:
         """Refuse a law that leaves the path."""
         if not isinstance(self.path, Course):
             raise InputError(f"path must be a path, such as line_path(...); it is {self.path!r}")
-        if not all(
-            callable(getattr(self.law, name, None)) for name in ("__call__", "velocity", "acceleration", "jerk")
-        ):
-            raise InputError(f"law must be a timing law s(t) with its derivatives; it is {self.law!r}")
+        object.__setattr__(self, "law", require_law("law", self.law))
         high = largest(lambda t, side: np.asarray(self.law(t)), self._law_ends).value
         low = -largest(lambda t, side: -np.asarray(self.law(t)), self._law_ends).value
         slack = SAME_PLACE * self.path.end

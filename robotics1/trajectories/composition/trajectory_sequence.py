@@ -14,7 +14,9 @@ from robotics1.paths.course import piece_at
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Side, require_motion, smooth_ends
 
-CONTINUOUS = 1e-9  # of the largest value there: a smaller jump is rounding
+CONTINUOUS = 1e-9  # of the coordinate's largest value in the two pieces: a smaller jump is rounding
+NOISE = 1e-14  # of the largest value of all coordinates: what is as small as this is rounding too
+LOOKS = np.linspace(0.0, 1.0, 9)  # where the pieces are looked at for their size, of their durations
 QUANTITIES = ("position", "velocity", "acceleration", "jerk")
 
 
@@ -135,16 +137,24 @@ class TrajectorySequence:
 def _jumps(before: Any, after: Any) -> Array:
     """Return what the position and its three derivatives gain from the end of a piece to the start of the next."""
     T = before.duration
-    last, first = before(T), after(0.0)
-    size = 0.0 if hasattr(last, "rotation") else float(np.abs(last).max())
-    gains, sizes = [_difference(first, last)], [max(1.0, size)]
+    gains, sizes = [_difference(after(0.0), before(T))], [_position_sizes(before, after)]
     for quantity in QUANTITIES[1:]:
         x = np.asarray(getattr(before, quantity)(T, side="left"))
         y = np.asarray(getattr(after, quantity)(0.0, side="right"))
         gains.append(y - x)
-        sizes.append(max(1.0, float(np.abs(x).max()), float(np.abs(y).max())))
-    jumps = np.array(gains)
-    return np.where(np.abs(jumps) > CONTINUOUS * np.array(sizes)[:, None], jumps, 0.0)
+        inside = [np.abs(getattr(piece, quantity)(LOOKS * piece.duration)).max(axis=0) for piece in (before, after)]
+        sizes.append(np.max([np.abs(x), np.abs(y), *inside], axis=0))
+    jumps, size = np.reshape(gains, (4, -1)), np.reshape(sizes, (4, -1))
+    rounding = CONTINUOUS * size + NOISE * size.max(axis=1, keepdims=True)
+    return np.where(np.abs(jumps) > rounding, jumps, 0.0)
+
+
+def _position_sizes(*pieces: Any) -> Array:
+    """Return how large each coordinate becomes; an angle of an orientation counts as 1 rad."""
+    values = [value for piece in pieces for value in piece(LOOKS * piece.duration)]
+    if hasattr(values[0], "rotation"):
+        return np.concatenate([np.abs([T.translation for T in values]).max(axis=0), np.ones(3)])
+    return np.ones(3) if np.ndim(values[0]) == 2 else np.abs(values).max(axis=0)
 
 
 def _difference(b: Any, a: Any) -> Array:

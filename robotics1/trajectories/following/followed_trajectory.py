@@ -10,20 +10,21 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.errors import NotConverged
 from robotics1.inputs import Array
+from robotics1.tasks.units import unitless_rows
 from robotics1.trajectories.following.differences import derivative_inside
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Peak, Side
 
-ON_PATH = 1e-6  # |r_d − r| in the task's units: less is no error
+ON_PATH = 1e-6  # |r_d − r| in radians, and in reaches of the robot: less is no error
 INSTANTS = 201  # at which the error, the residual and σ are looked at, and as many in each segment as fall to it
 
 
 class FollowingVerdict(Enum):
     """Whether the joints stay on the path."""
 
-    FOLLOWS = "the path is followed: |r_d − r| ≤ 1e-6 all along"
-    RETURNS = "the path is left, or begun beside, and regained: at the end |r_d − r| ≤ 1e-6"
+    FOLLOWS = "the path is followed: |r_d − r| ≤ 1e-6 all along, in radians and reaches of the robot"
+    RETURNS = "the path is left, or begun beside, and regained: at the end |r_d − r| ≤ 1e-6, in radians and reaches"
     DEVIATES = "the end of the path is missed"
     STOPPED = "the joint velocities grow, or change, without bound, as near a singularity: stopped there"
 
@@ -124,9 +125,11 @@ class FollowedTrajectory:
         """Whether the joints stay on the path."""
         if self.duration < self.asked_duration:
             return FollowingVerdict.STOPPED
-        if self.final_error > ON_PATH:
+        unitless = unitless_rows(self.flow.robot, self.flow.task)
+        errors = np.linalg.norm([unitless * command.error for command in self.record[1]], axis=1)
+        if errors[-1] > ON_PATH:
             return FollowingVerdict.DEVIATES
-        return FollowingVerdict.FOLLOWS if self.largest_error.value <= ON_PATH else FollowingVerdict.RETURNS
+        return FollowingVerdict.FOLLOWS if errors.max() <= ON_PATH else FollowingVerdict.RETURNS
 
     @property
     def explanation(self) -> str:

@@ -10,6 +10,7 @@ from robotics1.analysis.spaces import RANK_TOLERANCE, subspaces
 from robotics1.inputs import Array, real_array
 from robotics1.kinematics import directional_derivative
 from robotics1.robot.model import Robot
+from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
 
@@ -120,7 +121,8 @@ def joint_velocity(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.5.
     """
     resolution = resolution_or_default(resolution)
-    q = robot.configuration(q)
+    require_task(task)
+    q = require_robot(robot).configuration(q)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
     G = resolution.inputs(robot, q)
     A = task.jacobian(robot, q) @ G
@@ -158,7 +160,8 @@ def joint_acceleration(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
     resolution = resolution_or_default(resolution)
-    q = robot.configuration(q)
+    require_task(task)
+    q = require_robot(robot).configuration(q)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
     G = resolution.inputs(robot, q)
     u = real_array("qdot", qdot, (G.shape[1],), "one number for each joint, or each input")

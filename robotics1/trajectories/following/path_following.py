@@ -9,14 +9,15 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import Array, per_joint, real_array
 from robotics1.robot.model import Robot
+from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow, Wish
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
 from robotics1.trajectories.protocols import Side, Trajectory, require_motion, smooth_ends
 
-PRECISION = 1e-10  # relative, of the integration
-RUNAWAY = 1e4  # rad or m in the duration: joints that move so fast have met a singularity
+PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of the robot
+RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity
 STEPS = 1000  # from one switching time to the next: a well-behaved motion takes some tens
 
 
@@ -98,8 +99,8 @@ def follow_trajectory_by_acceleration(
 def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> FollowedTrajectory:
     """Integrate from one switching time of the trajectory to the next, to the end or to where it cannot go on."""
     ends = smooth_ends(flow.trajectory)
-    fastest = RUNAWAY / ends[-1]
-    if np.abs(flow.command(0.0, start, "right").qdot).max() > fastest:
+    fastest = RUNAWAY * flow.robot.units / ends[-1]
+    if (np.abs(flow.command(0.0, start, "right").qdot) > fastest).any():
         return FollowedTrajectory(flow, (), start, ends[-1])
     segments: list[Segment] = []
     state = start
@@ -112,7 +113,7 @@ def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> Followed
 
 
 def _segment(
-    flow: VelocityFlow | AccelerationFlow, a: float, b: float, state: Array, fastest: float
+    flow: VelocityFlow | AccelerationFlow, a: float, b: float, state: Array, fastest: Array
 ) -> tuple[Segment, Array]:
     """Integrate from a to b; stop where a joint is faster than `fastest`, or the steps become too many."""
     from scipy.integrate import DOP853, OdeSolution
@@ -121,7 +122,10 @@ def _segment(
         side: Side = "right" if t < b else "left"
         return flow.command(t, y, side).rate
 
-    solver = DOP853(rate, a, state, b, rtol=PRECISION, atol=PRECISION)
+    n = flow.robot.nv
+    inputs = flow.robot.units if flow.resolution.input_matrix is None else np.ones(len(state) - n)
+    units = np.concatenate([flow.robot.units, inputs / flow.trajectory.duration])[: len(state)]
+    solver = DOP853(rate, a, state, b, rtol=PRECISION, atol=PRECISION * units)
     times: list[float] = [a]
     pieces: list[Any] = []
     while solver.status == "running" and len(pieces) < STEPS:
@@ -130,14 +134,15 @@ def _segment(
             break
         times.append(float(solver.t))
         pieces.append(solver.dense_output())
-        if np.abs(solver.f[: flow.robot.nv]).max() > fastest:  # the first derivatives of the state are q̇
+        if (np.abs(solver.f[:n]) > fastest).any():  # the first derivatives of the state are q̇
             break
     solution = OdeSolution(times, pieces) if pieces else None
     return Segment(a, times[-1], solution), np.asarray(solver.y)
 
 
 def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Array:
-    if robot.nq != robot.nv:
+    require_task(task)
+    if require_robot(robot).nq != robot.nv:
         raise InputError(
             f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and prismatic "
             f"joints can follow a trajectory"

@@ -10,6 +10,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.kinematics import directional_derivative, joint_rates
 from robotics1.robot.model import Robot
+from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.differences import derivative_inside
 from robotics1.trajectories.instants import times_inside
@@ -34,7 +35,8 @@ def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLik
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
-    q = robot.configuration(q)
+    require_task(task)
+    q = require_robot(robot).configuration(q)
     return directional_derivative(lambda x: task.jacobian(robot, x), robot, q, joint_rates(robot, "qdot", qdot))
 
 
@@ -55,7 +57,7 @@ class TaskTrajectory:
     def __post_init__(self) -> None:
         """Refuse a motion of other joints, and a task that does not fit."""
         require_motion("trajectory", self.trajectory, derivatives=2)
-        self.task.check(self.robot)
+        require_task(self.task).check(require_robot(self.robot))
         rates = np.shape(self.trajectory.velocity(0.0))
         if rates != (self.robot.nv,):
             raise InputError(f"the trajectory must move {self.robot.nv} joints; its velocity has the shape {rates}")

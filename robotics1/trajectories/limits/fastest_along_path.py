@@ -17,6 +17,8 @@ from robotics1.trajectories.limits.motion_limits import MotionLimits
 SAMPLES = 64  # in each phase, its ends included
 CORNER = 1e-9  # of |p'|: a smaller jump of the tangent is rounding
 BEFORE = 1e-6  # of the end: so far before a break p'' is still the one before it
+UNITS = (1.0, 0.1, 0.01)  # of the expected duration: the units of time in which toppra is asked, one after the other
+NEAR = 1e-9  # of the end: a point of the grid so near to a break is the break
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,8 +67,7 @@ def fastest_along(path: Path, limits: MotionLimits, *, grid: int = 200) -> PathT
     count = counting_number("grid", grid, least=10)
     s = np.linspace(0.0, path.end, count + 1)
     _refuse_corners(path, s)
-    breaks = path.breaks
-    s = np.unique(np.concatenate([s, breaks, breaks - BEFORE * path.end]))
+    s = _with_breaks(s, path)
     speed = _speeds(path, bounds, s)
     # between two points of the grid s̈ is constant: ṡ₁² − ṡ₀² = 2 s̈ (s₁ − s₀)
     mean = (speed[1:] + speed[:-1]) / 2
@@ -106,8 +107,31 @@ def _refuse_corners(path: Path, s: Array) -> None:
             )
 
 
+def _with_breaks(s: Array, path: Path) -> Array:
+    """Return the points of the grid with the breaks of the path, and a point just before each of them."""
+    breaks = path.breaks
+    apart = np.abs(s[:, None] - breaks).min(axis=1, initial=np.inf) > NEAR * path.end
+    return np.unique(np.concatenate([s[apart], breaks, breaks - BEFORE * path.end]))
+
+
+def _time_scale(rates: Array, bends: Array, bounds: dict[str, Array]) -> float:
+    """Return a time [s] of the order of the least duration, from p' (k, n) and p'' (k, n) with respect to s/end.
+
+    Of each joint it is the way over V, the time from rest to rest over that way under A, and the mean of √(|p''|/A),
+    which is 1/ṡ where the path bends most sharply for A.
+    """
+    way = np.abs(rates).mean(axis=0)
+    V, A = bounds["velocity"], bounds["acceleration"]
+    return float(np.max([way / V, 2 * np.sqrt(way / A), np.sqrt(np.abs(bends) / A).mean(axis=0)]))
+
+
 def _speeds(path: Path, bounds: dict[str, Array], s: Array) -> Array:
-    """Return the greatest ṡ at the points of the grid, from rest to rest."""
+    """Return the greatest ṡ at the points of the grid, from rest to rest.
+
+    The tolerances of toppra's solver are absolute. So it is given a problem in units of its own: s in [0, 1], a time
+    in which the motion takes about 1, and each joint in the unit in which its bound A is 1. Where bounds differ by
+    orders of magnitude it may find nothing; in a smaller unit of time it does, with a little less precision.
+    """
     try:
         import toppra
         from toppra.algorithm import TOPPRA
@@ -115,24 +139,31 @@ def _speeds(path: Path, bounds: dict[str, Array], s: Array) -> Array:
     except ImportError as error:
         raise MissingExtraError("toppra", "toppra") from error
 
-    class Geometry(toppra.interpolator.AbstractGeometricPath):  # type: ignore[misc]
-        """The path in toppra's words."""
+    n, end = path.dimension, path.end
+    V, A = bounds["velocity"], bounds["acceleration"]
+    scale = _time_scale(end * path.derivative(s, 1), end**2 * path.derivative(s, 2), bounds)
 
-        path_interval = np.array([0.0, path.end])
-        dof = path.dimension
+    class Geometry(toppra.interpolator.AbstractGeometricPath):  # type: ignore[misc]
+        """The path in toppra's words, and in those units."""
+
+        path_interval = np.array([0.0, 1.0])
+        dof = n
+
+        def __init__(self, unit: float):
+            self.unit = unit
 
         def __call__(self, places: Any, order: int = 0) -> Array:
-            return path.derivative(places, order)
+            return path.derivative(np.minimum(end * np.asarray(places), end), order) * end**order / (A * self.unit**2)
 
-    V, A = bounds["velocity"], bounds["acceleration"]
-    constraints = [
-        JointVelocityConstraint(np.column_stack([-V, V])),
-        JointAccelerationConstraint(np.column_stack([-A, A])),
-    ]
-    _, speed, _ = TOPPRA(constraints, Geometry(), gridpoints=s).compute_parameterization(0.0, 0.0)
-    if speed is None or not np.isfinite(speed).all() or not ((speed[1:] + speed[:-1]) > 0).all():
-        raise NotConverged("toppra finds no law along this path; try a finer grid", speed)
-    return np.asarray(speed)
+    for unit in scale * np.array(UNITS):
+        constraints = [
+            JointVelocityConstraint(np.outer(V / (A * unit), [-1, 1])),
+            JointAccelerationConstraint(np.outer(np.ones(n), [-1, 1])),
+        ]
+        _, speed, _ = TOPPRA(constraints, Geometry(unit), gridpoints=s / end).compute_parameterization(0.0, 0.0)
+        if speed is not None and np.isfinite(speed).all() and ((speed[1:] + speed[:-1]) > 0).all():
+            return np.asarray(speed) * end / unit
+    raise NotConverged("toppra finds no law along this path; try a finer grid", speed)
 
 
 def _demands(trajectory: PathTrajectory, bounds: dict[str, Array]) -> list[Demand]:

@@ -50,7 +50,9 @@ def shortest_duration(motion: Motion, limits: MotionLimits, *, at_least: float =
         raise InputError(f"limits must be MotionLimits(velocity=..., acceleration=...); it is {limits!r}")
     if limits.deceleration is not None:
         raise InputError("a bound of its own on the deceleration is for trapezoidal velocities")
-    if not limits.demands(require_motion("motion(T)", motion(1.0))):
+    if np.ndim(require_motion("motion(T)", motion(1.0)).velocity(0.0)) != 1:
+        raise InputError("motion(T) must be a motion of joints, (n,) numbers at a time, such as cubic(q0, q1, T)")
+    if not limits.demands(motion(1.0)):
         raise InputError("there is no bound, so that any duration will do: give one")
     at_least = real_number("at_least", at_least, non_negative=True)
     natural = max(demand.stretch for demand in limits.demands(motion(1.0)))

@@ -53,7 +53,12 @@ class MotionLimits:
             InputError: the bounds are for another number of joints, or the deceleration has one of its own and the
                 accelerations are not constant between the switching times.
         """
-        n = np.size(trajectory(0.0))
+        start = trajectory(0.0)
+        if np.ndim(start) > 1 or hasattr(start, "rotation"):
+            raise InputError(
+                "MotionLimits bound joints; of poses and orientations NormLimits(rows=...) bounds the norms"
+            )
+        n = np.size(start)
         bounds = self.of_joints(n)
         found = []
         for order, quantity in enumerate(("velocity", "acceleration", "jerk"), start=1):

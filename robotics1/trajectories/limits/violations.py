@@ -6,9 +6,12 @@ import numpy as np
 
 from robotics1.errors import InputError
 from robotics1.robot.model import Robot
+from robotics1.tasks.arguments import require_robot
 from robotics1.trajectories.limits.motion_limits import MotionLimits
 from robotics1.trajectories.peaks.extremes import extremes_of
 from robotics1.trajectories.protocols import Trajectory, number_of_joints
+
+ROUNDING = 1e-9  # of the limit, or of the joint's own largest value: a smaller excess is rounding
 
 
 @dataclass(frozen=True)
@@ -49,7 +52,7 @@ def limit_violations(
     Raises:
         InputError: the trajectory or the limits are of another number of joints.
     """
-    n = number_of_joints("trajectory", trajectory, robot.nv)
+    n = number_of_joints("trajectory", trajectory, require_robot(robot).nv)
     if limits is not None and not isinstance(limits, MotionLimits):
         raise InputError(f"limits must be MotionLimits(acceleration=..., jerk=...); it is {limits!r}")
     more = (limits or MotionLimits()).of_joints(n)
@@ -63,7 +66,8 @@ def limit_violations(
         times, values = extremes_of(trajectory, order)
         for i, joint in enumerate(robot.joint_names):
             for row, limit, sign in ((0, lower[i], -1), (1, upper[i], 1)):
-                if sign * (values[row, i] - limit) > 1e-9 * max(1.0, abs(limit)) and np.isfinite(limit):
+                rounding = ROUNDING * max(abs(limit), np.abs(values[:, i]).max())
+                if np.isfinite(limit) and sign * (values[row, i] - limit) > rounding:
                     found.append(
                         LimitViolation(joint, quantity, float(values[row, i]), float(limit), float(times[row, i]))
                     )

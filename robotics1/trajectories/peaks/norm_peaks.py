@@ -45,6 +45,8 @@ def acceleration_split(trajectory: Any, t: npt.ArrayLike, *, side: Side = "right
     require_motion("trajectory", trajectory, derivatives=2)
     v = np.asarray(trajectory.velocity(t, side=side))
     a = np.asarray(trajectory.acceleration(t, side=side))
+    if np.ndim(trajectory.velocity(0.0)) == 0:
+        raise InputError("a timing law has no direction; split the acceleration of a motion along a path")
     speed = np.linalg.norm(v, axis=-1, keepdims=True)
     unit = v / np.where(speed > 0, speed, 1.0)
     along = np.sum(a * unit, axis=-1, keepdims=True) * unit
@@ -85,7 +87,7 @@ def peak_norm(trajectory: Any, quantity: str = "velocity", *, rows: slice | None
         raise InputError(f"rows must be a slice, such as slice(0, 3); it is {rows!r}")
 
     def square(t: Array, side: Side) -> Array:
-        vector = _vector(trajectory, quantity, t, side)[:, rows or slice(None)]
+        vector = _vector(trajectory, quantity, t, side).reshape(len(t), -1)[:, rows or slice(None)]
         return np.asarray(np.sum(vector**2, axis=1))
 
     ends = smooth_ends(trajectory)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from robotics1.trajectories.polynomials.polynomial_law import PolynomialLaw
 
 SAME_INSTANT = 1e-12  # of the duration: a time so near to a knot is the knot
-JUMP, NOISE = 1e-9, 1e-13  # of the largest value in the two pieces, and in all: a smaller difference is rounding
+JUMP, NOISE = 1e-9, 1e-13  # of a joint's largest value in the two pieces, and in all: a smaller jump is rounding
 NEWTON = 3  # steps: from three digits to all
 ROUNDING = 1e-12  # relative: two extremes so near are one, and the earlier counts
 
@@ -96,9 +96,9 @@ class PolynomialPieces:
         motion, jumps = self, np.zeros(len(inner), dtype=bool)
         for _ in range(len(self._stacked)):
             after, before = motion(inner), motion(inner, side="left")
-            sizes = np.abs(motion._stacked).max(axis=(0, 2))
-            rounding = JUMP * np.maximum(sizes[1:], sizes[:-1]) + NOISE * sizes.max() + 1e-300
-            jumps |= (np.abs(after - before) > rounding[:, None]).any(axis=1)
+            sizes = np.abs(motion._stacked).max(axis=0)
+            rounding = JUMP * np.maximum(sizes[1:], sizes[:-1]) + NOISE * sizes.max(axis=0) + 1e-300
+            jumps |= (np.abs(after - before) > rounding).any(axis=1)
             motion = motion.rate
         return inner[jumps]
 

@@ -111,5 +111,5 @@ def _end(number: int, v: npt.ArrayLike | None, a: npt.ArrayLike | None, n: int) 
 def _refuse_open(points: Array, given: list[tuple[int, Array] | None]) -> None:
     if any(condition is not None for condition in given):
         raise InputError("a periodic motion has no ends at which a velocity or an acceleration could be given")
-    if np.abs(points[-1] - points[0]).max() > 1e-9 * max(1.0, float(np.abs(points).max())) or len(points) < 3:
+    if (np.abs(points[-1] - points[0]) > 1e-9 * np.abs(points).max(axis=0)).any() or len(points) < 3:
         raise InputError("a periodic motion needs three points, and ends where it begins: repeat the first as the last")
