@@ -5,7 +5,7 @@ Velocities scale by k/c, accelerations by k/c², jerks by k/c³. An absolute tol
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import robotics1 as r1
@@ -81,17 +81,22 @@ def fastest(found):
 
 MINIMUM = {
     f"minimum_time, {kind}, {coordination}": lambda k, c, kind=kind, coordination=coordination: fastest(
-        r1.minimum_time(k * Q0, k * Q1, limits(k, c, kind not in ("trapezoidal", "bang-bang")), kind,
-                        coordination=coordination)
+        r1.minimum_time(
+            k * Q0, k * Q1, limits(k, c, kind not in ("trapezoidal", "bang-bang")), kind, coordination=coordination
+        )
     )
-    for kind in ("trapezoidal", "double-S", "bang-bang", "cubic", "quintic", "septic", "cosine", "cycloidal")
-    for coordination in ("slowed", "straight", "independent")
+    for kinds, coordination in (
+        (("trapezoidal", "double-S", "bang-bang", "cubic", "quintic", "septic", "cosine", "cycloidal"), "slowed"),
+        (("trapezoidal", "double-S"), "straight"),
+        (("trapezoidal", "double-S"), "independent"),
+    )
+    for kind in kinds
 } | {
     f"minimum_time with velocities, {kind}": lambda k, c, kind=kind: fastest(
         r1.minimum_time(k * Q0, k * Q1, limits(k, c, kind == "double-S"), kind, v0=k / c * V0, v1=k / c * V1)
     )
-    for kind in ("trapezoidal", "double-S", "cubic", "quintic", "septic")
-}  # fmt: skip
+    for kind in ("trapezoidal", "double-S", "cubic", "septic")
+}
 
 LAWS = MINIMUM | {
     "cubic": lambda k, c: motion(r1.cubic(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4])),
@@ -103,7 +108,7 @@ LAWS = MINIMUM | {
     "trapezoidal, A": lambda k, c: motion(
         r1.trapezoidal(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4], acceleration=k / c**2 * 9)
     ),
-    "trapezoidal, V": lambda k, c: motion(r1.trapezoidal(k * Q0, k * Q1, 1.7 * c, velocity=k / c * 1.3 * abs(Q1 - Q0) / 1.7)),
+    "trapezoidal, V": lambda k, c: motion(r1.trapezoidal(k * Q0, k * Q1, 1.7 * c, velocity=k / c * abs(Q1 - Q0))),
     "bang_bang": lambda k, c: motion(r1.bang_bang(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4])),
     "double_s": lambda k, c: motion(
         r1.double_s(*states(k, c)[:2], 2.7 * c, *states(k, c)[2:4], acceleration=k / c**2 * 5, jerk=k / c**3 * 30)
@@ -115,7 +120,7 @@ LAWS = MINIMUM | {
         r1.polynomial_through([(0, 0, k * Q0), (0, 1, k / c * V0), (0.8 * c, 0, k * Q1), (2 * c, 0, k * Q0)])
     ),
     "polynomial_formula": lambda k, c: numbers(
-        coefficients=([float(x) for x in r1.polynomial_formula((0.3 * k, 0.2 * k / c), (1.7 * k, 0), 1.7 * c).coefficients], 1, 0)
+        c=(list(map(float, r1.polynomial_formula((0.3 * k, k / c), (k, 0), 1.7 * c).coefficients)), 1, 0)
     ),
     **{
         f"cubic_spline, {ends}": lambda k, c, ends=ends: motion(r1.cubic_spline(k * POINTS, c * TIMES, ends=ends))
@@ -152,7 +157,9 @@ LAWS = MINIMUM | {
     "ellipse by arc length": lambda k, c: path(
         r1.by_arc_length(r1.ellipse_path(k * Q0[:2], [0.9 * k, 0], [0, 0.2 * k]))
     ),
-    "formula_path": lambda k, c: path(r1.formula_path(["R*cos(s/R)", "s + s**2/R"], "s", 2.1 * k, values={"R": 0.7 * k})),
+    "formula_path": lambda k, c: path(
+        r1.formula_path(["R*cos(s/R)", "s + s**2/R"], "s", 2.1 * k, values={"R": 0.7 * k})
+    ),
     "paths in a row": lambda k, c: path(
         r1.PathSequence((r1.line_path(k * Q0, k * Q1), r1.arc_through(k * Q1, k * POINTS[0], k * POINTS[3])))
     ),
@@ -175,7 +182,6 @@ LAWS = MINIMUM | {
     ),
     "timing_bounds": lambda k, c: bounds(r1.timing_bounds(r1.spline_path(k * POINTS), 0.5 * k / c, 3 * k / c**2)),
     "scale_to_limits": lambda k, c: scaled(r1.scale_to_limits(r1.quintic(k * Q0, k * Q1, 1.7 * c), limits(k, c))),
-    "scale_to_limits, other units": lambda k, c: scaled_by_nature(k, c),
     "scale_to_limits of a norm": lambda k, c: scaled(
         r1.scale_to_limits(timed(k, c), r1.NormLimits(k / c, 2 * k / c**2, 9 * k / c**3, 1.5 * k / c**2))
     ),
@@ -187,7 +193,6 @@ LAWS = MINIMUM | {
         T=(r1.shortest_duration(
             lambda T: r1.cubic_spline(k * POINTS, T * TIMES / 2.9, v0=k / c * V0), limits(k, c)), 0, 1)
     ),
-    "joins": lambda k, c: joins(k, c),
     "fastest_along": lambda k, c: quickest(k, c, r1.spline_path(k * P)),
     "fastest_along by arc length": lambda k, c: quickest(k, c, r1.by_arc_length(r1.spline_path(k * P))),
     "fastest_along blends": lambda k, c: quickest(
@@ -263,16 +268,170 @@ def quickest(k, c, curve):
     )
 
 
+def arm(k):
+    """R P R, with lengths in the unit k."""
+    h = np.pi / 2
+    rows = [("R", 0.4 * k, h, 0.1 * k, 0), ("P", 0, -h, 0, 0), ("R", 0.3 * k, 0, 0, 0)]
+    return r1.robot_from_dh(rows, lower=[-3, 0.2 * k, -3], upper=[3, 0.9 * k, 3])
+
+
+def units(k):
+    """What counts as one of each joint of that arm."""
+    return np.array([1, k, 1])
+
+
+def beyond(k, c):
+    """A motion that passes the limits of a prismatic joint by a thousandth, and one that touches them."""
+    robot, start = arm(k), units(k) * [0, 0.3, 0]
+    found = {}
+    for name, end in (("beyond", 0.9009), ("touching", 0.9)):
+        violations = r1.limit_violations(robot, r1.quintic(start, units(k) * [1, end, 1], c))
+        found[name] = (len(violations), 0, 0)
+        found |= {f"{name} {v.quantity}": ([v.value, v.limit], 1, 0) for v in violations}
+    return found
+
+
+def following(k, c):
+    """The tool of the arm goes along a line; its joints are compared in their own units."""
+    robot, q0 = arm(k), units(k) * [0.2, 0.5, 0.4]
+    task = r1.PositionTask("xyz")
+    start = task.value(robot, q0)
+    line = r1.line_path(start, start + k * np.array([0.05, 0.1, 0.02]))
+    motion = r1.PathTrajectory(line, r1.quintic(0, line.end, 2 * c).joint())
+    found = r1.follow_trajectory(robot, task, motion, q0, gain=3 / c)
+    second = r1.follow_trajectory_by_acceleration(robot, task, motion, (q0, [0, 0, 0]), gains=(4 / c**2, 4 / c))
+    t = MOMENTS * 2 * c
+    return {
+        "q": (found(t) / units(k), 0, 0),
+        "v": (found.velocity(t) / units(k), 0, -1),
+        "q of second order": (second(t) / units(k), 0, 0),
+        "verdict": ([found.verdict.name == "FOLLOWS", second.verdict.name == "FOLLOWS"], 0, 0),
+    }
+
+
+def meeting(k, c):
+    """A target that moves along a line is met when it crosses x = 0.3."""
+    robot = r1.robot_from_dh([("R", 0.5 * k, 0, 0, 0), ("R", 0.4 * k, 0, 0, 0)])
+    target = r1.LinearMotion(k * np.array([0.1, 0.5]), k / c * np.array([0.2, 0.05]))
+    found = r1.rendezvous(robot, r1.PositionTask("xy"), target, [0.1, 0.4], lambda t, p: p[0] - 0.3 * k, horizon=3 * c)
+    order = sorted(found.branches, key=lambda branch: branch.q[1])
+    return {
+        "time": (found.time, 0, 1),
+        "position": (found.position, 1, 0),
+        "q": ([branch.q for branch in order], 0, 0),
+        "qdot": ([branch.qdot for branch in order], 0, -1),
+    }
+
+
+def tracking(k, c):
+    wanted = r1.quintic(k * Q0, k * Q1, 1.7 * c)
+    run = r1.simulate_tracking(wanted, k * (Q0 + 0.1), 2 / c, rate_limits=1.2 * k / c, samples=31)
+    choice = r1.smallest_gain(wanted, k * (Q0 + 0.1), 1e-3 * k)
+    return {
+        "t": (run.t, 0, 1),
+        "q": (run.q, 1, 0),
+        "command": (run.command, 1, -1),
+        "gain": (choice.gain, 0, -1),
+        "verdict": (choice.verdict.name == "FEEDBACK", 0, 0),
+    }
+
+
+LAWS |= {
+    "scale_to_limits, other units": scaled_by_nature,
+    "joins": joins,
+    "limit_violations": beyond,
+    "follow_trajectory": following,
+    "rendezvous": meeting,
+    "simulate_tracking, smallest_gain": tracking,
+}
+INTEGRATED = ("follow_trajectory", "simulate_tracking, smallest_gain")  # to 1e-10 a step
 PLAIN = {}
 
 
-@pytest.mark.parametrize("name", LAWS)
-@given(k=factors, c=factors)
-def test_answers_scale_with_the_units_of_length_and_time(name, k, c):
+def assert_law_of_units(name, k, c):
     plain = PLAIN[name] if name in PLAIN else PLAIN.setdefault(name, LAWS[name](1.0, 1.0))
     found = LAWS[name](k, c)
     assert found.keys() == plain.keys()
+    precision = 1e-8 if name in INTEGRATED else 1e-9
     for what, (value, length, time) in found.items():
         wanted, scale = np.asarray(plain[what][0], dtype=float), k**length * c**time
+        near = pytest.approx(wanted, rel=0, abs=precision * np.abs(wanted).max(initial=0))
         assert np.shape(value) == wanted.shape, what
-        assert np.asarray(value) / scale == pytest.approx(wanted, rel=0, abs=1e-9 * np.abs(wanted).max(initial=0)), what
+        assert np.asarray(value) / scale == near, what
+
+
+@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize(("k", "c"), [(1e-6, 7.3), (31_623.0, 1e-6)])
+def test_answers_scale_with_the_units_of_length_and_time(name, k, c):
+    assert_law_of_units(name, k, c)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("name", LAWS)
+@settings(max_examples=20)
+@given(k=factors, c=factors)
+def test_answers_scale_with_any_units(name, k, c):
+    assert_law_of_units(name, k, c)
+
+
+@pytest.mark.parametrize("k", [1e-6, 1e-5, 1e-3, 1e-2, 1.0, 1e4, 1e6])
+def test_the_least_time_along_a_spline_does_not_depend_on_the_unit_of_length(k):
+    pytest.importorskip("toppra")
+    found = r1.fastest_along(r1.spline_path(P * k), r1.MotionLimits(velocity=[2 * k] * 2, acceleration=[5 * k] * 2))
+    assert found.duration == pytest.approx(2.7330, abs=5e-5)
+
+
+@pytest.mark.parametrize("length", [1e-5, 1.0, 1e5])
+def test_a_line_takes_two_roots_of_its_length_over_the_acceleration(length):
+    """2 √(L/A), where the velocity is hardly bounded."""
+    pytest.importorskip("toppra")
+    limits = r1.MotionLimits(velocity=[1e3 * length] * 2, acceleration=[length] * 2)
+    found = r1.fastest_along(r1.line_path([0, 0], [length, 0]), limits)
+    assert found.duration == pytest.approx(2.0, rel=1e-4)
+
+
+def test_the_least_time_along_a_path_does_not_depend_on_the_units_of_single_joints():
+    """With knots that do not depend on lengths, one joint may be in micrometres and another in kilometres."""
+    pytest.importorskip("toppra")
+    k = np.array([1e-6, 1e3])
+    found = [
+        r1.fastest_along(r1.spline_path(P * unit, knots="uniform"), r1.MotionLimits(2 * unit, 5 * unit)).duration
+        for unit in (np.ones(2), k)
+    ]
+    assert found[1] == pytest.approx(found[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("k", [1e-12, 1e-6, 1.0, 1e6])
+def test_a_periodic_spline_that_is_open_by_a_hundredth_is_refused_in_any_unit(k):
+    points = k * np.array([[0.3, 0.1], [1.2, 0.4], [0.3, 0.101]])
+    with pytest.raises(r1.InputError, match="ends where it begins"):
+        r1.cubic_spline(points, [0, 1, 2], ends="periodic")
+
+
+def test_the_joints_may_be_permuted_and_time_reversed():
+    """Least times are those of the permuted joints, and from rest to rest those of the way back."""
+    order = [2, 0, 1]
+    bounds = r1.MotionLimits(VELOCITY, ACCELERATION)
+    there = r1.minimum_time(Q0, Q1, bounds)
+    swapped = r1.minimum_time(Q0[order], Q1[order], r1.MotionLimits(VELOCITY[order], ACCELERATION[order]))
+    back = r1.minimum_time(Q1, Q0, bounds)
+    t = MOMENTS * there.duration
+    assert swapped.trajectory(t) == pytest.approx(there.trajectory(t)[:, order], abs=1e-12)
+    assert back.trajectory(there.duration - t) == pytest.approx(there.trajectory(t), abs=1e-12)
+
+
+@pytest.mark.parametrize("b", [-1e3, 1e-3, 7.3, 1e6])
+def test_a_motion_elsewhere_is_the_same_motion_moved(b):
+    """q → q + b: times and velocities stay, but for the rounding of q + b."""
+    for moved, plain in (
+        (r1.minimum_time(Q0 + b, Q1 + b, limits(1, 1), "double-S"), r1.minimum_time(Q0, Q1, limits(1, 1), "double-S")),
+        (r1.quintic(Q0 + b, Q1 + b, 1.7, V0, V1), r1.quintic(Q0, Q1, 1.7, V0, V1)),
+        (r1.cubic_spline(POINTS + b, TIMES), r1.cubic_spline(POINTS, TIMES)),
+        (r1.overfly(POINTS + b, 1.0, 0.3), r1.overfly(POINTS, 1.0, 0.3)),
+    ):
+        m, p = (getattr(found, "trajectory", found) for found in (moved, plain))
+        rounding = 1e-13 * (1 + abs(b))
+        assert m.duration == pytest.approx(p.duration, abs=100 * rounding)
+        t = MOMENTS * min(m.duration, p.duration)
+        assert m(t) - b == pytest.approx(p(t), abs=100 * rounding)
+        assert m.velocity(t) == pytest.approx(p.velocity(t), abs=1000 * rounding)

@@ -120,7 +120,7 @@ def require_law(name: str, value: Any) -> Any:
         return value
     if np.shape(start) != (1,):
         raise InputError(
-            f"{name} must be a timing law s(t), such as cubic(0, L, T).joint(), or a motion of one joint; it is {value!r}"
+            f"{name} must be a timing law s(t), such as cubic(0, L, T).joint(), or of one joint; it is {value!r}"
         )
     return value.joint() if hasattr(value, "joint") else OneJoint(value)
 

@@ -18,6 +18,7 @@ from robotics1.trajectories.protocols import Side, Trajectory, require_motion, s
 
 PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of the robot
 RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity
+FIRST = 0.01  # of a segment: the first step that is tried
 STEPS = 1000  # from one switching time to the next: a well-behaved motion takes some tens
 
 
@@ -125,7 +126,7 @@ def _segment(
     n = flow.robot.nv
     inputs = flow.robot.units if flow.resolution.input_matrix is None else np.ones(len(state) - n)
     units = np.concatenate([flow.robot.units, inputs / flow.trajectory.duration])[: len(state)]
-    solver = DOP853(rate, a, state, b, rtol=PRECISION, atol=PRECISION * units)
+    solver = DOP853(rate, a, state, b, rtol=PRECISION, atol=PRECISION * units, first_step=FIRST * (b - a))
     times: list[float] = [a]
     pieces: list[Any] = []
     while solver.status == "running" and len(pieces) < STEPS:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from itertools import pairwise
+from typing import Any, cast
 
 import numpy as np
 from numpy.polynomial import polynomial
@@ -50,9 +51,7 @@ def shortest_duration(motion: Motion, limits: MotionLimits, *, at_least: float =
         raise InputError(f"limits must be MotionLimits(velocity=..., acceleration=...); it is {limits!r}")
     if limits.deceleration is not None:
         raise InputError("a bound of its own on the deceleration is for trapezoidal velocities")
-    if np.ndim(require_motion("motion(T)", motion(1.0)).velocity(0.0)) != 1:
-        raise InputError("motion(T) must be a motion of joints, (n,) numbers at a time, such as cubic(q0, q1, T)")
-    if not limits.demands(motion(1.0)):
+    if not limits.demands(_of_joints(motion(1.0))):
         raise InputError("there is no bound, so that any duration will do: give one")
     at_least = real_number("at_least", at_least, non_negative=True)
     natural = max(demand.stretch for demand in limits.demands(motion(1.0)))
@@ -75,6 +74,13 @@ def shortest_duration(motion: Motion, limits: MotionLimits, *, at_least: float =
         f"no duration keeps these bounds: joint {worst.joint}'s {worst.quantity} passes {worst.bound:g} in any; are "
         "the velocities and accelerations at the ends inside them?"
     )
+
+
+def _of_joints(unit: Any) -> Trajectory:
+    """Return the motion of one second, if it is one of joints."""
+    if np.ndim(require_motion("motion(T)", unit)(0.0)) != 1:
+        raise InputError("motion(T) must be of joints, (n,) numbers at a time, such as cubic(q0, q1, T)")
+    return cast("Trajectory", unit)
 
 
 def _too_short(unit: Trajectory, limits: MotionLimits) -> float:

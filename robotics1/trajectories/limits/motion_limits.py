@@ -55,9 +55,7 @@ class MotionLimits:
         """
         start = trajectory(0.0)
         if np.ndim(start) > 1 or hasattr(start, "rotation"):
-            raise InputError(
-                "MotionLimits bound joints; of poses and orientations NormLimits(rows=...) bounds the norms"
-            )
+            raise InputError("MotionLimits bound joints; NormLimits(rows=...) bounds the norms of a pose's motion")
         n = np.size(start)
         bounds = self.of_joints(n)
         found = []
