@@ -144,8 +144,8 @@ def _jumps(before: Any, after: Any) -> Array:
         gains.append(y - x)
         inside = [np.abs(getattr(piece, quantity)(LOOKS * piece.duration)).max(axis=0) for piece in (before, after)]
         sizes.append(np.max([np.abs(x), np.abs(y), *inside], axis=0))
-    jumps, size = np.reshape(gains, (4, -1)), np.reshape(sizes, (4, -1))
-    rounding = CONTINUOUS * size + NOISE * size.max(axis=1, keepdims=True)
+    jumps, size = np.stack([np.atleast_1d(x) for x in gains]), np.stack([np.atleast_1d(x) for x in sizes])
+    rounding = CONTINUOUS * size + NOISE * size.max(axis=1, keepdims=True, initial=0.0)
     return np.where(np.abs(jumps) > rounding, jumps, 0.0)
 
 
