@@ -269,23 +269,22 @@ def quickest(k, c, curve):
 
 
 def arm(k):
-    """R P R, with lengths in the unit k."""
-    h = np.pi / 2
-    rows = [("R", 0.4 * k, h, 0.1 * k, 0), ("P", 0, -h, 0, 0), ("R", 0.3 * k, 0, 0, 0)]
-    return r1.robot_from_dh(rows, lower=[-3, 0.2 * k, -3], upper=[3, 0.9 * k, 3])
+    """R P in the plane, with lengths in the unit k."""
+    rows = [("R", 0, np.pi / 2, 0.1 * k, 0), ("P", 0, 0, 0, 0)]
+    return r1.robot_from_dh(rows, lower=[-3, 0.2 * k], upper=[3, 0.9 * k])
 
 
 def units(k):
     """What counts as one of each joint of that arm."""
-    return np.array([1, k, 1])
+    return np.array([1, k])
 
 
 def beyond(k, c):
     """A motion that passes the limits of a prismatic joint by a thousandth, and one that touches them."""
-    robot, start = arm(k), units(k) * [0, 0.3, 0]
+    robot, start = arm(k), units(k) * [0, 0.3]
     found = {}
     for name, end in (("beyond", 0.9009), ("touching", 0.9)):
-        violations = r1.limit_violations(robot, r1.quintic(start, units(k) * [1, end, 1], c))
+        violations = r1.limit_violations(robot, r1.quintic(start, units(k) * [1, end], c))
         found[name] = (len(violations), 0, 0)
         found |= {f"{name} {v.quantity}": ([v.value, v.limit], 1, 0) for v in violations}
     return found
@@ -293,10 +292,10 @@ def beyond(k, c):
 
 def following(k, c):
     """The tool of the arm goes along a line; its joints are compared in their own units."""
-    robot, q0 = arm(k), units(k) * [0.2, 0.5, 0.4]
-    task = r1.PositionTask("xyz")
+    robot, q0 = arm(k), units(k) * [0.2, 0.5]
+    task = r1.PositionTask("xy")
     start = task.value(robot, q0)
-    line = r1.line_path(start, start + k * np.array([0.05, 0.1, 0.02]))
+    line = r1.line_path(start, start + k * np.array([0.05, 0.1]))
     motion = r1.PathTrajectory(line, r1.quintic(0, line.end, 2 * c).joint())
     found = r1.follow_trajectory(robot, task, motion, q0, gain=3 / c)
     t = MOMENTS * 2 * c

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from robotics1.inputs import Array, real_array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
+from robotics1.tasks.units import unitless_rows
 from robotics1.trajectories.following.joint_rates import drifts
 from robotics1.trajectories.following.resolution import Resolution
 from robotics1.trajectories.protocols import Side
@@ -66,7 +67,7 @@ class VelocityFlow:
         A = self.task.jacobian(self.robot, state) @ G
         error = self.task.error(self.robot, state, self.trajectory(t))
         asked = self.trajectory.velocity(t, side=side) + self.gain * error
-        u, _ = self.resolution.solve(A, asked, wished(self.wish, A, state), soft=SOFT)
+        u, _ = self.resolution.solve(A, asked, wished(self.wish, A, state), soft=softness(self.robot, self.task, A))
         qdot = G @ u
         return Command(qdot, qdot, error, asked - A @ u, A)
 
@@ -98,8 +99,17 @@ class AccelerationFlow:
         rate_error = self.trajectory.velocity(t, side=side) - A @ u
         asked = self.trajectory.acceleration(t, side=side) + self.gains[1] * rate_error + self.gains[0] * error
         b = asked - drifts(self.robot, self.task, self.resolution, q, u)[0]
-        udot, _ = self.resolution.solve(A, b, wished(self.wish, A, q, u), soft=SOFT)
+        udot, _ = self.resolution.solve(A, b, wished(self.wish, A, q, u), soft=softness(self.robot, self.task, A))
         return Command(G @ u, np.concatenate([G @ u, udot]), error, b - A @ udot, A)
+
+
+def softness(robot: Robot, task: Task, A: Array) -> float:
+    """Return the σ/σ₁ of A below which its inverse is softened: where that of A without units is below SOFT."""
+    if A.shape[1] != robot.nv:
+        return SOFT
+    unitless = unitless_rows(robot, task)[:, None] * A * robot.units
+    (a, b), (c, d) = (np.linalg.svd(M, compute_uv=False)[[0, -1]] for M in (A, unitless))
+    return float(SOFT * (b / a) / (d / c)) if min(b, d) > 0 else SOFT
 
 
 def wished(wish: Wish, A: Array, *state: Array) -> Array | None:
