@@ -5,10 +5,12 @@ gives no reason for what it refuses, and a very long chain crashes it. So all of
 """
 
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping
 from typing import cast
 
 from robotics1.robot.checking_parts import check_joint, check_link
-from robotics1.robot.findings import Findings
+from robotics1.robot.findings import LARGEST, Findings
+from robotics1.robot.leftovers import unprocessed
 from robotics1.robot.markup import Element
 
 MOST_LINKS = 1000  # Pinocchio's parser recurses: 5000 links in a row crash it
@@ -29,8 +31,9 @@ def check_urdf(root: Element) -> Findings:
     _check_names(findings, links)
     _check_names(findings, joints)
     _check_tree(findings, root, links, joints)
+    types = {joint.get("name"): joint.get("type") for joint in joints}
     for joint in joints:
-        check_joint(findings, joint, joints)
+        check_joint(findings, joint, types)
     _check_mimic_loops(findings, joints)
     for link in links:
         check_link(findings, link)
@@ -50,12 +53,10 @@ def linked(joint: ET.Element, end: str) -> str | None:
 
 
 def _is_a_robot(findings: Findings, root: Element) -> bool:
-    for element in root.iter():
-        marked = cast("Element", element)
-        texts = [value for value in element.attrib.values() if "${" in value or "$(" in value]
-        if element.tag.startswith("xacro:") or texts:
-            findings.error(marked, "is unprocessed xacro; expand the file, or give its name the suffix .xacro")
-            return False
+    found = unprocessed(root)
+    if found is not None:
+        findings.error(found, "is unprocessed xacro; expand the file, or give its name the suffix .xacro")
+        return False
     if root.tag != "robot":
         findings.error(root, "is not the root of a URDF, which is <robot name='...'>")
         return False
@@ -92,8 +93,9 @@ def _check_tree(findings: Findings, root: Element, links: list[Element], joints:
     """One root, no second parent, no cycle, and links that exist."""
     before = len(findings.errors)
     parent_of: dict[str, str] = {}
+    names = {link.get("name") for link in links}
     for joint in joints:
-        _check_ends(findings, joint, {link.get("name") for link in links})
+        _check_ends(findings, joint, names)
         parent, child = str(linked(joint, "parent")), str(linked(joint, "child"))
         if child in parent_of:
             findings.error(joint, f"is a second parent of link {child!r}; a link hangs on one joint")
@@ -104,10 +106,9 @@ def _check_tree(findings: Findings, root: Element, links: list[Element], joints:
     if len(roots) > 1:
         listed = ", ".join(repr(link.get("name")) for link in roots[:5])
         findings.error(roots[1], f"hangs on nothing, so there are {len(roots)} roots: {listed}; a robot has one")
-    for joint in joints:
-        if _in_a_cycle(linked(joint, "child") or "", parent_of):
-            findings.error(joint, "closes a loop of links; a URDF is a tree")
-            return
+    looped = _in_loops(parent_of)
+    for joint in [joint for joint in joints if linked(joint, "child") in looped][:1]:
+        findings.error(joint, "closes a loop of links; a URDF is a tree")
 
 
 def _check_ends(findings: Findings, joint: Element, names: set[str | None]) -> None:
@@ -120,26 +121,50 @@ def _check_ends(findings: Findings, joint: Element, names: set[str | None]) -> N
             findings.error(joint, f"has the {end} {name!r}, and there is no such link", at)
 
 
-def _in_a_cycle(start: str, parent_of: dict[str, str]) -> bool:
-    seen = {start}
-    link = start
-    while link in parent_of:
-        link = parent_of[link]
-        if link == start:
-            return True
-        if link in seen:
-            return False
-        seen.add(link)
-    return False
+def _in_loops(above: Mapping[str, str]) -> set[str]:
+    """Return what comes back to itself by going from each to the one above it."""
+    looped: set[str] = set()
+    done: set[str] = set()
+    for start in above:
+        way: dict[str, None] = {}  # an ordered set
+        name = start
+        while name in above and name not in done and name not in way:
+            way[name] = None
+            name = above[name]
+        if name in way:
+            names = list(way)
+            looped |= set(names[names.index(name) :])
+        done |= set(way)
+    return looped
 
 
 def _check_mimic_loops(findings: Findings, joints: list[Element]) -> None:
     mimics = {joint.get("name", ""): joint.find("mimic") for joint in joints}
     leader = {name: mimic.get("joint", "") for name, mimic in mimics.items() if mimic is not None}
-    for joint in joints:
-        if joint.get("name") in leader and _in_a_cycle(joint.get("name", ""), leader):
-            findings.error(joint, "mimics itself, through a loop of <mimic> elements")
-            return
+    looped = _in_loops(leader)
+    for joint in [joint for joint in joints if joint.get("name") in looped][:1]:
+        findings.error(joint, "mimics itself, through a loop of <mimic> elements")
+    if not findings.errors:
+        _check_products(findings, joints)
+
+
+def _check_products(findings: Findings, joints: list[Element]) -> None:
+    """Along a chain of followers the factors multiply: q = a₁ (a₂ q₂ + b₂) + b₁."""
+    following = {joint.get("name", ""): joint for joint in joints if joint.get("type") != "fixed"}
+    mimics = {name: mimic for name, joint in following.items() for mimic in joint.findall("mimic")[:1]}
+    products: dict[str, tuple[float, float]] = {}
+    for start in mimics:
+        chain, name = [], start
+        while name in mimics and name not in products:
+            chain.append(name)
+            name = mimics[name].get("joint", "")
+        for name in reversed(chain):
+            a, b = (float(mimics[name].get(key, default)) for key, default in (("multiplier", 1.0), ("offset", 0.0)))
+            factor, offset = products.get(mimics[name].get("joint", ""), (1.0, 0.0))
+            products[name] = factor, offset = a * factor, a * offset + b
+            if not max(abs(factor), abs(offset)) <= LARGEST:
+                findings.error(following[name], f"follows through others by a factor or offset beyond {LARGEST:g}")
+                return
 
 
 def _warn_of_missing_inertia(findings: Findings, root: Element, links: list[Element], joints: list[Element]) -> None:

@@ -1,6 +1,7 @@
 """The checks of one joint and of one link."""
 
 import math
+from collections.abc import Mapping
 from typing import cast
 
 import numpy as np
@@ -20,8 +21,8 @@ SHAPES = {
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
-def check_joint(findings: Findings, joint: Element, joints: list[Element]) -> None:
-    """Check the type, placement, axis, limits and mimicry of a joint."""
+def check_joint(findings: Findings, joint: Element, types: Mapping[str | None, str | None]) -> None:
+    """Check the type, placement, axis, limits and mimicry of a joint; `types` are those of all joints, by name."""
     kind = joint.get("type")
     if kind not in JOINT_TYPES:
         said = "has no type" if kind is None else f"has the unknown type {kind!r}"
@@ -31,7 +32,8 @@ def check_joint(findings: Findings, joint: Element, joints: list[Element]) -> No
         _check_axis(findings, joint)
     if kind in ("revolute", "prismatic", "continuous"):
         _check_limit(findings, joint, kind)
-    _check_mimic(findings, joint, joints)
+        _check_dynamics(findings, joint)
+    _check_mimic(findings, joint, types)
 
 
 def check_link(findings: Findings, link: Element) -> None:
@@ -101,7 +103,16 @@ def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
         findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}", limit)
 
 
-def _check_mimic(findings: Findings, joint: Element, joints: list[Element]) -> None:
+def _check_dynamics(findings: Findings, joint: Element) -> None:
+    dynamics = _child(joint, "dynamics")
+    if dynamics is not None:
+        findings.numbers(joint, dynamics, "damping")
+        friction = findings.numbers(joint, dynamics, "friction")
+        if friction is not None and friction[0] < 0:
+            findings.error(joint, f"has a negative friction, {friction[0]:g}", dynamics)
+
+
+def _check_mimic(findings: Findings, joint: Element, types: Mapping[str | None, str | None]) -> None:
     mimic = _child(joint, "mimic")
     if mimic is None:
         return
@@ -109,13 +120,12 @@ def _check_mimic(findings: Findings, joint: Element, joints: list[Element]) -> N
         findings.warn(joint, "is fixed and has a <mimic>, which is left out", mimic)
         return
     name = mimic.get("joint")
-    leader = next((other for other in joints if other.get("name") == name), None)
     if name is None:
         findings.error(joint, "has a <mimic> without the joint it follows", mimic)
-    elif leader is None:
+    elif name not in types:
         findings.error(joint, f"mimics joint {name!r}, and there is no such joint", mimic)
-    elif leader.get("type") not in ("revolute", "prismatic", "continuous"):
-        findings.error(joint, f"mimics joint {name!r}, which is {leader.get('type')} and has not one coordinate", mimic)
+    elif types[name] not in ("revolute", "prismatic", "continuous"):
+        findings.error(joint, f"mimics joint {name!r}, which is {types[name]} and has not one coordinate", mimic)
     if joint.get("type") not in ("revolute", "prismatic", "continuous"):
         findings.error(joint, f"is {joint.get('type')} and cannot mimic; only joints of one coordinate can", mimic)
     for attribute in ("multiplier", "offset"):

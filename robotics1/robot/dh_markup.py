@@ -13,9 +13,9 @@ import math
 import numpy as np
 import pinocchio as pin
 
+from robotics1.robot.building import WITHOUT_LIMIT
 from robotics1.robot.dh_shapes import links_of_row, materials, visuals
 from robotics1.robot.dh_table import DHTable
-from robotics1.robot.rewriting import WITHOUT_LIMIT
 
 FAR = 1000.0  # m or rad: what the text says where one joint limit is missing, for URDF takes no infinity
 
@@ -82,7 +82,7 @@ def _motion(kind: str, lower: float, upper: float) -> tuple[str, str]:
     high = upper if math.isfinite(upper) else max(FAR, lower + FAR)
     low, high = (-FAR, FAR) if math.isinf(lower) and math.isinf(upper) else (low, high)
     limits = f'lower="{float(low)!r}" upper="{float(high)!r}"'
-    none = f'velocity="{WITHOUT_LIMIT}" effort="{WITHOUT_LIMIT}"'
+    none = f'velocity="{WITHOUT_LIMIT:g}" effort="{WITHOUT_LIMIT:g}"'
     return "revolute" if kind == "R" else "prismatic", f"<limit {limits} {none}/>"
 
 

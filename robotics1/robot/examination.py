@@ -15,7 +15,7 @@ from robotics1.robot.findings import Finding
 from robotics1.robot.loading import findings_of, robot_from_text, urdf_text
 from robotics1.robot.markup import parse_xml
 from robotics1.robot.model import Robot
-from robotics1.robot.sources import robot_file
+from robotics1.robot.sources import robot_file, robot_text
 
 CONFIGURATIONS = 10  # at which forward kinematics is compared
 AGREES = 1e-9  # largest difference of an entry of a pose that is rounding [m or 1]
@@ -65,7 +65,7 @@ def examine(
     path = robot_file(source)
     folders = [Path(folder) for folder in packages]
     try:
-        source_text = path.read_text(encoding="utf-8", errors="replace")
+        source_text = robot_text(source, path)
         text, _ = urdf_text(source_text, path, parameters or {}, folders, trusted=trusted)
         findings = findings_of(parse_xml(text, path), path)
         errors, warnings = tuple(findings.errors), tuple(findings.warnings)

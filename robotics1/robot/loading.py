@@ -4,23 +4,24 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
-import numpy as np
 import pinocchio as pin
 
-from robotics1.errors import InputError, RobotFileError, UnknownNameError
+from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import by_name
+from robotics1.robot.building import build_model
 from robotics1.robot.checking import check_urdf
 from robotics1.robot.expansion import expand_xacro
 from robotics1.robot.findings import Findings
+from robotics1.robot.follower_limits import narrow_leaders
+from robotics1.robot.locking import lock
 from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
 from robotics1.robot.model import Robot, frame_number, tips
-from robotics1.robot.ordering import leaders_first, numbered, unnumbered
 from robotics1.robot.parameters import Parameters
-from robotics1.robot.rewriting import WITHOUT_LIMIT, clean, lock, rebase
-from robotics1.robot.silence import stderr_kept
-from robotics1.robot.sources import robot_file
+from robotics1.robot.rewriting import clean, rebase
+from robotics1.robot.sources import robot_file, robot_text
 
 USUAL_TOOLS = ("tool0", "tool")
 
@@ -31,7 +32,7 @@ def load_robot(
     parameters: Mapping[str, float] | None = None,
     base: str | None = None,
     tool: str | None = None,
-    locked: Mapping[str, float] | None = None,
+    locked: Mapping[str, Any] | None = None,
     packages: Iterable[str | Path] = (),
     trusted: bool = False,
 ) -> Robot:
@@ -57,12 +58,8 @@ def load_robot(
         InputError: a value is not a finite number, or the file has no parameters.
     """
     path = robot_file(source)
-    try:
-        text = path.read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        raise RobotFileError(f"it cannot be read: {error.strerror}", path=path) from error
     return robot_from_text(
-        text,
+        robot_text(source, path),
         path=path,
         parameters=parameters,
         base=base,
@@ -80,7 +77,7 @@ def robot_from_text(
     parameters: Mapping[str, float] | None = None,
     base: str | None = None,
     tool: str | None = None,
-    locked: Mapping[str, float] | None = None,
+    locked: Mapping[str, Any] | None = None,
     packages: Iterable[str | Path] = (),
     trusted: bool = False,
 ) -> Robot:
@@ -100,14 +97,14 @@ def robot_from_text(
     findings = findings_of(root, path)
     findings.stop(path)
     warnings = [str(finding) for finding in findings.warnings]
-    warnings += [f"mesh {name!r} was not found" for name in find_meshes(root, path, folders)]
+    warnings += find_meshes(root, path, folders, trusted=trusted)
     lock(root, values_at)
-    unlimited = clean(root)
+    clean(root)
     if base is not None:
         rebase(root, base, tool)
     text = ET.tostring(root, encoding="unicode")
-    model = _model(root, path)
-    _open_limits(model, unlimited)
+    model = build_model(root)
+    warnings += narrow_leaders(model, root)
     return Robot(
         model.name,
         model,
@@ -129,7 +126,7 @@ class LoadedText:
     parameters: Mapping[str, float]
     base: str | None
     tool: str | None
-    locked: Mapping[str, float]
+    locked: Mapping[str, Any]
     packages: tuple[Path, ...]
     trusted: bool
 
@@ -166,38 +163,6 @@ def urdf_text(
     if parameters:
         raise InputError(f"{path.name} is a plain URDF and has no parameters; {', '.join(parameters)} cannot be set")
     return text, {}
-
-
-def _model(root: ET.Element, path: Path) -> pin.Model:
-    order = leaders_first(root)
-    if order is not None:
-        numbered(root, order)
-    text = ET.tostring(root, encoding="unicode")
-    with stderr_kept() as said:
-        try:
-            model = pin.buildModelFromXML(text, True)  # True: mimicking joints follow their leader
-            problem = None
-        except Exception as error:
-            problem = error
-    if problem is not None:
-        why = " ".join(said[0].split()) or str(problem)
-        raise RobotFileError(f"Pinocchio cannot read it: {why}", path=path) from problem
-    unnumbered(model)
-    return model
-
-
-def _open_limits(model: pin.Model, unlimited: list[str]) -> None:
-    """Let what a file leaves without limit have none: urdfdom takes no infinity."""
-    for name in unlimited:
-        joint = model.joints[model.getJointId(name)] if model.existJointName(name) else None
-        if joint is not None and joint.nq > 0:  # a follower has no coordinate of its own, and tells its leader's
-            index = joint.idx_q
-            model.lowerPositionLimit[index], model.upperPositionLimit[index] = -np.inf, np.inf
-    none = float(WITHOUT_LIMIT)
-    for name in ("upperVelocityLimit", "upperEffortLimit"):
-        limits = np.array(getattr(model, name))
-        limits[limits >= none] = np.inf
-        setattr(model, name, limits)
 
 
 def _tool(model: pin.Model, named: str | None) -> str | None:

@@ -9,6 +9,9 @@ from robotics1.errors import RobotFileError
 
 LARGEST_FILE = 20_000_000  # characters
 DEEPEST = 100  # elements inside each other: writing them out again recurses
+MOST_ELEMENTS = 200_000  # the largest robot of example-robot-data has 4000
+MOST_ATTRIBUTES = 100  # of one element
+LONGEST = 20_000  # characters of a name or a value
 
 
 class Element(ET.Element):
@@ -29,37 +32,53 @@ def parse_xml(text: str, path: Path) -> Element:
     No DOCTYPE is taken, so no entity is expanded and nothing is read from elsewhere. Prefixes stay in the tags.
 
     Raises:
-        RobotFileError: it is not well-formed, has a DOCTYPE, or is too large or too deep.
+        RobotFileError: it is not well-formed, has a DOCTYPE, or exceeds a limit of size, which is counted while it
+            is read.
     """
     if len(text) > LARGEST_FILE:
         raise RobotFileError(f"it has {len(text)} characters; at most {LARGEST_FILE} are read", path=path)
-    builder = ET.TreeBuilder(element_factory=Element)
     parser = expat.ParserCreate("utf-8")  # whatever the file declares, this is what it is now
-
-    def start(tag: str, attributes: dict[str, str]) -> None:
-        element = cast("Element", builder.start(tag, attributes))
-        element.line = parser.CurrentLineNumber
-
-    def doctype(*_: object) -> None:
-        raise RobotFileError("it has a DOCTYPE, which no robot needs", path=path, line=parser.CurrentLineNumber)
-
-    parser.StartElementHandler = start
-    parser.EndElementHandler = builder.end
-    parser.CharacterDataHandler = builder.data
-    parser.StartDoctypeDeclHandler = doctype
+    reader = _Reader(parser, path)
+    parser.StartElementHandler = reader.start
+    parser.EndElementHandler = reader.end
+    parser.CharacterDataHandler = reader.builder.data
+    parser.StartDoctypeDeclHandler = reader.doctype
     try:
         parser.Parse(text.lstrip("\ufeff").encode("utf-8", errors="replace"), True)
     except expat.ExpatError as error:
         message = f"it is not well-formed XML: {expat.errors.messages[error.code]}"
         raise RobotFileError(message, path=path, line=error.lineno) from error
-    root = cast("Element", builder.close())
-    _check_depth(root, path)
-    return root
+    return cast("Element", reader.builder.close())
 
 
-def _check_depth(root: Element, path: Path) -> None:
-    level = [root]
-    for _ in range(DEEPEST):
-        level = [cast("Element", child) for element in level for child in element]
-    if level:
-        raise RobotFileError(f"its elements are nested more than {DEEPEST} deep", path=path, line=level[0].line)
+class _Reader:
+    """Builds the tree from what the parser meets."""
+
+    def __init__(self, parser: expat.XMLParserType, path: Path):
+        self.builder = ET.TreeBuilder(element_factory=Element)
+        self._parser, self._path = parser, path
+        self._elements = self._depth = 0
+
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
+        self._elements += 1
+        self._depth += 1
+        if self._elements > MOST_ELEMENTS:
+            self._refuse(f"it has more than {MOST_ELEMENTS} elements")
+        if self._depth > DEEPEST:
+            self._refuse(f"its elements are nested more than {DEEPEST} deep")
+        if len(attributes) > MOST_ATTRIBUTES:
+            self._refuse(f"an element has {len(attributes)} attributes; at most {MOST_ATTRIBUTES} are read")
+        if max(map(len, (tag, *attributes, *attributes.values()))) > LONGEST:
+            self._refuse(f"a name or a value has more than {LONGEST} characters")
+        element = cast("Element", self.builder.start(tag, attributes))
+        element.line = self._parser.CurrentLineNumber
+
+    def end(self, tag: str) -> None:
+        self._depth -= 1
+        self.builder.end(tag)
+
+    def doctype(self, *_: object) -> None:
+        self._refuse("it has a DOCTYPE, which no robot needs")
+
+    def _refuse(self, why: str) -> None:
+        raise RobotFileError(why, path=self._path, line=self._parser.CurrentLineNumber)

@@ -1,11 +1,17 @@
-"""Where robot files are: the named ones, and those given by path."""
+"""Where robots are: the named ones, those given by path, and those that are a text themselves."""
 
 from importlib.metadata import PackageNotFoundError, distribution
 from importlib.resources import files
 from pathlib import Path
+from stat import S_ISDIR, S_ISREG
 
 from robotics1.errors import InputError, MissingExtraError, RobotFileError, UnknownNameError
+from robotics1.robot import markup
+from robotics1.robot.encoding import decoded
 
+TEXT = Path("<text>")  # stands for the file of a robot that is given as a text
+LONGEST_PATH = 4096  # characters: no system takes longer ones
+LARGEST_CHARACTER = 4  # bytes
 EXAMPLES = "cmeel.prefix/share/example-robot-data/robots"
 
 
@@ -54,8 +60,28 @@ def example_folder() -> Path:
         raise MissingExtraError("example-robot-data", "robots") from error
 
 
+def robot_text(source: str | Path, path: Path) -> str:
+    """Return the text of a robot, with the path that `robot_file` gives.
+
+    Raises:
+        RobotFileError: the file cannot be read, or is not in the encoding that it declares.
+    """
+    if path is TEXT:
+        return str(source)
+    try:
+        size = path.stat().st_size
+        if size > LARGEST_CHARACTER * markup.LARGEST_FILE:
+            raise RobotFileError(f"it has {size} bytes; at most {markup.LARGEST_FILE} characters are read", path=path)
+        data = path.read_bytes()
+    except OSError as error:
+        raise RobotFileError(f"it cannot be read: {error.strerror}", path=path) from error
+    return decoded(data, path)
+
+
 def robot_file(source: str | Path) -> Path:
     """Return the file meant by `source`: with a suffix or a separator it is a path, else the name of a robot.
+
+    What begins with "<" is the text of a robot itself, for which `TEXT` stands.
 
     Raises:
         RobotFileError: there is no such file.
@@ -63,14 +89,38 @@ def robot_file(source: str | Path) -> Path:
         InputError: the source is neither a name nor a path.
     """
     if not isinstance(source, str | Path):
-        raise InputError(f"a robot is named by a name or a path, not by {source!r}")
+        raise InputError(
+            f"a robot is named by a name or a path, or is the text of a URDF; it is {_shortened(repr(source))}"
+        )
+    if isinstance(source, str) and source.lstrip("\ufeff \t\r\n").startswith("<"):
+        return TEXT
+    if len(str(source)) > LONGEST_PATH or "\0" in str(source):
+        raise InputError(
+            f"a robot is named by a name or a path, or is the text of a URDF, which begins with '<'; "
+            f"{_shortened(repr(str(source)))} is none"
+        )
     path = Path(source)
     if isinstance(source, Path) or path.suffix or "/" in source or "\\" in source:
-        if not path.is_file():
-            raise RobotFileError("there is no such file", path=path)
+        _check_file(path)
         return path
     robots = named_robots()
     if source not in robots:
         note = "" if example_robots() else "; more have names with pip install 'robotics1[robots]'"
         raise UnknownNameError("robot named", source, robots, note)
     return robots[source]
+
+
+def _check_file(path: Path) -> None:
+    try:
+        mode = path.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError) as error:
+        raise RobotFileError("there is no such file", path=path) from error
+    except (OSError, ValueError) as error:  # ValueError: a character that no file name can hold
+        raise RobotFileError(f"it cannot be read: {getattr(error, 'strerror', error)}", path=path) from error
+    if not S_ISREG(mode):
+        what = "a folder" if S_ISDIR(mode) else "a device, a pipe or a socket"
+        raise RobotFileError(f"there is no such file: it is {what}", path=path)
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) < 80 else f"{text[:75]}..."

@@ -65,7 +65,7 @@ def joints_to(robot: Robot, frame: str) -> tuple[JointNumbers, ...]:
         found.append(
             JointNumbers(
                 name=joint.get("name", ""),
-                kind=joint.get("type", ""),
+                kind=joint.get("type", "").replace("continuous", "revolute"),
                 xyz=tuple(polynomials[:3]),
                 rpy=tuple(polynomials[3:6]),
                 axis=base[i, 6:],
