@@ -50,6 +50,11 @@ def decoded(data: bytes, path: Path) -> str:
     return text
 
 
+def undeclared(text: str) -> str:
+    """Return an XML text without its declaration, which is wrong once the text is encoded again."""
+    return re.sub(r"^\s*<\?xml\b.*?\?>", "", text.lstrip("\ufeff"), count=1, flags=re.DOTALL)
+
+
 def _declared(beginning: str, path: Path) -> str:
     """Return Python's name of the declared encoding, or "".
 

@@ -11,6 +11,7 @@ import pinocchio as pin
 
 from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
+from robotics1.robot.encoding import undeclared
 from robotics1.robot.findings import Finding
 from robotics1.robot.loading import findings_of, robot_from_text, urdf_text
 from robotics1.robot.markup import parse_xml
@@ -114,7 +115,7 @@ def difference_from_yourdfpy(robot: Robot, text: str) -> float:
     logging.getLogger("yourdfpy").setLevel(logging.CRITICAL)
     try:
         other = yourdfpy.URDF.load(
-            io.BytesIO(text.encode()), build_scene_graph=True, load_meshes=False, load_collision_meshes=False
+            io.BytesIO(undeclared(text).encode()), build_scene_graph=True, load_meshes=False, load_collision_meshes=False
         )
     except Exception as error:  # yourdfpy raises whatever it runs into
         raise NotComparable(f"yourdfpy cannot read it: {error!r}") from error

@@ -94,7 +94,7 @@ def robot_file(source: str | Path) -> Path:
         )
     if isinstance(source, str) and source.lstrip("\ufeff \t\r\n").startswith("<"):
         return TEXT
-    if len(str(source)) > LONGEST_PATH or "\0" in str(source):
+    if len(str(source)) > LONGEST_PATH or {"\0", "\n"} & set(str(source)):
         raise InputError(
             f"a robot is named by a name or a path, or is the text of a URDF, which begins with '<'; "
             f"{_shortened(repr(str(source)))} is none"
