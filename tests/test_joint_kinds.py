@@ -5,7 +5,10 @@ from math import inf, nan, pi
 import numpy as np
 import pinocchio as pin
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from joint_kinds import KINDS, mimic, own_pose, urdf, values_of
+from scipy.spatial.transform import Rotation
 
 from robotics1 import InputError, RobotFileError, UnknownNameError, forward_kinematics, frame_jacobian, load_robot
 
@@ -175,10 +178,69 @@ def test_an_unknown_locked_joint_lists_the_moving_ones(load):
     assert set("abc") <= set(caught.value.candidates)
 
 
-@pytest.mark.parametrize("value", [nan, inf, "up", None, [1, 2]])
+@pytest.mark.parametrize("value", [nan, inf, "up", None, [1, 2], 1e19])
 def test_a_locked_value_is_a_finite_number(load, value):
     with pytest.raises(InputError, match="locked joint 'a'"):
         load(LOCKABLE, locked={"a": value})
+
+
+MOBILE = urdf(
+    ("chassis", "planar", "base", '<axis xyz="0 0 1"/>'),
+    ("a", "revolute", "chassis"),
+    ("carried", "floating", "a"),
+    ("tool", "prismatic", "carried"),
+)
+NUMBER = st.floats(-10, 10)
+
+
+@given(st.tuples(NUMBER, NUMBER, NUMBER), st.tuples(NUMBER, NUMBER, NUMBER), st.tuples(NUMBER, NUMBER, NUMBER))
+def test_a_locked_planar_or_floating_joint_stands_where_it_is_put(planar, xyz, turn):
+    R = Rotation.from_rotvec(turn)
+    T_planar, T_floating = np.eye(4), np.eye(4)
+    T_planar[:3, :3], T_planar[:2, 3] = Rotation.from_rotvec([0, 0, planar[2]]).as_matrix(), planar[:2]
+    T_floating[:3, :3], T_floating[:3, 3] = R.as_matrix(), xyz
+    moved = {"chassis": T_planar, "carried": T_floating, "a": 0.3, "tool": -0.2}
+    for carried in (T_floating, pin.SE3(T_floating), [*xyz, *R.as_quat()]):
+        robot = load_robot(MOBILE, locked={"chassis": planar, "carried": carried})
+        assert robot.joint_names == ("a", "tool")
+        for link in ("chassis", "a", "carried", "tool"):
+            assert pose(robot, [0.3, -0.2], link) == pytest.approx(own_pose(MOBILE, link, moved), abs=1e-12)
+
+
+def test_a_joint_of_several_degrees_of_freedom_locked_at_0_stands_where_it_is_drawn(load):
+    robot, still = load(MOBILE, locked={"chassis": 0, "carried": 0.0}), load(MOBILE)
+    q = pin.neutral(still.model)
+    assert robot.nq == robot.nv == 2
+    assert pose(robot, [0, 0]) == pytest.approx(pose(still, q), abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [
+        ("chassis", 1.0, r"\[x, y, theta\] of a planar joint, or 0"),
+        ("chassis", [1, 2], r"must have shape \(3,\)"),
+        ("chassis", [1, nan, 2], "must be finite"),
+        ("chassis", np.eye(4), r"must have shape \(3,\)"),
+        ("carried", [0, 0, 0], r"\[x, y, z, qx, qy, qz, qw\] of a floating joint"),
+        ("carried", [0, 0, 0, 0, 0, 0, 2], "must hold a quaternion of length 1; its length is 2"),
+        ("carried", [0, 0, 0, 0, 0, 0, 0], "must hold a quaternion of length 1"),
+        ("carried", 2 * np.eye(4), "must have the last row"),
+        ("carried", np.diag([1, 1, -1, 1]), "is no rotation"),
+        ("carried", "up", "must be an array of real numbers"),
+        ("carried", [1e300, 0, 0, 0, 0, 0, 1], r"at most 1e\+18"),
+        ("a", [0.1], "locked joint 'a'"),
+        ("a", 1e300, r"at most 1e\+18"),
+    ],
+)
+def test_a_locked_value_of_another_form_says_what_would_be_right(load, name, value, message):
+    with pytest.raises(InputError, match=message):
+        load(MOBILE, locked={name: value})
+
+
+def test_an_unknown_locked_joint_lists_planar_and_floating_ones_too(load):
+    with pytest.raises(UnknownNameError) as caught:
+        load(MOBILE, locked={"x": 0})
+    assert set(caught.value.candidates) == {"chassis", "a", "carried", "tool"}
 
 
 # --- bases

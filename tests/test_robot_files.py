@@ -1,4 +1,4 @@
-"""Files as people have them: encodings, texts instead of paths, xacro that nothing uses, sizes, and names of any kind."""
+"""Files as people have them: encodings, texts instead of paths, unused xacro, sizes, and names of any kind."""
 
 import codecs
 import os

@@ -115,7 +115,10 @@ def difference_from_yourdfpy(robot: Robot, text: str) -> float:
     logging.getLogger("yourdfpy").setLevel(logging.CRITICAL)
     try:
         other = yourdfpy.URDF.load(
-            io.BytesIO(undeclared(text).encode()), build_scene_graph=True, load_meshes=False, load_collision_meshes=False
+            io.BytesIO(undeclared(text).encode()),
+            build_scene_graph=True,
+            load_meshes=False,
+            load_collision_meshes=False,
         )
     except Exception as error:  # yourdfpy raises whatever it runs into
         raise NotComparable(f"yourdfpy cannot read it: {error!r}") from error

@@ -5,7 +5,8 @@ A name is relative to the robot's file, or `package://pkg/...`. What it leads to
     - the folder of the robot's file, or its package: the folder above it that holds a `package.xml`, or, where there
       is none, the folder above one that is called `urdf`, `xacro`, `robots` or the like;
     - a folder `meshes` beside the file's folder, or one higher;
-    - a folder given as `packages`, or the package that is named.
+    - a folder given as `packages`, or the package that is named, as `package://` or by a path into a folder that has
+      a `package.xml` and would be found by its name.
 
 So a file from elsewhere does not make the viewer read, and publish, what lies beside it on this computer. Nothing is
 ever fetched from a network.
@@ -84,7 +85,7 @@ def _place(name: str, path: Path, packages: list[Path], *, trusted: bool) -> Pat
     if file is None or not _exists(file, as_file=True):
         return f"mesh {name!r} was not found"
     file = _absolute(file)
-    if not trusted and not any(file.is_relative_to(folder) for folder in allowed):
+    if not (trusted or any(map(file.is_relative_to, allowed)) or _in_known_package(file, path, packages)):
         return (
             f"mesh {name!r} was left out: it lies outside the folder of the robot's file and its package; "
             f"give its folder as packages=[...], or load the file with trusted=True"
@@ -105,6 +106,13 @@ def _allowed_folders(path: Path, packages: list[Path]) -> list[Path]:
             folders.append(own.parent)
         folders += [folder / name for folder in above[:2] for name in MESH_FOLDERS]
     return [folder for folder in folders if not _is_everything(folder) or folder in (path.absolute().parent, *packages)]
+
+
+def _in_known_package(file: Path, path: Path, packages: list[Path]) -> bool:
+    """Whether a file lies in a package that `package://` finds, as the paths do that xacro makes of $(find pkg)."""
+    manifest = next((folder for folder in file.parents if _exists(folder / MANIFEST)), None)
+    found = None if manifest is None else find_package(manifest.name, path, packages)
+    return found is not None and _absolute(found) == manifest
 
 
 def _is_everything(folder: Path) -> bool:
