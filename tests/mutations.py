@@ -230,6 +230,7 @@ def verdict(path, seed):
     except Robotics1Error:
         return "refused"
     model, data, random = robot.model, robot.model.createData(), np.random.default_rng(seed)
+    pin.buildGeomFromUrdfString(model, robot.urdf, pin.GeometryType.VISUAL)  # what a viewer reads, without a word
     tried = [neutral := pin.neutral(model)]
     if robot.nq == robot.nv:
         low, high = (np.where(np.isfinite(q), q, s * 1e6) for q, s in ((robot.lower, -1), (robot.upper, 1)))

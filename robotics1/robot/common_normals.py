@@ -56,6 +56,12 @@ class Step:
         return screw(X, self.alpha, self.a)
 
     @property
+    def other_way(self) -> "Step":
+        """The step to the same axis with x turned round: Rot_z(θ + π) ... Rot_x(−α) Trans_x(−a)."""
+        theta = clean_angle(self.theta - pi if self.theta > 0 else self.theta + pi)
+        return Step(theta, self.d, (self.alpha if self.alpha == pi else -self.alpha) + 0.0, -self.a + 0.0)
+
+    @property
     def placement(self) -> pin.SE3:
         """The next frame in this one."""
         return self.along_z * self.along_x
@@ -98,9 +104,11 @@ def last_step(T: pin.SE3) -> Step:
     """Return the step from the last axis towards the tool T, seen from the frame on that axis.
 
     It goes to the tool's z axis; where the axes are parallel it reaches the tool's origin, and where they are one its
-    x axis too, so that nothing or a turn about z is left for the tool placement.
+    x axis too, so that nothing or a turn about z is left for the tool placement. No half turn is left.
     """
     step = step_to(Axis(T.translation, T.rotation[:, 2]), NEAR_TOOL, NEAR_TOOL)
+    if step.placement.actInv(T).rotation[0, 0] < NEAR_TOOL**2 - 1:
+        step = step.other_way
     if hypot(*T.rotation[:2, 2]) > NEAR_TOOL:
         return step
     d = round(float(T.translation[2]), 14)
@@ -124,6 +132,5 @@ def _turned_least(theta: float, d: float, alpha: float, a: float) -> Step:
     theta, alpha, a = clean_angle(theta), clean_angle(alpha), round(a, 14)
     right = abs(theta) == pi / 2
     if (right and (a < 0 or (a == 0 and theta < 0))) or abs(theta) > pi / 2:
-        theta = clean_angle(theta - pi if theta > 0 else theta + pi)
-        alpha, a = (alpha if alpha == pi else -alpha), -a
+        return Step(theta, round(d, 14) + 0.0, alpha, a).other_way
     return Step(theta + 0.0, round(d, 14) + 0.0, alpha + 0.0, a + 0.0)

@@ -13,6 +13,7 @@ import pinocchio as pin
 from robotics1.errors import InputError
 from robotics1.inputs import one_of, real_number
 from robotics1.robot.common_normals import Axis, Step, clean_placement, first_step, last_step, step_to
+from robotics1.robot.dh_frames import own_steps
 from robotics1.robot.dh_table import CONVENTIONS, DHRow, DHTable
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Parameters
@@ -28,9 +29,11 @@ def urdf_to_dh(
     """Return a DH table of the chain from the world to the tool, in the robot's own joint values.
 
     T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, as told at `DHTable`; `robot_from_dh(table.rows,
-    **table.options)` has the robot's forward kinematics. Of the choices that a table leaves, this one takes
-    |θ_i| ≤ π/2, so that a_i may be negative; d_i = 0 between parallel axes, and x_i = x_{i−1} between coincident
-    ones; a prismatic joint's axis through that joint's origin; and the last row as near the tool as a row comes.
+    **table.options)` has the robot's forward kinematics. Where the robot's frames are those of a table already, as of
+    `robot_from_dh`, it is that table. Else, of the choices that a table leaves, this one takes |θ_i| ≤ π/2, so that
+    a_i may be negative; d_i = 0 between parallel axes, and x_i = x_{i−1} between coincident ones; a prismatic joint's
+    axis through that joint's origin; and the last row as near the tool as a row comes, with |θ_n| > π/2 where
+    that reaches the tool itself.
 
     Args:
         robot: any robot; joints that do not move the tool are left out.
@@ -52,7 +55,8 @@ def urdf_to_dh(
         tolerance = real_number("tolerance", tolerance, non_negative=True)
     frame = robot.frame_id(tool)
     joints = _joints_to(robot, frame)
-    base, steps = _walk(robot, joints, frame, tolerance)
+    pin.framesForwardKinematics(robot.model, robot.data, pin.neutral(robot.model))
+    base, steps = own_steps(robot, joints, frame, convention) or _walk(robot, joints, frame, tolerance)
     kinds = [robot.model.joints[joint].shortname().removeprefix("JointModel")[0] for joint in joints]  # "R" or "P"
     if convention == "standard":
         base = base * steps[0].placement
@@ -90,8 +94,7 @@ def _walk(robot: Robot, joints: list[int], frame: int, tolerance: float | None) 
     Each step starts from where the rounded ones before it lead, so that roundings do not add up.
     """
     model, data = robot.model, robot.data
-    pin.forwardKinematics(model, data, pin.neutral(model))
-    T_world_tool = pin.SE3(pin.updateFramePlacement(model, data, frame))
+    T_world_tool = pin.SE3(data.oMf[frame])
     first, *others = [_axis(model, data, joint) for joint in joints]
     base, step = first_step(first)
     steps, T = [step], base * step.placement
