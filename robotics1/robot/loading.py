@@ -38,24 +38,26 @@ def load_robot(
 ) -> Robot:
     """Load a robot from a URDF or xacro file, or one of the named robots.
 
-    A source with a suffix or a separator is a path; any other is a name: "prr", "cylindrical", "planar_2r", or a
-    robot of example-robot-data such as "ur5". A `continuous` joint is a revolute joint without limits, so that q
-    has one number a joint; a mimicking joint has no number of its own.
+    A source with a suffix or a separator is a path, one that begins with "<" is the text of a URDF itself; any other
+    is a name: "prr", "cylindrical", "planar_2r", or a robot of example-robot-data such as "ur5". A `continuous` joint
+    is a revolute joint without limits, so that q has one number a joint; a mimicking joint has no number of its own,
+    and narrows the limits of the joint that it mimics.
 
     Args:
-        source: a path or a name.
+        source: a path, a name, or a text.
         parameters: values for the named lengths of a xacro file, such as {"l2": 0.5} [m].
         base: the link that is the world; by default the root. Of a link that moves, only its subtree is kept.
         tool: the link meant when no frame is named; without it the only tip, else the one called `tool0` or
             `tool`, else none.
-        locked: joint name → value at which it is fixed [rad or m].
+        locked: joint name → value at which it is fixed [rad or m]; of a planar joint [x, y, θ]; of a floating one
+            [x, y, z, qx, qy, qz, qw], a `pin.SE3` or a matrix (4, 4); 0 is where the file draws it.
         packages: folders in which `package://` and `$(find pkg)` look, beside those above the file.
-        trusted: whether a xacro may read YAML files and the environment.
+        trusted: whether meshes may be any files of this computer, and a xacro may read YAML files and the environment.
 
     Raises:
-        RobotFileError: the file is missing, or is no robot; with the line.
+        RobotFileError: the file is missing, not in the encoding that it declares, or no robot; with the line.
         UnknownNameError: no robot, parameter, link or joint of that name.
-        InputError: a value is not a finite number, or the file has no parameters.
+        InputError: a value has another form or is not finite, or the file has no parameters.
     """
     path = robot_file(source)
     return robot_from_text(
