@@ -1,7 +1,5 @@
 """Where a frame is and how fast it moves: forward kinematics, the frame Jacobian and its rate of change."""
 
-from collections.abc import Callable
-
 import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
@@ -9,9 +7,6 @@ import pinocchio as pin
 from robotics1.errors import UnknownNameError
 from robotics1.inputs import Array, real_array
 from robotics1.robot.model import Robot
-
-STEP = 1e-4  # of differences of fourth order: error about STEP⁴ from the curve and 1e-16/STEP from rounding
-STRIDE = 5e-3  # of differences of sixth order: error about STRIDE⁶/140 from the curve and 1e-16/STRIDE from rounding
 
 
 def forward_kinematics(robot: Robot, q: npt.ArrayLike, *, frame: str | None = None) -> pin.SE3:
@@ -78,15 +73,12 @@ def frame_jacobian_rate(
         InputError: q or qdot has the wrong shape or is not finite.
         UnknownNameError: there is no such frame or reference.
 
-    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4; the derivative is Pinocchio's.
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4; Featherstone, Rigid Body Dynamics
+    Algorithms, 2008, section 2.10 (the derivative of a motion vector that is fixed in a moving body).
     """
     q = robot.configuration(q)
     qdot = joint_rates(robot, "qdot", qdot)
-    number = robot.frame_id(frame)
-    pin.computeJointJacobiansTimeVariation(robot.model, robot.data, q, qdot)
-    pin.updateFramePlacement(robot.model, robot.data, number)
-    rate = pin.getFrameJacobianTimeVariation(robot.model, robot.data, number, pin.LOCAL_WORLD_ALIGNED)
-    rate = np.array(rate.reshape(6, robot.nv))  # Pinocchio drops the second axis of a single column
+    rate = _jacobian_rate(robot, q, qdot, robot.frame_id(frame))
     if _is(reference, "world"):
         return rate
     R = reference_axes(robot, q, reference)
@@ -94,6 +86,31 @@ def frame_jacobian_rate(
     omega = frame_jacobian(robot, q, frame=None if _is(reference, "tool") else reference)[3:] @ qdot
     turning = np.vstack([np.cross(omega, J[:3], axisb=0, axisc=0), np.cross(omega, J[3:], axisb=0, axisc=0)])
     return np.vstack([R.T @ (rate - turning)[:3], R.T @ (rate - turning)[3:]])
+
+
+def _jacobian_rate(robot: Robot, q: Array, qdot: Array, frame: int) -> Array:
+    """Return J̇, (6, nv), of a frame in world axes, from the motions of the joints before it.
+
+    At the world's origin, the unit motion S = (v, ω) of a joint is constant in the axes of the body that the joint
+    carries, which moves with V: Ṡ = V × S. At the frame's origin p, (v + ω × p)˙ = v̇ + ω̇ × p + ω × ṗ. A joint that
+    mimics adds its own motion to the column of its leader. (Pinocchio's getFrameJacobianTimeVariation forgets it, and
+    crashes on a model without joints.)
+    """
+    model, data = robot.model, robot.data
+    pin.forwardKinematics(model, data, q, qdot)
+    pin.computeJointJacobians(model, data)
+    p = np.array(pin.updateFramePlacement(model, data, frame).translation)
+    S = np.array(data.J).reshape(6, -1)  # a column for each coordinate of each joint, those that mimic included
+    J, rate = np.zeros((6, robot.nv)), np.zeros((6, robot.nv))
+    for i in [*model.supports[model.frames[frame].parentJoint]][1:]:  # without the world
+        joint, V = model.joints[i], data.oMi[i].act(data.v[i])
+        own = S[:, joint.idx_vExtended : joint.idx_vExtended + joint.nvExtended]
+        columns = slice(joint.idx_v, joint.idx_v + joint.nvExtended)  # of a joint that mimics, its leader's
+        J[:, columns] += own
+        rate[:, columns] += V.action @ own
+    v = J[:3] + np.cross(J[3:], p, axisa=0, axisc=0)
+    rate[:3] += np.cross(rate[3:], p, axisa=0, axisc=0) + np.cross(J[3:], v @ qdot, axisa=0, axisc=0)
+    return rate
 
 
 def reference_axes(robot: Robot, q: npt.ArrayLike, reference: str) -> Array:
@@ -108,39 +125,6 @@ def reference_axes(robot: Robot, q: npt.ArrayLike, reference: str) -> Array:
         raise UnknownNameError("reference named", reference, ("world", "tool", *robot.frame_names))
     frame = None if _is(reference, "tool") else reference
     return np.array(forward_kinematics(robot, q, frame=frame).rotation)
-
-
-def configuration_derivative(f: Callable[[Array], Array], robot: Robot, q: npt.ArrayLike) -> Array:
-    """Return ∂f/∂q by central differences, shape f(q).shape + (nv,): for any f, exact to about 1e-11.
-
-    f may be vector or matrix valued; the steps are taken with `pin.integrate`, so that joints of any kind serve.
-    """
-    q = robot.configuration(q)
-
-    def along(step: Array) -> Array:
-        near, far = (
-            f(pin.integrate(robot.model, q, k * step)) - f(pin.integrate(robot.model, q, -k * step)) for k in (1, 2)
-        )
-        return np.asarray((8 * near - far) / (12 * STEP))
-
-    return np.stack([along(step) for step in STEP * np.eye(robot.nv)], axis=-1)
-
-
-def directional_derivative(f: Callable[[Array], Array], robot: Robot, q: Array, qdot: Array) -> Array:
-    """Return d f(q)/dt while the joints move with q̇, in the shape of f(q): by central differences of sixth order.
-
-    The joints move by multiples of 0.005 rad or m at most; for smooth f it is exact to about 1e-12.
-    """
-    speed = float(np.abs(qdot).max(initial=0.0))
-    if speed == 0:
-        return np.zeros_like(f(q))
-    step = STRIDE / speed
-
-    def difference(k: int) -> Array:
-        ahead, back = (f(pin.integrate(robot.model, q, sign * k * step * qdot)) for sign in (1, -1))
-        return np.asarray(ahead - back)
-
-    return np.asarray((45 * difference(1) - 9 * difference(2) + difference(3)) / (60 * step))
 
 
 def joint_rates(robot: Robot, name: str, value: npt.ArrayLike) -> Array:

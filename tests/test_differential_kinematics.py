@@ -12,7 +12,7 @@ from scipy.optimize import minimize
 
 import robotics1 as r1
 from robotics1 import InputError, Resolution, TaskError
-from robotics1.trajectories.following.differences import derivative_inside
+from robotics1.differentiation import derivative_inside
 
 XYZ = r1.PositionTask("xyz")
 FRAMES = {"two_tips": "camera"}

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from robotics1 import InputError, UnknownNameError, forward_kinematics, frame_jacobian, frame_jacobian_rate
-from robotics1.kinematics import configuration_derivative, directional_derivative
+from robotics1.differentiation import configuration_derivative, directional_derivative
 
 FRAMES = {"two_tips": "camera"}  # which frame, where there is no tool
 

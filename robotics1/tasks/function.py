@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.differentiation import configuration_derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, counting_number, real_array
-from robotics1.kinematics import configuration_derivative, forward_kinematics
+from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
 
 TaskFunction = Callable[[Array, Array, Array], npt.ArrayLike]

@@ -8,11 +8,11 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array
-from robotics1.kinematics import directional_derivative, joint_rates
+from robotics1.differentiation import derivative_inside, directional_derivative
+from robotics1.kinematics import joint_rates
 from robotics1.robot.model import Robot
 from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
-from robotics1.trajectories.following.differences import derivative_inside
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Side, Trajectory, require_motion, smooth_ends
 
