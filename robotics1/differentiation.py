@@ -116,7 +116,7 @@ def derivative_inside(
 
 
 def _unit_steps(robot: Robot, q: Array) -> Array:
-    """Return (nv,) what counts as one of each coordinate: 1 rad; of a slide the arm's size up to 1 m, or |q| if more."""
+    """Return (nv,) one of each coordinate: 1 rad; of a slide the arm's size up to 1 m, or |q| where that is more."""
     if robot.nq != robot.nv:
         return np.ones(robot.nv)
     return np.where(robot.revolute, 1.0, np.maximum(min(1.0, robot.reach), np.abs(q)))

@@ -36,7 +36,7 @@ TURNS = st.one_of(st.just((0.0, 0.0, 0.0)), st.sampled_from([(pi / 2, 0.0, 0.0),
 
 @st.composite
 def trees(draw, least=1, most=6, followers=True, chain=False):
-    """A tuple of joints; followers follow others, in chains too, before or behind them, on the way to the tool or not."""
+    """A tuple of joints; followers follow others, in chains too, on the way to the tool or beside it."""
     n = draw(st.integers(least, most))
     joints = []
     for i in range(n):

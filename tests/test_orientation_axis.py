@@ -69,7 +69,7 @@ def test_of_no_rotation_the_axis_is_not_determined():
     found = rotation_to_axis_angle(np.eye(3))
     assert (found.angle, found.axis, found.solutions) == (0, None, ())
     assert "the axis is not determined" in found.determined
-    assert rotation_to_axis_angle(axis_angle_to_rotation([1, 1, 0], 1e-10)).axis is None
+    assert rotation_to_axis_angle(axis_angle_to_rotation([1, 1, 0], 1e-16)).axis is None
     assert rotation_to_axis_angle(axis_angle_to_rotation([1, 1, 0], 2 * pi)).axis is None
 
 
@@ -93,13 +93,37 @@ def test_a_printed_half_turn_is_half_a_turn():
     assert found.axis == pytest.approx(unit([1, -2, 3]), abs=1e-4)
 
 
-def test_less_than_1e_9_from_half_a_turn_is_half_a_turn():
-    found = rotation_to_axis_angle(axis_angle_to_rotation([1, -2, 2], pi - 1e-9))
-    assert found.angle == pi
-    assert [angle for _, angle in found.solutions] == [pi, pi]
-    assert rotation_to_quaternion(axis_angle_to_rotation([-1, 2, 2], pi - 1e-9)).solutions[0] == pytest.approx(
-        [0, 1 / 3, -2 / 3, -2 / 3], abs=1e-15
-    )
+@pytest.mark.parametrize("axis", [[1, -2, 2], [0, 0, 1], [0, -1, 0], [1, 1e-5, -1e-9], [-1, 1e-4, 0]])
+@pytest.mark.parametrize("missing", [10.0**-k for k in range(3, 16)])
+def test_nearly_half_a_turn_keeps_its_angle_and_one_axis(axis, missing):
+    """θ = π − 1e-9 was reported as π, so that the rotation was off by 1e-9."""
+    R = axis_angle_to_rotation(axis, pi - missing)
+    found, quaternions = rotation_to_axis_angle(R), rotation_to_quaternion(R).solutions
+    for r, theta in found.solutions:
+        assert axis_angle_to_rotation(r, theta) == pytest.approx(R, abs=4e-15)
+    for Q in quaternions:
+        assert quaternion_to_rotation(Q) == pytest.approx(R, abs=4e-15)
+    if missing > 1e-14:  # else it may be half a turn, to rounding
+        assert found.angle == pytest.approx(pi - missing, abs=2e-15)
+        assert [theta < 0 for _, theta in found.solutions] == [False, True]
+        assert quaternions[0][0] > 0
+
+
+@given(vectors, st.sampled_from([0, pi / 2, pi, -pi / 2, -pi]), st.floats(-16, -1), st.sampled_from([-1, 1]))
+def test_axis_and_quaternion_give_the_rotation_back_near_every_special_angle(axis, special, exponent, sign):
+    R = axis_angle_to_rotation(axis, special + sign * 10**exponent)
+    for solution in rotation_to_axis_angle(R).solutions or (([0, 0, 1], 0.0),):
+        assert axis_angle_to_rotation(*solution) == pytest.approx(R, abs=5e-15)
+    for Q in rotation_to_quaternion(R).solutions:
+        assert quaternion_to_rotation(Q) == pytest.approx(R, abs=5e-15)
+
+
+def test_half_a_turn_made_of_other_turns_is_half_a_turn_to_rounding():
+    rng = np.random.default_rng(4)
+    for _ in range(50):
+        A = axis_angle_to_rotation(rng.normal(size=3), rng.uniform(-3, 3))
+        found = rotation_to_axis_angle(A @ axis_angle_to_rotation([0, 0, 1], pi) @ A.T)
+        assert [angle for _, angle in found.solutions] == [pi, pi]
 
 
 def test_rotation_by_a_symbol_is_a_matrix():

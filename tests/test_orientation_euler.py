@@ -270,3 +270,23 @@ def test_rotations_by_moving_axes_compose_from_left_to_right():
     assert R[:, 2] == pytest.approx([1, 0, 0], abs=1e-15)
     fixed = euler_to_rotation("ZXZ", [pi / 2, pi / 2, 0], fixed=True)
     assert fixed[:, 2] == pytest.approx([0, -1, 0], abs=1e-15)
+
+
+@given(
+    st.sampled_from(EVERY),
+    st.booleans(),
+    angle,
+    angle,
+    st.integers(-1, 1),
+    st.floats(-16, -1),
+    st.sampled_from([-1, 1]),
+)
+def test_every_solution_gives_the_rotation_back_near_the_singularity_of_its_sequence(
+    name, fixed, first, last, offset, exponent, sign
+):
+    middle = singular_angle(name, offset) + sign * 10**exponent
+    R = euler_to_rotation(name, [first, middle, last], fixed=fixed)
+    found = rotation_to_euler(name, R, fixed=fixed)
+    assert not (found.singular and exponent > -14)
+    for solution in found.solutions:
+        assert euler_to_rotation(name, solution, fixed=fixed) == pytest.approx(R, abs=6e-15)

@@ -173,3 +173,15 @@ def test_a_further_turn_is_a_number_or_an_expression():
 def test_parallel_axes_or_directions_leave_the_turn_about_them_open(a2, d2):
     with pytest.raises(InputError, match="must not be parallel"):
         align_two_directions([1, 0, 0], [0, 0, 1], a2, d2)
+
+
+@given(vectors, vectors, st.floats(-16, -1), st.sampled_from([0, pi / 2, pi]), st.sampled_from([-1, 1]))
+def test_the_least_turn_is_the_rotation_itself_near_parallel_and_opposite_directions(a, b, exponent, special, sign):
+    across = np.cross(a, b + 0.1)
+    if np.linalg.norm(across) < 1e-3:
+        return
+    d = axis_angle_to_rotation(across, special + sign * 10**exponent) @ unit(a)
+    found = align_direction(a, d)
+    assert found.rotation @ unit(a) == pytest.approx(d, abs=5e-15)
+    turn = np.eye(3) if found.axis is None else axis_angle_to_rotation(found.axis, found.angle)
+    assert turn == pytest.approx(found.rotation, abs=1e-14)

@@ -74,8 +74,8 @@ def rotation_to_axis_angle(R: npt.ArrayLike, *, tolerance: float = PRINTED) -> A
     """Return the axis and the angle of a rotation, with both solutions and the special cases θ = 0 and θ = π.
 
     θ = 2 atan2(|ε|, η) and r = ε/|ε| of the unit quaternion (η, ε): the angle of tr R = 1 + 2 cos θ and
-    R − Rᵀ = 2 sin θ [r]×, but exact also where sin θ vanishes. An |ε| or η below 1e-9, or below the correction of R,
-    counts as zero.
+    R − Rᵀ = 2 sin θ [r]×, but exact also where sin θ vanishes. An |ε| or η counts as zero only where rounding, 2e-15,
+    or the correction of R leaves no more of it: an angle of π − 1e-12 is not half a turn.
 
     Args:
         R: (3, 3), a rotation; one printed with four digits is projected on the nearest.

@@ -88,7 +88,8 @@ def rotation_to_euler(
     """Return all angles (φ₁, φ₂, φ₃) of a sequence that give R: two triples, or where it is singular a family.
 
     The sequence is singular where the first and the last axis are parallel: cos φ₂ = 0 of a ZYX, sin φ₂ = 0 of a ZYZ.
-    There only φ₁ + φ₃ or φ₁ − φ₃ is determined. A sine below 1e-9, or below the correction of R, counts as zero.
+    There only φ₁ + φ₃ or φ₁ − φ₃ is determined. A sine counts as zero where rounding, 2e-15, or the correction of R
+    leaves no more of it: elsewhere both triples give R to the last digits.
 
     Args:
         sequence: three axes, such as "ZYZ", "XYZ", or "Z-YX" with an angle about −y.

@@ -10,7 +10,8 @@ from robotics1.inputs import Array, real_array, real_number
 from robotics1.notation import vector
 
 PRINTED = 1e-3  # largest correction of an entry: three or four printed digits are accepted
-SINGULAR = 1e-9  # a sine or cosine below this counts as zero, as singular values do
+SINGULAR = 1e-9  # a sine or cosine below this counts as zero where something is divided by it, as singular values do
+ROUNDING = 2e-15  # what rounding leaves of a sine or cosine that is zero: nine units of the last digit of 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,8 +28,8 @@ class NearestRotation:
 
     @property
     def resolution(self) -> float:
-        """What counts as zero in R: 1e-9, or the correction where that is larger."""
-        return max(SINGULAR, self.correction)
+        """What counts as zero in R: its rounding, 2e-15, or the correction where that is larger."""
+        return max(ROUNDING, self.correction)
 
 
 def nearest_rotation(M: npt.ArrayLike, *, tolerance: float = PRINTED) -> NearestRotation:

@@ -11,7 +11,7 @@ from robotics1.inputs import Array, real_array
 from robotics1.notation import joint_value
 from robotics1.orientation.elementary import cross_matrix, turn, unit_vector
 from robotics1.orientation.expressions import Matrix, expressions, told
-from robotics1.orientation.nearest import SINGULAR, rotation_of
+from robotics1.orientation.nearest import ROUNDING, SINGULAR, rotation_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,9 +69,9 @@ def align_direction(a: npt.ArrayLike, d: npt.ArrayLike, *, start: npt.ArrayLike 
     b = R @ a
     n, cosine = np.cross(b, d), float(b @ d)
     sine = float(np.linalg.norm(n))
-    if sine <= SINGULAR and cosine > 0:
+    if sine <= ROUNDING and cosine > 0:
         return Alignment(_least_turn(b, d) @ R, None, 0.0, True, d)
-    unique = sine > SINGULAR
+    unique = sine > ROUNDING
     axis = _across(b, n if unique else np.eye(3)[np.argmin(np.abs(b))])
     R0 = _least_turn(b, d) if cosine >= 0 else _least_turn(-b, d) @ (2 * np.outer(axis, axis) - np.eye(3))
     return Alignment(R0 @ R, axis, float(np.arctan2(sine, cosine)) if unique else float(np.pi), unique, d)

@@ -11,7 +11,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, one_of, real_number
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.orientation.expressions import Matrix, expressions, told
-from robotics1.orientation.nearest import PRINTED, NearestRotation, rotation_of
+from robotics1.orientation.nearest import PRINTED, SINGULAR, NearestRotation, rotation_of
 
 
 def quaternion_to_rotation(quaternion: Any) -> Matrix:
@@ -100,7 +100,7 @@ def rotation_to_quaternion(R: npt.ArrayLike, *, tolerance: float = PRINTED) -> U
 
 
 def quaternion_of(near: NearestRotation) -> Array:
-    """Return Q (4,) with η ≥ 0; an η or |ε| below the resolution of the rotation is zero."""
+    """Return Q (4,) with η ≥ 0; an η or |ε| is zero where rounding leaves no more of it."""
     from scipy.spatial.transform import Rotation
 
     Q = np.roll(Rotation.from_matrix(near.rotation).as_quat(), 1)
@@ -109,5 +109,5 @@ def quaternion_of(near: NearestRotation) -> Array:
     if np.linalg.norm(Q[1:]) <= near.resolution:
         Q[1:] = 0.0
     Q /= np.linalg.norm(Q)
-    leading = Q[np.abs(Q) > near.resolution][0]
+    leading = Q[np.abs(Q) > (SINGULAR if Q[0] == 0 else 0.0)][0]  # not the sign of what rounding leaves of a zero
     return np.asarray(Q * np.sign(leading) + 0.0)

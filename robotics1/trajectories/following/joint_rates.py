@@ -7,8 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.analysis.spaces import RANK_TOLERANCE, subspaces
-from robotics1.inputs import Array, real_array
 from robotics1.differentiation import directional_derivative
+from robotics1.inputs import Array, real_array
 from robotics1.robot.model import Robot
 from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.differentiation import derivative_inside, directional_derivative
 from robotics1.errors import InputError
 from robotics1.inputs import Array
-from robotics1.differentiation import derivative_inside, directional_derivative
 from robotics1.kinematics import joint_rates
 from robotics1.robot.model import Robot
 from robotics1.tasks.arguments import require_robot, require_task
