@@ -14,6 +14,9 @@ STEP = 1e-4  # of differences of fourth order: error about STEP⁴ from the curv
 STRIDE = 5e-3  # of differences of sixth order: error about STRIDE⁶/140 from the curve and 1e-16/STRIDE from rounding
 SHRINK = 1.6  # from one step of the extrapolation to the next
 LEVELS = 9  # steps of the extrapolation: the least is the first over 1.6⁸ = 43
+SHARP = 1e-9  # relative error above which smaller steps are tried
+FINER = 40.0  # how much smaller
+ROUNDING = 4 * np.finfo(float).eps  # of a value of f, relative to it
 NODES = 5  # values of a one-sided difference; its error is of the order of SPACING⁴
 SPACING = 2e-3  # from one of them to the next, of the interval
 
@@ -25,12 +28,12 @@ class Estimate(NamedTuple):
     error: Array
 
 
-def derivative(f: Callable[[float], Any], *, step: float = 0.2, noise: npt.ArrayLike = 0.0) -> Estimate:
+def derivative(f: Callable[[float], Any], *, step: float = 0.1, noise: npt.ArrayLike = 0.0) -> Estimate:
     """Return df/dt at t = 0 of an array that depends smoothly on t, and an estimate of its error.
 
     Central differences D(h) = (f(h) − f(−h))/2h = f′ + c₁h² + c₂h⁴ + … at h = step/1.6ᵏ are extrapolated to h = 0. Of
     all entries of the table the one is taken whose error is least: what the last elimination changed, and rounding
-    over h.
+    over h. Where f is so sharp that the error is large, the same is done with smaller steps.
 
     Args:
         f: of a time; it may return a number or an array.
@@ -39,12 +42,24 @@ def derivative(f: Callable[[float], Any], *, step: float = 0.2, noise: npt.Array
 
     Source: Ridders, Accurate computation of F'(x) and F'(x)F''(x), Advances in Engineering Software 4, 1982.
     """
+    best = _extrapolated(f, step, noise)
+    for k in (1, 2):
+        if (best.error <= SHARP * (1 + np.abs(best.value))).all():
+            break
+        other = _extrapolated(f, step / FINER**k, noise)
+        better = other.error < best.error
+        best = Estimate(*(np.where(better, new, old) for new, old in zip(other, best, strict=True)))
+    return best
+
+
+def _extrapolated(f: Callable[[float], Any], step: float, noise: npt.ArrayLike) -> Estimate:
+    """Return the best entry of Ridders' table that begins with this step."""
     table: list[Array] = []
     best, error = np.zeros(()), np.asarray(np.inf)
     for level in range(LEVELS):
         h = step / SHRINK**level
         ahead, behind = np.asarray(f(h), dtype=float), np.asarray(f(-h), dtype=float)
-        rounding = (4 * np.finfo(float).eps * np.maximum(np.abs(ahead), np.abs(behind)) + noise) / h
+        rounding = (ROUNDING * np.maximum(np.abs(ahead), np.abs(behind)) + noise) / h
         row = [(ahead - behind) / (2 * h)]
         for order, coarser in enumerate(table, start=1):
             row.append(row[-1] + (row[-1] - coarser) / (SHRINK ** (2 * order) - 1))

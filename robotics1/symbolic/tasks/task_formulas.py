@@ -6,6 +6,7 @@ import numpy as np
 import sympy
 
 from robotics1.caching import cached_property
+from robotics1.differentiation import Estimate
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, one_of
 from robotics1.robot.model import Robot
@@ -13,7 +14,16 @@ from robotics1.symbolic.kinematics.chain import Chain
 from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.tasks.rates import rate_of, velocity_product_of
 from robotics1.symbolic.tasks.reading import Reading
-from robotics1.symbolic.tasks.verification import Point, Trials, numeric_jacobian, numeric_value, rate
+from robotics1.symbolic.tasks.verification import (
+    Point,
+    Trials,
+    numeric_determinant,
+    numeric_jacobian,
+    numeric_product,
+    numeric_rate,
+    numeric_value,
+    rounded,
+)
 from robotics1.symbolic.writing.printing import python_function
 from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import Task
@@ -32,7 +42,7 @@ class Formulas:
     """The formulas of a task, in q1, q2, ... and the robot's named parameters.
 
     Each is compared with Pinocchio at random q and parameters when it is first asked for, and a FormulaError is
-    raised where they differ by more than 1e-9.
+    raised where they differ by more than 1e-9, or 30 times the estimated error of the numbers.
 
     Attributes:
         robot, task: of what; with a chosen point, the robot has one more frame, and the task is on it.
@@ -80,7 +90,11 @@ class Formulas:
     def velocity_product(self) -> sympy.Matrix:
         """J̇ q̇, (m, 1), of r̈ = J q̈ + J̇ q̇."""
         product = velocity_product_of(self.jacobian, self.q, self.qdot)
-        self._trials.verify(product, lambda point: self._jacobian_rate_at(point) @ point.qdot, "J̇ q̇")
+
+        def numeric(point: Point) -> Estimate:
+            return numeric_product(self._jacobian_rate_at(point), rounded(point.qdot))
+
+        self._trials.verify(product, numeric, "J̇ q̇")
         return product
 
     @cached_property
@@ -105,10 +119,11 @@ class Formulas:
         """
         found = {out: self.reading.written_minor(minor) for out, minor in self.reading.minors.items()}
 
-        def numeric(point: Point) -> Array:
+        def numeric(point: Point) -> Estimate:
             J = self._jacobian_at(point)
-            wide = J.shape[1] > J.shape[0]
-            return np.array([np.linalg.det(np.delete(J, out, axis=int(wide))) for out in found])
+            axis = int(J.value.shape[1] > J.value.shape[0])
+            minors = [numeric_determinant(Estimate(*(np.delete(part, out, axis) for part in J))) for out in found]
+            return Estimate(*map(np.array, zip(*minors, strict=True)))
 
         self._trials.verify(sympy.Matrix(list(found.values())), numeric, "a minor of J")
         return found
@@ -122,9 +137,11 @@ class Formulas:
         """
         found = self.reading.gram_determinant
 
-        def numeric(point: Point) -> Array:
+        def numeric(point: Point) -> Estimate:
             J = self._jacobian_at(point)
-            return np.array(np.linalg.det(J @ J.T if J.shape[0] <= J.shape[1] else J.T @ J))
+            transposed = Estimate(J.value.T, J.error.T)
+            wide = J.value.shape[0] <= J.value.shape[1]
+            return numeric_determinant(numeric_product(*((J, transposed) if wide else (transposed, J))))
 
         self._trials.verify(sympy.Matrix([found]), numeric, "det(J Jᵀ)")
         return found
@@ -179,9 +196,11 @@ class Formulas:
     def _places(self) -> list[int]:
         return [self.task.row_names.index(name) for name in self.row_names]
 
-    def _value_at(self, point: Point) -> Array:
+    def _value_at(self, point: Point) -> Estimate:
         r = numeric_value(self.task, point.robot, point.q)
-        return r[self._places] if r.shape == (len(self.task.row_names),) else r
+        if r.value.shape != (len(self.task.row_names),):
+            return r
+        return Estimate(r.value[self._places], r.error[self._places])
 
     def _difference(self, ours: Array, theirs: Array) -> Array:
         """Return ours − theirs; angles of a task on a frame count up to whole turns."""
@@ -191,8 +210,9 @@ class Formulas:
             difference[angles] = np.angle(np.exp(1j * difference[angles]))
         return difference
 
-    def _jacobian_at(self, point: Point) -> Array:
-        return numeric_jacobian(self.task, point.robot, point.q)[self._places]
+    def _jacobian_at(self, point: Point) -> Estimate:
+        value, error = numeric_jacobian(self.task, point.robot, point.q)
+        return Estimate(value[self._places], error[self._places])
 
-    def _jacobian_rate_at(self, point: Point) -> Array:
-        return rate(lambda t: self._jacobian_at(point._replace(q=point.q + t * point.qdot)))
+    def _jacobian_rate_at(self, point: Point) -> Estimate:
+        return numeric_rate(lambda t: self._jacobian_at(point._replace(q=point.q + t * point.qdot)))

@@ -9,6 +9,7 @@ import pinocchio as pin
 import sympy
 
 from robotics1.caching import cached_property
+from robotics1.differentiation import Estimate, derivative
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
@@ -18,8 +19,9 @@ from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import Task
 
 AGREES = 1e-9  # largest difference of a formula from Pinocchio, relative to the larger of 1 and the value
+MARGIN = 30  # a comparison stands so many times above the error of the numbers
+UNDECIDED = 1e-6  # relative: numbers whose error is larger, with that margin, decide nothing
 TRIALS = 3
-ENOUGH = 1e-11  # estimated error of a derivative at which steps get no smaller; the error itself is far below
 
 
 class Point(NamedTuple):
@@ -57,52 +59,71 @@ class Trials:
         return found
 
     def verify(
-        self, formula: Any, numbers: Callable[[Point], Any], name: str, *, difference: Callable[..., Any] = np.subtract
+        self,
+        formula: Any,
+        numbers: Callable[[Point], Estimate],
+        name: str,
+        *,
+        difference: Callable[..., Any] = np.subtract,
     ) -> None:
         """Compare a formula, or a matrix of them, with numbers at every point.
 
         Raises:
-            FormulaError: they differ by more than 1e-9, relative to the larger of 1 and the value.
+            FormulaError: they differ by more than 1e-9, relative to the larger of 1 and the value, and by more than 30
+                times the estimated error of the numbers; or that error is too large to tell.
         """
         parameters = [sympy.Symbol(parameter, real=True) for parameter in self.robot.parameters]
         evaluate = numpy_function([*self.q, *self.qdot, *parameters], formula)
         for point in self.points:
-            theirs = np.asarray(numbers(point), dtype=float)
+            theirs, error = numbers(point)
             with np.errstate(all="ignore"):
                 ours = np.asarray(evaluate(*point.q, *point.qdot, *point.parameters), dtype=float)
-            theirs = theirs.reshape(ours.shape)
-            error = np.abs(difference(ours, theirs)).max(initial=0.0)
-            if not error <= AGREES * max(1.0, np.abs(theirs).max(initial=0.0)):
-                raise FormulaError(f"the formula of {name} differs from Pinocchio by {error:.1e}")
+            size = max(1.0, np.abs(theirs).max(initial=0.0))
+            doubt = float(np.max(error, initial=0.0))
+            if not MARGIN * doubt <= UNDECIDED * size:
+                raise FormulaError(f"the formula of {name} cannot be compared: numbers are known to {doubt:.1e} only")
+            apart = np.abs(difference(ours, theirs.reshape(ours.shape))).max(initial=0.0)
+            if not apart <= max(AGREES * size, MARGIN * doubt):
+                raise FormulaError(f"the formula of {name} differs from Pinocchio by {apart:.1e}")
 
 
-def numeric_value(task: Task, robot: Robot, q: Array) -> Array:
+def numeric_value(task: Task, robot: Robot, q: Array) -> Estimate:
     """Return r, of a pose as the homogeneous matrix."""
     r = task.value(robot, q)
-    return r.homogeneous if isinstance(r, pin.SE3) else np.asarray(r)
+    return rounded(r.homogeneous if isinstance(r, pin.SE3) else r)
 
 
-def numeric_jacobian(task: Task, robot: Robot, q: Array) -> Array:
-    """Return J; of a function of the user's own as the derivative of its values, to about 1e-13."""
+def numeric_jacobian(task: Task, robot: Robot, q: Array) -> Estimate:
+    """Return J; of a function of the user's own as the derivative of its values."""
     if not isinstance(task, FunctionTask):
-        return np.asarray(task.jacobian(robot, q))
+        return rounded(task.jacobian(robot, q))
+    if not robot.nv:
+        return rounded(np.zeros((task.rows, 0)))
+    columns = [derivative(lambda t, d=d: task.value(robot, q + t * d)) for d in np.eye(robot.nv)]  # type: ignore[misc]
+    return Estimate(*(np.stack(parts, axis=-1) for parts in zip(*columns, strict=True)))
 
-    def along(d: Array) -> Array:
-        return rate(lambda t: task.value(robot, q + t * d))
 
-    return np.array([along(d) for d in np.eye(robot.nv)]).T
+def numeric_rate(J: Callable[[float], Estimate]) -> Estimate:
+    """Return dJ/dt at t = 0: the error of J, which may itself be a derivative, counts as noise."""
+    return derivative(lambda t: J(t).value, noise=J(0.0).error)
 
 
-def rate(f: Callable[[float], Array]) -> Array:
-    """Return df/dt at t = 0 of an array that depends smoothly on t, to about 1e-13 of numbers that are exact."""
-    from scipy.differentiate import derivative
+def numeric_determinant(J: Estimate) -> Estimate:
+    """Return det J, with an error of one row in proportion to the product of the lengths of the rows (Hadamard)."""
+    lengths = np.linalg.norm(J.value, axis=1)
+    error = np.linalg.norm(J.error, axis=1) + len(lengths) * np.finfo(float).eps * lengths
+    others = [np.prod(np.delete(lengths, i)) for i in range(len(lengths))]
+    return Estimate(np.asarray(np.linalg.det(J.value)), np.asarray(float(np.sum(error * others))))
 
-    shape = np.shape(f(0.0))
 
-    def flat(t: Array) -> Array:
-        values = np.array([np.ravel(f(float(x))) for x in np.ravel(t)])
-        return values.T.reshape(-1, *np.shape(t))
+def numeric_product(A: Estimate, B: Estimate) -> Estimate:
+    """Return A B, with |δ(A B)| ≤ |δA||B| + |A||δB| entry by entry."""
+    error = A.error @ np.abs(B.value) + np.abs(A.value) @ B.error
+    return Estimate(A.value @ B.value, error)
 
-    tolerances = {"atol": ENOUGH, "rtol": ENOUGH}
-    found = derivative(flat, 0.0, preserve_shape=True, tolerances=tolerances, initial_step=0.1, maxiter=8)
-    return np.asarray(found.df).reshape(shape)
+
+def rounded(value: Any) -> Estimate:
+    """Return an array that is exact but for rounding, of about ten operations on numbers of the size of its largest."""
+    value = np.asarray(value, dtype=float)
+    largest = float(np.abs(value).max(initial=0.0))
+    return Estimate(value, np.full(value.shape, 10 * np.finfo(float).eps * largest))
