@@ -1,5 +1,11 @@
 """The public names and where they are; `__init__.py` reads this file, and so do type checkers."""
 
+from .analysis.rounded_configuration import (
+    RoundedConfiguration as RoundedConfiguration,
+)
+from .analysis.rounded_configuration import (
+    singularity_within_rounding as singularity_within_rounding,
+)
 from .analysis.singular_set import (
     SingularBranch as SingularBranch,
 )
@@ -11,6 +17,9 @@ from .analysis.singularity import (
 )
 from .analysis.spaces import (
     RANK_TOLERANCE as RANK_TOLERANCE,
+)
+from .analysis.spaces import (
+    RankStatus as RankStatus,
 )
 from .analysis.spaces import (
     Subspaces as Subspaces,
@@ -616,6 +625,7 @@ __all__ = [
     "PoseTask",
     "PositionTask",
     "ProfileLaw",
+    "RankStatus",
     "RateVerdict",
     "RefinedGroup",
     "Refinement",
@@ -625,6 +635,7 @@ __all__ = [
     "RobotFileError",
     "RobotWarning",
     "Robotics1Error",
+    "RoundedConfiguration",
     "SingularAngle",
     "SingularBranch",
     "SingularSet",
@@ -720,6 +731,7 @@ __all__ = [
     "septic",
     "shortest_duration",
     "simulate_tracking",
+    "singularity_within_rounding",
     "skew",
     "smallest_gain",
     "solve_ik",

@@ -1,13 +1,25 @@
 """The four subspaces of a Jacobian, its rank, and its inverses, under one threshold of rank."""
 
 from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array, real_array
+from robotics1.analysis.printed_digits import all_printed, half_units
+from robotics1.inputs import Array, real_array, real_number
 
 RANK_TOLERANCE = 1e-9  # σᵢ counts as zero when σᵢ ≤ 1e-9 σ₁
+FOUR_DECIMALS = 5e-5  # of σ₁: what a configuration that is rounded to four decimals does not tell from zero
+DECIMALS = 3  # of an entry of a matrix that is a rounded one: with fewer, as 0.5 and 0.25, it is a choice
+
+
+class RankStatus(Enum):
+    """Whether the rank is certain, with the digits that are known."""
+
+    FULL_RANK = "the rank is full"
+    RANK_DEFICIENT = "the rank is not full"
+    NEARLY_SINGULAR = "nearly singular: a lower rank is within the rounding of the given digits"
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,6 +34,7 @@ class Subspaces:
         left_null: (m, m − r) N(Jᵀ): the velocities no q̇ has a part in, and the forces that need no torque.
         row: (n, r) the joint velocities without a part in the null space, R(Jᵀ).
         null: (n, n − r) N(J): the joint velocities that do not move the task.
+        rounding: what J may be off by, ‖ΔJ‖: no σᵢ is off by more.
     """
 
     J: Array
@@ -31,6 +44,42 @@ class Subspaces:
     left_null: Array
     row: Array
     null: Array
+    rounding: float = 0.0
+
+    @property
+    def certain_rank(self) -> int:
+        """The number of σᵢ above the threshold of rank and above the rounding of J: no less is possible."""
+        return min(self.rank, int(np.count_nonzero(self.singular_values > self.rounding)))
+
+    @property
+    def nearly_singular(self) -> bool:
+        """Whether a matrix of lower rank is within the rounding of J, so that its rank may be lower."""
+        return self.certain_rank < self.rank
+
+    @property
+    def status(self) -> RankStatus:
+        """Whether the rank is full, deficient, or not certain with the digits that are known."""
+        if self.nearly_singular:
+            return RankStatus.NEARLY_SINGULAR
+        return RankStatus.FULL_RANK if self.rank == min(self.J.shape) else RankStatus.RANK_DEFICIENT
+
+    @property
+    def at_singularity(self) -> "Subspaces":
+        """The subspaces of the nearest matrix of the certain rank, U_r Σ_r V_rᵀ (Eckart, Young); else these."""
+        if not self.nearly_singular:
+            return self
+        r = self.certain_rank
+        U, V = np.hstack([self.range, self.left_null]), np.hstack([self.row, self.null])
+        sigma = np.where(np.arange(len(self.singular_values)) < r, self.singular_values, 0.0)
+        return Subspaces((U[:, :r] * sigma[:r]) @ V[:, :r].T, sigma, r, U[:, :r], U[:, r:], V[:, :r], V[:, r:])
+
+    def explain(self) -> str:
+        """Return the status with its numbers, in a sentence."""
+        rank = f"{self.status.value} (rank {self.rank} of {min(self.J.shape)})"
+        if not self.nearly_singular:
+            return rank
+        sigma = self.singular_values[self.certain_rank]
+        return f"{rank}; σ = {sigma:.1e} is below {self.rounding:.1e}, and without it the rank is {self.certain_rank}"
 
     def contains(self, v: npt.ArrayLike) -> bool:
         """Return whether the task velocity v (m,) can be realised: v ∈ R(J), to 1e-9 of its length."""
@@ -42,22 +91,37 @@ class Subspaces:
         return self.left_null @ (self.left_null.T @ v)
 
 
-def subspaces(J: npt.ArrayLike) -> Subspaces:
+def subspaces(J: npt.ArrayLike, *, rounding: float | None = None) -> Subspaces:
     """Return the rank and the four subspaces of J (m, n), from its singular value decomposition J = U Σ Vᵀ.
 
-    Raises:
-        InputError: J is not a finite matrix.
+    The rank counts σᵢ > 1e-9 σ₁. Where some of these are not above the rounding of J, the status is NEARLY_SINGULAR,
+    and `at_singularity` has the subspaces of the matrix without them: no σᵢ changes by more than ‖ΔJ‖ (Weyl).
 
-    Source: Golub, Van Loan, Matrix Computations, 2013, section 2.4; Strang's four fundamental subspaces.
+    Args:
+        J: a matrix.
+        rounding: ‖ΔJ‖, what J may be off by. By default, of a matrix printed with three to twelve digits, the Frobenius
+            norm of half a unit of each last digit; of a computed one 5e-5 σ₁, what a configuration that is rounded
+            to four decimals leaves open. `singularity_within_rounding` finds it for a configuration itself.
+
+    Raises:
+        InputError: J is not a finite matrix, or the rounding is negative.
+
+    Source: Golub, Van Loan, Matrix Computations, 2013, sections 2.4 and 8.6 (Weyl); Strang's four fundamental
+    subspaces.
     """
     J = real_array("J", J, (None, None), "a matrix")
-    return subspaces_of_rank(J, numeric_rank(np.linalg.svd(J, compute_uv=False)))
+    sigma = np.linalg.svd(J, compute_uv=False)
+    if rounding is None:
+        off = np.linalg.norm(half_units(J, DECIMALS)) if all_printed(J) else FOUR_DECIMALS * sigma[:1].sum()
+    else:
+        off = real_number("rounding", rounding, non_negative=True)
+    return subspaces_of_rank(J, numeric_rank(sigma), float(off))
 
 
-def subspaces_of_rank(J: Array, r: int) -> Subspaces:
+def subspaces_of_rank(J: Array, r: int, rounding: float = 0.0) -> Subspaces:
     """Return the subspaces of a matrix whose rank is known to be r: the smaller singular values are rounding."""
     U, sigma, Vt = np.linalg.svd(J)
-    return Subspaces(J, sigma, r, U[:, :r], U[:, r:], Vt[:r].T, Vt[r:].T)
+    return Subspaces(J, sigma, r, U[:, :r], U[:, r:], Vt[:r].T, Vt[r:].T, rounding)
 
 
 def echelon(basis: Array) -> Array:

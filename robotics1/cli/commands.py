@@ -177,19 +177,22 @@ def statics(
     """The torques that balance a force on the tool, τ = −Jᵀ f."""
     import numpy as np
 
+    from robotics1.analysis.rounded_configuration import singularity_within_rounding
     from robotics1.analysis.singularity_words import directions
-    from robotics1.analysis.spaces import subspaces
     from robotics1.analysis.statics import balancing_torque
 
     arm = arguments.parse_robot(robot, param or [], tool)
     values = arguments.configuration(arm, q, degrees)
     what = arguments.parse_task(task, frame)
-    J = what.jacobian(arm, values)
-    torque = balancing_torque(J, arguments.parse_vector(force))
-    free = subspaces(J).left_null
+    rounded = singularity_within_rounding(arm, what, values)
+    torque = balancing_torque(rounded.spaces.J, arguments.parse_vector(force))
+    free, there = rounded.spaces.left_null, rounded.at_singularity
     within = np.abs(torque) <= arm.max_effort
     if json:
-        output.write_json({"q": values, "torque": torque, "within_limits": within, "forces_without_torque": free.T})
+        from robotics1.cli.jacobian import as_json
+
+        answer = {"q": values, "torque": torque, "within_limits": within, "forces_without_torque": free.T}
+        output.write_json(answer | {"status": rounded.status.name, "at_singularity": as_json(rounded)})
         return
     output.say_outside_limits(out, arm, values)
     out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(output.joint_names(arm))}) [N m, for a prismatic joint N]")
@@ -198,6 +201,9 @@ def statics(
             out.print(f"{name} would need {value:.4g}, beyond its effort limit {limit:.4g}", style="yellow")
     if free.size:
         out.print(f"forces along {directions(free)} need no torque")
+    if there is not None:
+        out.print(rounded.explain(), style="yellow", markup=False)
+        out.print(f"there forces along {directions(there.left_null)} need no torque")
 
 
 app.command()(scan)

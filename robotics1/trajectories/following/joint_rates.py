@@ -1,11 +1,12 @@
 """Inverse differential kinematics at one state: q̇ from ṙ, and q̈ from r̈, with what cannot be realised."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.analysis.rounded_configuration import RoundedConfiguration, rounded_configuration
 from robotics1.analysis.spaces import RANK_TOLERANCE, subspaces
 from robotics1.differentiation import directional_derivative
 from robotics1.inputs import Array, real_array
@@ -24,6 +25,7 @@ class RateVerdict(Enum):
     REALISED_ALL_THE_SAME = "realised, although the Jacobian has lost rank: what is asked is in its range"
     DAMPED = "in the range of the Jacobian, but the damping leaves a part of it"
     OUT_OF_RANGE = "not in the range of the Jacobian: a part of it cannot be realised"
+    NEARLY_SINGULAR = "nearly singular: with the digits it is given by, the configuration may be singular"
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +40,8 @@ class Resolved:
         singular_values: of A, descending.
         rank: of A.
         damping: the λ that was used.
-        verdict: whether b is realised.
+        verdict: whether b is realised; NEARLY_SINGULAR where a singularity is within the rounding of q.
+        rounded: q with its printed digits, and the singular configuration within them.
     """
 
     inputs: Array
@@ -49,6 +52,7 @@ class Resolved:
     rank: int
     damping: float
     verdict: RateVerdict
+    rounded: RoundedConfiguration = field(kw_only=True)
 
     @property
     def feasible(self) -> bool:
@@ -58,14 +62,17 @@ class Resolved:
     @property
     def near_singular(self) -> bool:
         """Whether the rank is lost, or σ_min ≤ 0.01 σ_max."""
-        return bool(self.singular_values[-1] <= NEAR * self.singular_values[0])
+        return bool((self.singular_values[-1:] <= NEAR * self.singular_values[:1]).any())
 
     @property
     def explanation(self) -> str:
         """The verdict with its numbers, in a sentence."""
-        least, most = self.singular_values[-1], self.singular_values[0]
+        if self.verdict is RateVerdict.NEARLY_SINGULAR:
+            return f"{self.rounded.explain()}; the answer there is `at_singularity`"
         rank = f"rank {self.rank} of {min(len(self.realised), len(self.inputs))}"
-        near = f", near a singularity: σ_min/σ_max = {least / most:.2g}" if self.near_singular and least > 0 else ""
+        near = ""
+        if self.near_singular and self.singular_values[-1] > 0:
+            near = f", near a singularity: σ_min/σ_max = {self.singular_values[-1] / self.singular_values[0]:.2g}"
         left = float(np.linalg.norm(self.residual))
         rest = "" if self.verdict.name.startswith("REALISED") else f"; |residual| = {left:.6g}"
         return f"{self.verdict.value} ({rank}{near}{rest})"
@@ -77,9 +84,11 @@ class JointVelocity(Resolved):
 
     Attributes:
         qdot: (nv,) q̇ = G u [rad/s or m/s].
+        at_singularity: the answer at the singular configuration within the rounding of q; None where there is none.
     """
 
     qdot: Array
+    at_singularity: "JointVelocity | None" = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,10 +98,12 @@ class JointAcceleration(Resolved):
     Attributes:
         qddot: (nv,) q̈ = G u̇ + Ġ u [rad/s² or m/s²].
         drift: (m,) J̇ q̇, or with an input matrix d(J G)/dt u: the task acceleration when the inputs are steady.
+        at_singularity: the answer at the singular configuration within the rounding of q; None where there is none.
     """
 
     qddot: Array
     drift: Array
+    at_singularity: "JointAcceleration | None" = None
 
 
 def joint_velocity(
@@ -120,14 +131,22 @@ def joint_velocity(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.5.
     """
-    resolution = resolution_or_default(resolution)
+    chosen = resolution_or_default(resolution)
+    require_robot(robot)
     require_task(task)
-    q = require_robot(robot).configuration(q)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
-    G = resolution.inputs(robot, q)
-    A = task.jacobian(robot, q) @ G
-    u, damping = resolution.solve(A, rdot, _wish("null_velocity", null_velocity, A))
-    return JointVelocity(*_report(A, rdot, u, damping, float(np.linalg.norm(rdot))), G @ u)
+    rounded = _rounded(robot, task, chosen, q)
+
+    def at(x: Array, A: Array) -> JointVelocity:
+        u, damping = chosen.solve(A, rdot, _wish("null_velocity", null_velocity, A))
+        parts = _report(A, rdot, u, damping, float(np.linalg.norm(rdot)))
+        return JointVelocity(*parts, chosen.inputs(robot, x) @ u, rounded=rounded)
+
+    found = at(rounded.q, rounded.spaces.J)
+    if rounded.singular_q is None or rounded.at_singularity is None:
+        return found
+    there = at(rounded.singular_q, rounded.at_singularity.J)
+    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
 
 
 def joint_acceleration(
@@ -159,17 +178,30 @@ def joint_acceleration(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
-    resolution = resolution_or_default(resolution)
+    chosen = resolution_or_default(resolution)
+    require_robot(robot)
     require_task(task)
-    q = require_robot(robot).configuration(q)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
-    G = resolution.inputs(robot, q)
-    u = real_array("qdot", qdot, (G.shape[1],), "one number for each joint, or each input")
-    A = task.jacobian(robot, q) @ G
-    drift, turning = drifts(robot, task, resolution, q, u)
-    udot, damping = resolution.solve(A, rddot - drift, _wish("null_acceleration", null_acceleration, A))
-    parts = _report(A, rddot - drift, udot, damping, float(np.linalg.norm(rddot) + np.linalg.norm(drift)))
-    return JointAcceleration(parts[0], parts[1] + drift, *parts[2:], G @ udot + turning, drift)
+    rounded = _rounded(robot, task, chosen, q)
+    u = real_array("qdot", qdot, (rounded.spaces.J.shape[1],), "one number for each joint, or each input")
+
+    def at(x: Array, A: Array) -> JointAcceleration:
+        drift, turning = drifts(robot, task, chosen, x, u)
+        udot, damping = chosen.solve(A, rddot - drift, _wish("null_acceleration", null_acceleration, A))
+        parts = _report(A, rddot - drift, udot, damping, float(np.linalg.norm(rddot) + np.linalg.norm(drift)))
+        qddot = chosen.inputs(robot, x) @ udot + turning
+        return JointAcceleration(parts[0], parts[1] + drift, *parts[2:], qddot, drift, rounded=rounded)
+
+    found = at(rounded.q, rounded.spaces.J)
+    if rounded.singular_q is None or rounded.at_singularity is None:
+        return found
+    there = at(rounded.singular_q, rounded.at_singularity.J)
+    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
+
+
+def _rounded(robot: Robot, task: Task, resolution: Resolution, q: npt.ArrayLike) -> RoundedConfiguration:
+    """Return what the digits of q leave open of the rank of A = J G."""
+    return rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q)
 
 
 def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array) -> tuple[Array, Array]:
