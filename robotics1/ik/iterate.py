@@ -128,7 +128,7 @@ def iterate_ik(
         status = _status(J, e, method, tolerance, len(table) > limit)
         if status is None:
             ahead = q + step(J, e)
-            if not np.abs(ahead).max() < TOO_FAR:  # also when it is not a number
+            if not np.abs(ahead).max(initial=0.0) < TOO_FAR:  # also when it is not a number
                 status = IKStatus.DIVERGED
         if status is not None:
             return IKIteration(status, q, tuple(table), robot.within_limits(q), method)
@@ -161,7 +161,8 @@ def _step(
 def _row(k: int, q: Array, r: Any, e: Array, J: Array) -> IKIterate:
     square = J.shape[0] == J.shape[1]
     det = float(np.linalg.det(J)) if square else float("nan")
-    return IKIterate(k, q, r, float(np.linalg.norm(e)), det, float(np.linalg.svd(J, compute_uv=False)[-1]))
+    least = np.linalg.svd(J, compute_uv=False)[-1:].sum()  # 0 without joints
+    return IKIterate(k, q, r, float(np.linalg.norm(e)), det, float(least))
 
 
 def _status(J: Array, e: Array, method: str, tolerance: float, used_up: bool) -> IKStatus | None:
@@ -173,6 +174,6 @@ def _status(J: Array, e: Array, method: str, tolerance: float, used_up: bool) ->
     if method == "newton":
         if numeric_rank(sigma) < len(sigma):
             return IKStatus.SINGULAR
-    elif np.linalg.norm(J.T @ e) <= RANK_TOLERANCE * sigma[0] * error:
+    elif np.linalg.norm(J.T @ e) <= RANK_TOLERANCE * sigma[:1].sum() * error:
         return IKStatus.STALLED
     return IKStatus.MAX_ITERATIONS if used_up else None

@@ -64,7 +64,8 @@ def plot_trajectory(
             _draw_bounds(axes, bounds[quantity])
         axes.set(ylabel=f"{quantity} [{units[0]}{per}]" if same else quantity)
         axes.grid(alpha=0.4)
-        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        if names:
+            axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     panels[0].set(title=title)
     panels[-1].set(xlabel="t [s]")
     return write_svg(figure, path)

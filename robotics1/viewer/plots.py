@@ -32,7 +32,8 @@ def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *,
     lower.set(xlabel="t [s]", ylabel="joint velocity")
     for axes in (upper, lower):
         axes.grid(alpha=0.4)
-        axes.legend()
+        if robot.nv:
+            axes.legend()
     return _write(figure, path)
 
 

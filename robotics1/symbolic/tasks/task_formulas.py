@@ -114,9 +114,13 @@ class Formulas:
     def minors(self) -> dict[tuple[int, ...], sympy.Expr]:
         """The largest minors: the columns (or, of a tall J, rows) that are left out, from 0 → the minor, factored.
 
+        Without joints it is one, of order 0: 1.
+
         Raises:
             FormulaError: they cannot be reduced, or do not agree with Pinocchio.
         """
+        if not self.q:
+            return {tuple(range(len(self.row_names))): sympy.S.One}
         found = {out: self.reading.written_minor(minor) for out, minor in self.reading.minors.items()}
 
         def numeric(point: Point) -> Estimate:
@@ -135,7 +139,7 @@ class Formulas:
         Raises:
             FormulaError: it cannot be reduced, or does not agree with Pinocchio.
         """
-        found = self.reading.gram_determinant
+        found = self.reading.gram_determinant if self.q else sympy.S.One
 
         def numeric(point: Point) -> Estimate:
             J = self._jacobian_at(point)

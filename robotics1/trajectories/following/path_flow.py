@@ -39,8 +39,8 @@ class Command:
 
     @property
     def sigma(self) -> float:
-        """The smallest singular value of A."""
-        return float(np.linalg.svd(self.jacobian, compute_uv=False)[-1])
+        """The smallest singular value of A; 0 without inputs."""
+        return float(np.linalg.svd(self.jacobian, compute_uv=False)[-1:].sum())
 
 
 @dataclass(frozen=True, eq=False)

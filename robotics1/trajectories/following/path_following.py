@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError
+from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, per_joint, real_array
 from robotics1.robot.model import Robot
 from robotics1.tasks.arguments import require_robot, require_task
@@ -148,6 +148,8 @@ def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Arra
             f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and prismatic "
             f"joints can follow a trajectory"
         )
+    if not robot.nv:
+        raise TaskError(f"robot {robot.name!r} has no joint, so that nothing can follow the trajectory")
     task.check_integrable(robot)
     require_motion("trajectory", trajectory, derivatives=2)
     rates = np.shape(trajectory.velocity(0.0))

@@ -89,15 +89,16 @@ class Resolution:
 
     def _damping(self, sigma: Array, soft: float) -> float:
         """Return λ: constant, or growing from zero at the edge of the region to the damping where σ_min = 0."""
-        damping, region = (self.damping, self.region) if self.damping else (soft / 10 * sigma[0], soft * sigma[0])
+        largest, least = (sigma[0], sigma[-1]) if len(sigma) else (0.0, 0.0)
+        damping, region = (self.damping, self.region) if self.damping else (soft / 10 * largest, soft * largest)
         if region is None or damping == 0:
             return float(damping)
-        return float(damping * np.sqrt(max(0.0, 1 - (sigma[-1] / region) ** 2)))
+        return float(damping * np.sqrt(max(0.0, 1 - (least / region) ** 2)))
 
     def _root(self, k: int | None) -> Array:
         """Return C with W = CᵀC, (k, k)."""
         if self.weights is None:
-            return np.eye(k or 1)
+            return np.eye(1 if k is None else k)
         meaning = "one positive weight for each input, or a positive definite matrix"
         if dimensions("weights", self.weights) < 2:
             w = real_array("weights", self.weights, (k,), meaning)
