@@ -85,9 +85,8 @@ def python_function(
     lines = [f"def {name}({taking}):", f'{INDENT}"""{_inside_quotes(summary)}"""']
     for vector, symbols in vectors.items():
         names = [symbol.name for symbol in symbols]
-        if not names:  # a robot without joints
-            continue
-        lines.append(f"{INDENT}{', '.join(names) if len(names) > 1 else f'({names[0]},)'} = {vector}")
+        if names:
+            lines.append(f"{INDENT}{', '.join(names) if len(names) > 1 else f'({names[0]},)'} = {vector}")
     lines += [f"{INDENT}{symbol.name} = {_python(e)}" for symbol, e in shared]
     texts = [_python(entry) for entry in entries]
     return "\n".join(["import numpy as np", "", "", *lines, *_returned(formula, texts)]) + "\n"
@@ -103,9 +102,7 @@ def _returned(formula: Formula, texts: list[str]) -> list[str]:
         return [f"{INDENT}return {texts[0]}"]
     if isinstance(formula, sympy.MatrixBase):
         n = formula.cols
-        if not n:
-            return [f"{INDENT}return np.zeros({formula.shape})"]
-        texts = [f"[{', '.join(texts[i : i + n])}]" for i in range(0, len(texts), n)]
+        texts = [f"[{', '.join(texts[n * i : n * (i + 1)])}]" for i in range(formula.rows)]
     rows = [f"{3 * INDENT}{text}," for text in texts]
     return [
         f"{INDENT}return np.array(",
