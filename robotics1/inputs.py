@@ -119,3 +119,49 @@ def one_of(name: str, value: str, choices: Sequence[str]) -> str:
     if not isinstance(value, str) or value not in choices:
         raise InputError(f"{name} must be one of {', '.join(map(repr, choices))}; it is {value!r}")
     return value
+
+
+def a_robot(value: Any) -> None:
+    """Refuse what is no robot: a name, a class, a task in its place.
+
+    Raises:
+        InputError: the message says what would be right.
+    """
+    if hasattr(value, "model") and hasattr(value, "joint_names") and not isinstance(value, type):
+        return
+    if _is_a_task(value):
+        raise InputError("the robot comes first, then the task; here a task stands in the place of the robot")
+    hint = f"load it first: load_robot({value!r})" if isinstance(value, str) else "load_robot() returns one"
+    raise InputError(f"the robot must be a Robot, not {_kind(value)}; {hint}")
+
+
+def a_task(value: Any) -> None:
+    """Refuse what is no task: a text, a class without its brackets, a robot in its place.
+
+    Raises:
+        InputError: the message says what would be right.
+    """
+    if _is_a_task(value):
+        return
+    if isinstance(value, type) and hasattr(value, "check_integrable"):
+        raise InputError(f"the task must be made first: write {value.__name__}(...) with brackets")
+    if hasattr(value, "joint_names"):
+        raise InputError("the robot comes first, then the task; here a robot stands in the place of the task")
+    hint = "such as PositionTask('xy'), PlanarPoseTask() or PoseTask()"
+    raise InputError(f"the task must be a task {hint}, not {_kind(value)}")
+
+
+def a_robot_and_a_task(robot: Any, task: Any) -> None:
+    """Refuse what is no robot, and what is no task; see `a_robot` and `a_task`."""
+    a_robot(robot)
+    a_task(task)
+
+
+def _is_a_task(value: Any) -> bool:
+    return hasattr(value, "check_integrable") and hasattr(value, "jacobian") and not isinstance(value, type)
+
+
+def _kind(value: Any) -> str:
+    return repr(value) if isinstance(value, str) else f"the class {value.__name__}" if isinstance(value, type) else (
+        f"a {type(value).__name__}"
+    )

@@ -1,88 +1,166 @@
 """Damped least squares inside the joint limits, for any task: the task says no more than its error and Jacobian."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from time import perf_counter
 from typing import Any
 
 import numpy as np
 
-from robotics1.ik.steps import damped_step
+from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
-from robotics1.robot.box import JointBox
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
-from robotics1.tasks.units import unitless_jacobian, unitless_rows
+from robotics1.kinematics import configuration_derivative
+from robotics1.tasks.function import FunctionTask
 
-REACHED = 1e-9  # |e| of a solution, lengths in units of the reach
-HOPELESS = 1e9  # |e| in reaches: there rounding hides what the joints do
+REACHED = 1e-9  # |e| of a solution, lengths relative to the arm
+HOPELESS = 1e9  # |e| in lengths of the arm: there rounding hides what the joints do
+FAR = 10.0  # |e|² beyond which the damping grows no more: the way may be long
+FLOOR = 1e-20  # λ² that is left at the target: above rounding, and small beside σ² of what still counts as regular
+REMEMBERED = 100  # errors
 End = tuple[Array, float]
+
+
+class OutOfTime(Exception):  # noqa: N818 (it is no error: the best so far is the answer)
+    """The time for a descent is over."""
+
+
+def no_limit() -> None:
+    """Let a descent take the time that it needs."""
+
+
+def until(end: float) -> Callable[[], None]:
+    """Return a clock that raises OutOfTime after an instant of `perf_counter` [s]."""
+
+    def look() -> None:
+        if perf_counter() > end:
+            raise OutOfTime
+
+    return look
 
 
 @dataclass(frozen=True, eq=False)
 class Descent:
-    """The way down from a start in a box to f(q) = target, which is in the form of the task's value."""
+    """The way down from a start in a box to f(q) = target, which is in the form of the task's value.
 
-    robot: Robot
-    task: Task
+    Attributes:
+        problem: the task without units, in its box.
+        target: r_d.
+        clock: called before each evaluation of the task; raises OutOfTime when there is no time left.
+        known: the errors of the last few configurations, by their bytes.
+    """
+
+    problem: ScaledTask
     target: Any
-    box: JointBox
+    clock: Callable[[], None] = no_limit
+    known: dict[bytes, Array] = field(default_factory=dict, repr=False)
+
+    def task_error(self, q: Array) -> Array:
+        """Return r_d − f(q), (m,), in the task's units; of the last few configurations it is remembered."""
+        known = self.known.get(q.tobytes())
+        if known is None:
+            self.clock()
+            known = self.problem.task.error(self.problem.robot, q, self.target)
+            if len(self.known) > REMEMBERED:
+                self.known.clear()
+            self.known[q.tobytes()] = known
+        return known
 
     def error(self, q: Array) -> Array:
-        """Return e(q), (m,), lengths in units of the reach."""
-        return unitless_rows(self.robot, self.task) * self.task.error(self.robot, q, self.target)
+        """Return e(q), (m,), without units."""
+        return self.problem.without_units(self.task_error(q))
+
+    def relative_error(self, q: Array) -> float:
+        """Return |e(q)| relative to the size of the arm at q."""
+        return self.problem.relative_size(q, self.error(q))
 
     def descend(self, q: Array, iterations: int = 80) -> End:
         """Return the best configuration of a damped least squares descent inside the box, and its |e|.
 
-        The damping λ² = 1e-10 + |e|²/20 fades with the error, so that the descent ends as Newton's method.
+        The damping λ² = 1e-20 + min(|e|², 10)/20 fades with the error, so that the descent ends as Newton's method.
         """
         best, least, stuck = q, np.inf, 0
-        for _ in range(iterations):
-            e = self.error(q)
-            error = float(np.hypot.reduce(e))  # which does not overflow
-            stuck = 0 if error < 0.9 * least else stuck + 1
-            if error < least:
-                best, least = q, error
-            if least < 1e-14 or stuck > 12 or (least < REACHED and stuck > 2) or error > HOPELESS:
-                break
-            q = self.box.nearest(q + self.robot.units * self._step(q, e))
+        try:
+            for _ in range(iterations):
+                e = self.error(q)
+                error = float(np.hypot.reduce(e))  # which does not overflow
+                stuck = 0 if error < 0.9 * least else stuck + 1
+                if error < least:
+                    best, least = q, error
+                if least < 1e-15 or stuck > 12 or (least < 1e-12 and stuck > 2) or error > HOPELESS:
+                    break
+                q = self.problem.box.nearest(q + self.problem.box.unit * self._step(q, e))
+        except OutOfTime:
+            pass
         return best, least
 
     def nearest_miss(self, q: Array) -> Array:
         """Return the configuration near q with the least |e| inside the box."""
         from scipy.optimize import least_squares
 
-        open_ended = self.box.circular
-        lower = np.where(open_ended, -np.inf, self.box.lower)
-        upper = np.where(open_ended, np.inf, self.box.upper)
-        moving = lower < upper
+        best = (np.inf, q)
+
+        def error(p: Array) -> Array:
+            nonlocal best
+            e = self.error(p)
+            best = min(best, (self.relative_error(p), p), key=lambda pair: pair[0])
+            return e
+
+        try:
+            self._least_squares(q, error)
+        except OutOfTime:
+            pass
+        return best[1]
+
+    def _least_squares(self, q: Array, error: Callable[[Array], Array]) -> None:
+        """Minimise |e|² from q inside the box; the joints that are circles and those that cannot move are no variables
+        with limits.
+        """
+        from scipy.optimize import least_squares
+
+        box = self.problem.box
+        lower, upper = (np.where(box.circular, end, limit) for end, limit in ((-np.inf, box.lower), (np.inf, box.upper)))
+        moving = self.problem.moving & (lower < upper)
+        if np.abs(error(q)).max() > HOPELESS or not moving.any():
+            return
+        units, start = box.unit[moving], box.nearest(q)
 
         def moved(x: Array) -> Array:
-            whole = self.box.nearest(q)
-            whole[moving] = x
-            return whole
+            whole = start.copy()
+            whole[moving] = x * units
+            return box.nearest(whole)
 
-        def slope(x: Array) -> Array:
-            J = unitless_rows(self.robot, self.task)[:, None] * self.task.jacobian(self.robot, moved(x))
-            return np.asarray(-J[:, moving])
-
-        if not moving.any() or np.abs(self.error(q)).max() > HOPELESS:
-            return q
-        start = self.box.nearest(q)[moving]
-        found = least_squares(
-            lambda x: self.error(moved(x)), start, jac=slope, bounds=(lower[moving], upper[moving]),
-            x_scale=self.robot.units[moving], xtol=1e-12, ftol=1e-15, gtol=1e-15, max_nfev=100,
+        least_squares(
+            lambda x: error(moved(x)), start[moving] / units, jac=lambda x: -self.jacobian(moved(x))[:, moving],
+            bounds=(lower[moving] / units, upper[moving] / units), xtol=1e-12, ftol=1e-15, gtol=1e-15, max_nfev=100,
         )  # fmt: skip
-        return self.box.nearest(moved(found.x))
+
+    def jacobian(self, q: Array) -> Array:
+        """Return J(q), (m, n), without units; of a function without derivative by differences of its wrapped error."""
+        self.clock()
+        problem, task = self.problem, self.problem.task
+        if not (isinstance(task, FunctionTask) and task.derivative is None):
+            return problem.jacobian(q)
+        r = task.value(problem.robot, q)  # from which the wrapped error is small
+        J = configuration_derivative(lambda x: self._clocked_error(x, r), problem.robot, q)
+        return np.asarray(-J * problem.box.unit)
+
+    def _clocked_error(self, q: Array, target: Any) -> Array:
+        self.clock()
+        return self.problem.error(q, target)
 
     def _step(self, q: Array, e: Array) -> Array:
-        """Return the damped step, in units; a joint that would leave the limit it stands at is held."""
-        J = unitless_jacobian(self.robot, self.task, q)
-        damping = float(np.sqrt(1e-10 + 0.05 * (e @ e)))
-        at_lower, at_upper = ((q == limit) & ~self.box.circular for limit in (self.box.lower, self.box.upper))
-        held = np.zeros(len(q), dtype=bool)
+        """Return Δq = Jᵀ(J Jᵀ + λ²1)⁻¹ e in units; a joint that would leave the limit it stands at is held.
+
+        By the singular values, since a matrix J Jᵀ has lost the digits of the small ones.
+        """
+        J, box = self.jacobian(q), self.problem.box
+        square = 0.05 * min(float(e @ e), FAR)
+        at_lower, at_upper = ((q == limit) & ~box.circular for limit in (box.lower, box.upper))
+        held = ~self.problem.moving
         while True:
-            step = damped_step(J * ~held, e, damping)
+            U, sigma, Vt = np.linalg.svd(J * ~held, full_matrices=False)
+            step = Vt.T @ (sigma / (sigma**2 + square + FLOOR * max(1.0, sigma[0] ** 2)) * (U.T @ e))
             leaving = ~held & ((at_lower & (step < 0)) | (at_upper & (step > 0)))
             if not leaving.any():
-                return step
-            held |= leaving
+                return np.asarray(step)
+            held = held | leaving

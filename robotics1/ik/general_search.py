@@ -1,7 +1,6 @@
 """The robust search in Python, for any task: for the user's own function, and where the kernels do not serve."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
@@ -10,13 +9,16 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.batch_starts import starts_of_all
-from robotics1.ik.descent import Descent
+from robotics1.ik.descent import Descent, OutOfTime, until
 from robotics1.ik.result import IKBatch, IKResult
+from robotics1.ik.scaled_task import scaled_task
 from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
-from robotics1.robot.box import TURN, JointBox, joint_box
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
+
+SEARCHING = 0.7  # of the time limit; the rest is for the nearest miss
+PREPARING = 0.2  # of the time limit, that a look at the task may take
 
 
 class GeneralSearch:
@@ -32,7 +34,7 @@ class GeneralSearch:
             raise TaskError("nothing moves this task: the robot has no joint")
         self.robot, self.task, self.tolerance = robot, task, tolerance
         self.seed, self.time_limit = seed, time_limit
-        self.box = box_inside_limits(robot)
+        self.problem = scaled_task(robot, task, open_ranges=True, seconds=PREPARING * time_limit)
 
     def quick_call(self) -> Callable[[Any, Any], IKResult]:
         """Return `solve`; there is nothing quicker."""
@@ -61,51 +63,55 @@ class GeneralSearch:
 
     def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the first solution, or the nearest miss when the time is over."""
-        end = perf_counter() + self.time_limit
-        descent = Descent(self.robot, self.task, self.task.target(target), self.box)
+        begin, box = perf_counter(), self.problem.box
+        searching = until(begin + SEARCHING * self.time_limit)
+        goal, around = self.task.target(target), None if q0 is None else self.robot.configuration(q0, "q0")
         rng = np.random.default_rng((self.seed, 0))
-        start = self.box.random(rng, 1)[0] if q0 is None else self.box.nearest(self.robot.configuration(q0, "q0"))
+        start = self.problem.random(rng, 1)[0] if around is None else box.nearest(around)
         best, least, tried = start, np.inf, 0
+        descent = Descent(self.problem, goal, searching)
         while True:
-            q, _ = descent.descend(start)
+            q, error = self._answer(descent, start, around)
             tried += 1
-            error = self._error(q, target)
             if error < least:
                 best, least = q, error
             if least <= self.tolerance:
-                return self._wound(IKResult(IKStatus.CONVERGED, best, least, tried), target, q0)
-            if perf_counter() > end:
+                return IKResult(IKStatus.CONVERGED, best, least, tried)
+            try:
+                searching()
+            except OutOfTime:
                 break
-            start = self.box.random(rng, 1)[0]
-        nearer = descent.nearest_miss(best)
-        if self._error(nearer, target) < least:
-            best, least = nearer, self._error(nearer, target)
+            start = self.problem.random(rng, 1)[0]
+        last = Descent(self.problem, goal, until(begin + self.time_limit), descent.known)
+        q = self._wound(last, last.nearest_miss(best), None)
+        error = self._error(last, q)
+        if error < least:
+            best, least = q, error
         status = IKStatus.CONVERGED if least <= self.tolerance else IKStatus.NOT_FOUND
         return IKResult(status, best, least, tried)
 
-    def _wound(self, found: IKResult, target: Any, q0: npt.ArrayLike | None) -> IKResult:
-        """Return the solution with joints without limits within half a turn of q0, if that is one."""
-        if q0 is None:
-            return found
-        turns = np.where(self.box.circular, np.round((self.robot.configuration(q0, "q0") - found.q) / TURN), 0.0)
-        q = found.q + TURN * turns
-        error = self._error(q, target)
-        return found._replace(q=q, error=error) if error <= self.tolerance else found
+    def _answer(self, descent: Descent, start: Array, around: Array | None) -> tuple[Array, float]:
+        """Return where a descent ends, turned until its value is the target's, and |e| in the task's units."""
+        q, _ = descent.descend(start)
+        q = self._wound(descent, q, around)
+        return q, self._error(descent, q)
 
-    def _error(self, q: Array, target: Any) -> float:
-        return float(np.hypot.reduce(self.task.error(self.robot, q, target)))
+    def _wound(self, descent: Descent, q: Array, around: Array | None) -> Array:
+        """Return q with joints turned as the target counts turns, and the others to within half a turn of `around`."""
+        problem, turns = self.problem, self.problem.turns
+        try:
+            wound = turns.wound(q, descent.task_error(q), problem.lower, problem.upper)
+        except OutOfTime:  # before the task was evaluated once
+            return q
+        q = q if wound is None else wound
+        if around is None:
+            return q
+        near = turns.near(q, around, problem.lower, problem.upper)
+        return near if self._error(descent, near) <= max(self.tolerance, self._error(descent, q)) else q
 
-
-def box_inside_limits(robot: Robot) -> JointBox:
-    """Return the box of the limits, in which just joints without limits are circles.
-
-    A user's function may tell a joint's turns apart.
-    """
-    box = joint_box(robot, unlimited=2.0)
-    limited = np.isfinite(robot.lower) & np.isfinite(robot.upper)
-    return replace(
-        box,
-        lower=np.where(limited, robot.lower, box.lower),
-        upper=np.where(limited, robot.upper, box.upper),
-        circular=box.circular & ~limited,
-    )
+    def _error(self, descent: Descent, q: Array) -> float:
+        """Return |r_d − f(q)|, whatever the clock says."""
+        error = descent.known.get(q.tobytes())
+        if error is None:
+            error = self.task.error(self.robot, q, descent.target)
+        return float(np.hypot.reduce(error))

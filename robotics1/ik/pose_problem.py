@@ -53,8 +53,8 @@ class PoseProblem:
         return start_table(self.chain.links(), np.ascontiguousarray(starts))
 
 
-def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
-    """Return the arrays of a robot and a task.
+def pose_problem(robot: Robot, task: FrameTask, limits: tuple[Array, Array] | None = None) -> PoseProblem:
+    """Return the arrays of a robot and a task, with other limits, (n,) and (n,), than the robot's if they are given.
 
     Raises:
         InputError: the robot has joints with several degrees of freedom.
@@ -63,7 +63,7 @@ def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
     task.check_integrable(robot)
     box = joint_box(robot, unlimited=2.0)
     axes = reference_axes(robot, np.zeros(robot.nq), task.reference)
-    unit = float(2.0 ** np.round(np.log2(robot.reach)))
+    unit = float(2.0 ** np.clip(np.round(np.log2(robot.reach)), -1000, 1000))
     chain = chain_arrays(robot, task.frame, unit=unit, axes=axes)
     active = np.unique(chain.coordinate)
     if not active.size:
@@ -71,7 +71,7 @@ def pose_problem(robot: Robot, task: FrameTask) -> PoseProblem:
     back = (chain.prismatic == 0) & (np.abs(chain.ratio - np.round(chain.ratio)) < 1e-9)  # after a turn of its leader
     whole = np.ones(robot.nq, dtype=bool)
     whole[chain.coordinate[~back]] = False
-    lower, upper = robot.lower, robot.upper
+    lower, upper = (robot.lower, robot.upper) if limits is None else limits
     circular = robot.revolute & whole & (upper - lower >= TURN - 1e-12)
     units = np.where(robot.revolute, 1.0, unit)
     wider = box.circular & ~circular

@@ -22,12 +22,14 @@ class ReachBound:
         hand: (3,) where the last of the points on axes is in the task's frame [m], if that joint turns: a target pose
             tells where it must be.
         length_to_hand: the sum without the last piece [m].
+        arms: (k,) the sums of what follows each joint: how far its axis is from the frame's origin at most [m].
     """
 
     o: Array
     length: float
     hand: Array | None
     length_to_hand: float
+    arms: Array
 
     def excess(self, goal: Array, counted: Array) -> float:
         """Return by how much a goal, (4, 4) [m], is farther than the chain reaches [m]; negative proves nothing.
@@ -59,6 +61,7 @@ def reach_bound(problem: PoseProblem) -> ReachBound:
 
     shifts = minimize(lambda t: np.linalg.norm(pieces(t), axis=1).sum(), np.zeros(len(turning))).x * turning
     lengths = np.linalg.norm(pieces(shifts), axis=1)
+    arms = np.cumsum((lengths + np.append(np.where(turning, 0.0, travel)[1:], 0.0))[::-1])[::-1]
     R, p = P[-1, :, :3], P[-1, :, 3]
     length = float(lengths.sum() + travel[~turning].sum())
     return ReachBound(
@@ -66,4 +69,5 @@ def reach_bound(problem: PoseProblem) -> ReachBound:
         length=problem.unit * length,
         hand=problem.unit * (R.T @ (np.array([0.0, 0.0, shifts[-1]]) - p)) if turning[-1] else None,
         length_to_hand=problem.unit * float(length - lengths[-1]),
+        arms=problem.unit * arms,
     )

@@ -21,27 +21,31 @@ class JointBox:
         lower, upper: (n,) [rad or m]; of circles −π and π, or the turn next to it inside the limits.
         circular: (n,) True where q and q + 2π are the same place.
         unit: (n,) what counts as one in distances: 1 rad, or the arm's reach [m].
+        period: (n,) what a circle is long [rad]: 2π, or as many turns as bring a follower back too.
     """
 
     lower: Array
     upper: Array
     circular: npt.NDArray[np.bool_]
     unit: Array
+    period: Array | float = TURN
 
     def random(self, rng: np.random.Generator, count: int) -> Array:
         """Return `count` configurations, (count, n), uniform in the box."""
-        return rng.uniform(self.lower, self.upper, (count, len(self.lower)))
+        if np.isfinite(self.upper - self.lower).all():
+            return rng.uniform(self.lower, self.upper, (count, len(self.lower)))
+        return 2 * rng.uniform(0.5 * self.lower, 0.5 * self.upper, (count, len(self.lower)))
 
     def nearest(self, q: Array) -> Array:
-        """Return q with circular joints turned into (upper − 2π, upper] and the others moved to their nearest limit."""
-        turned = self.upper - (self.upper - q) % TURN
-        turned = np.where(turned < self.upper - TURN + 1e-9, self.upper, turned)  # −π, but for rounding, is π
+        """Return q with circular joints turned into (upper − period, upper] and the others moved to their nearest limit."""
+        turned = self.upper - (self.upper - q) % self.period
+        turned = np.where(turned < self.upper - self.period + 1e-9, self.upper, turned)  # −π, but for rounding, is π
         return np.where(self.circular, turned, np.clip(q, self.lower, self.upper))
 
     def difference(self, a: Array, b: Array) -> Array:
         """Return a − b in units, the short way round the circles."""
         d = a - b
-        return np.where(self.circular, d - TURN * np.round(d / TURN), d) / self.unit
+        return np.where(self.circular, d - self.period * np.round(d / self.period), d) / self.unit
 
 
 def joint_box(
@@ -63,13 +67,34 @@ def joint_box(
             f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and "
             f"prismatic joints can be searched"
         )
-    lower, upper = robot.lower, robot.upper
+    lower, upper = intervals(robot, box)
+    given = np.isin(robot.joint_names, list(box or {}))
     if unlimited is not None:
         lower = np.where(robot.revolute | np.isfinite(lower), lower, -unlimited * robot.reach)
         upper = np.where(robot.revolute | np.isfinite(upper), upper, unlimited * robot.reach)
     circular = robot.revolute & (upper - lower >= TURN - 1e-9)
-    lower[circular] = np.maximum(lower, np.minimum(-np.pi, upper - TURN))[circular]
-    upper[circular] = lower[circular] + TURN
+    turned = circular & ~given
+    lower[turned] = np.maximum(lower, np.minimum(-np.pi, upper - TURN))[turned]
+    upper[turned] = lower[turned] + TURN
+    refuse_open_ranges(robot, lower, upper)
+    return JointBox(lower, upper, circular, robot.units)
+
+
+def refuse_open_ranges(robot: Robot, lower: Array, upper: Array) -> None:
+    """Raise InputError if one of the intervals [lower, upper], (n,), does not end: nobody can search through it."""
+    for name, low, high in zip(robot.joint_names, lower, upper, strict=True):
+        if not (np.isfinite(low) and np.isfinite(high)):
+            raise InputError(f"joint {name!r} has no limits: say where to search, as in box={{{name!r}: (-1, 1)}}")
+
+
+def intervals(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None) -> tuple[Array, Array]:
+    """Return the limits of the joints, (n,) and (n,), narrowed by a box; they may be infinite.
+
+    Raises:
+        UnknownNameError: no such joint.
+        InputError: an interval is empty or outside the limits.
+    """
+    lower, upper = robot.lower, robot.upper
     for name, interval in by_name("box", box, "{'q1': (-1, 1)}").items():
         if name not in robot.joint_names:
             raise UnknownNameError("joint named", name, robot.joint_names)
@@ -80,8 +105,5 @@ def joint_box(
                 f"the interval of {name!r} must lie in its limits [{robot.lower[i]:g}, {robot.upper[i]:g}]; "
                 f"it is [{low:g}, {high:g}]"
             )
-        lower[i], upper[i], circular[i] = low, high, robot.revolute[i] and high - low >= TURN - 1e-9
-    for name, low, high in zip(robot.joint_names, lower, upper, strict=True):
-        if not (np.isfinite(low) and np.isfinite(high)):
-            raise InputError(f"joint {name!r} has no limits: say where to search, as in box={{{name!r}: (-1, 1)}}")
-    return JointBox(lower, upper, circular, robot.units)
+        lower[i], upper[i] = low, high
+    return lower, upper

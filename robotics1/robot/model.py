@@ -137,18 +137,24 @@ class Robot:
         return np.array([kind.startswith("R") for kind in kinds], dtype=bool)
 
     @cached_property
+    def fixed_length(self) -> float:
+        """The sum of the distances from joint to joint and to the tool [m]: the reach without any travel."""
+        joints = [placement.translation for placement in self.model.jointPlacements][2:]
+        tools = [frame.placement.translation for frame in self.model.frames]
+        lengths = [*map(_length, joints), max(map(_length, tools), default=0.0)]
+        return float(sum(length for length in lengths if np.isfinite(length)))
+
+    @cached_property
     def reach(self) -> float:
         """A length of the size of the arm [m], which makes metres and radians comparable.
 
         The sum of the distances from joint to joint and to the tool, with the travel of prismatic joints;
         1 when that is zero.
         """
-        joints = [np.linalg.norm(placement.translation) for placement in self.model.jointPlacements][2:]
-        tools = [np.linalg.norm(frame.placement.translation) for frame in self.model.frames]
-        lengths = [*joints, max(tools, default=0.0)]
+        travels = np.zeros(0)
         if self.nq == self.nv:
-            lengths += [*np.maximum(np.abs(self.lower), np.abs(self.upper))[~self.revolute]]
-        return float(sum(length for length in lengths if np.isfinite(length))) or 1.0
+            travels = np.maximum(np.abs(self.lower), np.abs(self.upper))[~self.revolute]
+        return self.fixed_length + float(sum(travel for travel in travels if np.isfinite(travel))) or 1.0
 
     @property
     def units(self) -> Array:
@@ -197,6 +203,11 @@ class Robot:
         """Return whether lower − tolerance ≤ q ≤ upper + tolerance for every joint."""
         q = self.configuration(q)
         return bool(np.all(q >= self.lower - tolerance) and np.all(q <= self.upper + tolerance))
+
+
+def _length(vector: Array) -> float:
+    """Return |vector|; numbers of 1e200 do not overflow, and numbers of 1e-200 do not vanish."""
+    return float(np.hypot.reduce(vector))
 
 
 def frame_number(model: pin.Model, name: object) -> int | None:

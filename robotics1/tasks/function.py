@@ -1,6 +1,6 @@
 """The user's own task: r = f(p, R, q)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,12 +8,14 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
-from robotics1.errors import TaskError
+from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, counting_number, real_array
 from robotics1.kinematics import forward_kinematics
+from robotics1.orientation.expressions import wrapped
 from robotics1.robot.model import Robot
 
 TaskFunction = Callable[[Array, Array, Array], npt.ArrayLike]
+UNITS = ("m", "rad", "1")
 
 
 @dataclass(frozen=True)
@@ -25,20 +27,30 @@ class FunctionTask:
         m: how many rows it returns.
         derivative: J(p, R, q), (m, nv), if known; otherwise central differences are taken.
         frame: the frame's name; None for the tool.
+        units: the unit of each row: "m", "rad" or "1". A row in "rad" is an angle: of its error whole turns are left
+            out. None if they are unknown: then each row is a number, whose whole turns count.
     """
 
     f: TaskFunction
     m: int
     derivative: TaskFunction | None = None
     frame: str | None = None
+    units: tuple[str, ...] | None = None
 
     def __init__(
-        self, f: TaskFunction, rows: int, jacobian: TaskFunction | None = None, *, frame: str | None = None
+        self,
+        f: TaskFunction,
+        rows: int,
+        jacobian: TaskFunction | None = None,
+        *,
+        frame: str | None = None,
+        units: Sequence[str] | None = None,
     ) -> None:
         object.__setattr__(self, "f", f)
         object.__setattr__(self, "m", counting_number("rows", rows, least=1))
         object.__setattr__(self, "derivative", jacobian)
         object.__setattr__(self, "frame", frame)
+        object.__setattr__(self, "units", None if units is None else _row_units(units, self.m))
 
     @property
     def rows(self) -> int:
@@ -52,8 +64,8 @@ class FunctionTask:
 
     @property
     def row_units(self) -> tuple[str, ...]:
-        """Unknown, so taken as numbers."""
-        return ("1",) * self.m
+        """Those that were given; without them the rows are taken as numbers."""
+        return ("1",) * self.m if self.units is None else self.units
 
     def value(self, robot: Robot, q: npt.ArrayLike) -> Array:
         """Return r = f(p, R, q), (m,).
@@ -68,13 +80,14 @@ class FunctionTask:
         return real_array("the target", target, (self.m,), "one number for each row of the task")
 
     def error(self, robot: Robot, q: npt.ArrayLike, target: Any) -> Array:
-        """Return r_d − r, (m,)."""
-        return self.target(target) - self.value(robot, q)
+        """Return r_d − r, (m,); a row in "rad" is wrapped into (−π, π]."""
+        return self._difference(self.target(target), self.value(robot, q))
 
     def jacobian(self, robot: Robot, q: npt.ArrayLike) -> Array:
         """Return ∂f/∂q, (m, nv): the given one, else by central differences."""
         if self.derivative is None:
-            return configuration_derivative(lambda x: self.value(robot, x), robot, q)
+            r = self.value(robot, q)  # from which an angle differs little, also where it jumps from π to −π
+            return configuration_derivative(lambda x: self._difference(self.value(robot, x), r), robot, q)
         return self._evaluate(self.derivative, robot, robot.configuration(q), (self.m, robot.nv))
 
     def check(self, robot: Robot) -> None:
@@ -82,6 +95,14 @@ class FunctionTask:
 
     def check_integrable(self, robot: Robot) -> None:
         """J is the derivative of f by construction."""
+
+    def _difference(self, a: Array, b: Array) -> Array:
+        """Return a − b, (m,), angles wrapped into (−π, π]."""
+        d = a - b
+        for i, unit in enumerate(self.row_units):
+            if unit == "rad":
+                d[i] = wrapped(d[i])
+        return d
 
     def _evaluate(self, function: TaskFunction, robot: Robot, q: Array, shape: tuple[int, ...]) -> Array:
         T = forward_kinematics(robot, q, frame=self.frame)
@@ -92,3 +113,15 @@ class FunctionTask:
         if result.shape != shape or not np.isfinite(result).all():
             raise TaskError(f"the task's function must return finite numbers of shape {shape}; it returned {result!r}")
         return result
+
+
+def _row_units(units: Sequence[str], rows: int) -> tuple[str, ...]:
+    """Return the units of the rows.
+
+    Raises:
+        InputError: there is not one of "m", "rad" and "1" for each row.
+    """
+    given = tuple(units) if isinstance(units, Sequence) and not isinstance(units, str) else ()
+    if len(given) != rows or any(unit not in UNITS for unit in given):
+        raise InputError(f"units must hold 'm', 'rad' or '1' for each of the {rows} rows; it is {units!r}")
+    return given

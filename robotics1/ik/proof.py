@@ -1,0 +1,146 @@
+"""What proves that no q inside the limits reaches a target."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from robotics1.ik.descent import REACHED
+from robotics1.ik.pose_problem import PoseProblem, pose_problem
+from robotics1.ik.reach import ReachBound, reach_bound
+from robotics1.ik.scaled_task import ScaledTask
+from robotics1.inputs import Array
+from robotics1.kernels.compilation import COMPILED
+from robotics1.kernels.out_of_reach import OPEN, SPLITS, exclude
+from robotics1.kinematics import forward_kinematics, frame_jacobian, reference_axes
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import FrameTask
+
+STILL = 1e-12  # of a row of J that is zero but for rounding, lengths in reaches
+MOST = 200_000 if COMPILED else 2_000  # boxes that a proof may take
+AT_ONCE = 2_000  # boxes between two looks at the clock
+
+
+@dataclass(frozen=True, eq=False)
+class Motionless:
+    """What no joint changes: coordinates of the frame, and an axis about which alone it turns, or its whole rotation.
+
+    Attributes:
+        rows: (3,) True for the coordinates that are constant.
+        p, R: the position (3,) [m] and the rotation (3, 3) at some q, in the task's axes.
+        normals: (3, d) of the directions that turns leave alone: all three if the frame does not turn, one if it
+            turns about one axis, none otherwise.
+    """
+
+    rows: Array
+    p: Array
+    R: Array
+    normals: Array
+
+    def excess(self, goal: Array, counted: Array, axis: Array) -> tuple[float, float]:
+        """Return how far a goal, (4, 4), is from what is constant: [m] and, at least, [rad]."""
+        with np.errstate(over="ignore"):
+            linear = float(np.hypot.reduce((goal[:3, 3] - self.p) * (self.rows * counted[:3])))
+        if not counted[3:].all() or not self.normals.size:
+            return linear, 0.0
+        if axis.any():  # n·r is constant
+            return linear, float(np.abs(self.normals.T @ (goal[:3, :3] - self.R) @ axis).max())
+        turned = goal[:3, :3] @ self.R.T @ self.normals - self.normals  # of a turn about n alone, n itself is left
+        return linear, float(np.linalg.norm(turned, axis=0).max())
+
+
+def motionless(robot: Robot, task: FrameTask) -> Motionless:
+    """Return what no joint changes, read from J at five random configurations."""
+    rng = np.random.default_rng(0)
+    samples = rng.uniform(-1, 1, (5, robot.nq)) * robot.units
+    J = np.hstack([frame_jacobian(robot, q, frame=task.frame, reference=task.reference) * robot.units for q in samples])
+    axes = reference_axes(robot, samples[0], task.reference)
+    T = forward_kinematics(robot, samples[0], frame=task.frame)
+    U, sigma, _ = np.linalg.svd(J[3:])
+    rank = int(np.count_nonzero(sigma > STILL * 10))
+    normals = np.eye(3) if rank == 0 else U[:, :1] if rank == 1 else np.zeros((3, 0))
+    rows = np.abs(J[:3]).max(axis=1) <= STILL * robot.reach
+    return Motionless(rows, axes.T @ T.translation, axes.T @ T.rotation, normals)
+
+
+class UnreachableProof:
+    """Proofs that targets are out of reach, for one robot, one task and its limits: prepared once.
+
+    At hand are the length of the arm, what no joint changes, and, for few joints, joint boxes that are excluded one
+    by one. None of them succeeding proves nothing.
+    """
+
+    def __init__(self, robot: Robot, task: FrameTask, problem: PoseProblem) -> None:
+        self.robot, self.task, self.problem = robot, task, problem
+
+    @cached_property
+    def reach(self) -> ReachBound:
+        """How far the chain reaches at most."""
+        return reach_bound(self.problem)
+
+    @cached_property
+    def still(self) -> Motionless:
+        """What no joint changes."""
+        return motionless(self.robot, self.task)
+
+    def at_once(self, goal: Array, linear: float, angular: float) -> bool:
+        """Whether a goal, (4, 4), is farther from every q than the tolerances [m] and [rad], seen without a search."""
+        counted = self.problem.counted
+        off, turned = self.still.excess(goal, counted, self.problem.axis)
+        size = self.robot.reach + float(np.abs(self.still.p).max())
+        if off > linear + 1e-12 * size or turned > angular + 1e-9:
+            return True
+        return self.reach.excess(goal, counted) > linear + 1e-13 * size
+
+    @cached_property
+    def _speeds(self) -> Array:
+        """(2, n): by how much a unit of each coordinate moves the frame at most, in units, and turns it [rad]."""
+        chain, n = self.problem.chain, len(self.problem.active)
+        speeds = np.zeros((2, n))
+        turning = chain.prismatic == 0
+        np.add.at(speeds[0], chain.coordinate, chain.ratio * np.where(turning, self.reach.arms / self.problem.unit, 1.0))
+        np.add.at(speeds[1], chain.coordinate, chain.ratio * turning)
+        position, turn = self.problem.counted[:3].any(), self.problem.counted[3:].any()
+        return speeds * np.array([[float(position)], [float(turn)]])
+
+    @cached_property
+    def _whole_box(self) -> Array | None:
+        """The joint box as (2 n,), centre and half widths in units; None if it is not bounded."""
+        own = self.problem.coordinates[self.problem.active]
+        lower, upper, circular, unit = own.T
+        low = np.where(circular > 0, -np.pi, lower / unit)
+        high = np.where(circular > 0, np.pi, upper / unit)
+        box = np.concatenate([0.5 * (low + high), 0.5 * (high - low)])
+        return box if np.isfinite(box).all() and np.isfinite(self._speeds).all() else None
+
+    def by_exclusion(self, goal: Array, linear: float, angular: float, most: int = MOST) -> bool:
+        """Whether every joint box is excluded, of which no more than `most` are looked at."""
+        if self._whole_box is None:
+            return False
+        n = len(self.problem.active)
+        boxes = np.empty((SPLITS * n + 2, 2 * n))
+        boxes[0] = self._whole_box
+        scaled = np.array(goal[:3], dtype=float)
+        scaled[:, 3] /= self.problem.unit
+        links, _, _, task = self.problem.arrays(linear)
+        tolerance = np.array([linear / self.problem.unit, angular])
+        left = exclude(links, task, scaled, self._speeds, tolerance, boxes, 1, most)
+        return left == 0 and left != OPEN
+
+
+def is_out_of_reach(problem: ScaledTask, target: object) -> bool:
+    """Whether it is proven that no q in the box of a problem reaches a target, in the form of the task's value.
+
+    Of a user's function nothing is known, unless the robot has no joint.
+    """
+    robot, task = problem.robot, problem.task
+    if robot.nq == 0:
+        return True
+    if not isinstance(task, FrameTask):
+        return False
+    if not problem.moving.any():
+        return True
+    goal = task.goal(robot, target)
+    proof = UnreachableProof(robot, task, pose_problem(robot, task, (problem.lower, problem.upper)))
+    linear, angular = 2 * REACHED * problem.length, 1e-8 if task.tells_angles else 2 * REACHED
+    return proof.at_once(goal, linear, angular) or proof.by_exclusion(goal, linear, angular)
