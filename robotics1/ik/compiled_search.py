@@ -1,7 +1,8 @@
 """The robust search in the kernels: for tasks whose error is made of rows of the pose error."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import count
 from time import perf_counter
 from typing import Any, cast
 
@@ -12,21 +13,25 @@ import pinocchio as pin
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.batch_starts import starts_of_all
-from robotics1.ik.descent import Descent
 from robotics1.ik.pose_problem import pose_problem
-from robotics1.ik.reach import ReachBound, reach_bound
+from robotics1.ik.proof import UnreachableProof
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
+from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import on_all_cores, threads
 from robotics1.kernels.inverse import solve, solve_all
+from robotics1.kernels.nearest_miss import nearest_misses
 from robotics1.kernels.redundancy import bring_all_near, bring_near
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
 
 GROUP = 64  # starts of which the one nearest to the target is taken
 FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
+SOON = 8  # groups of them that are tried before anything is proven
 LATER_STARTS = 256  # of each table after that, all of them tried
+SHORT = 0.05  # of the time limit, that the starts between two looks at the clock take
+PROVING = 0.2  # of the time limit, that a proof may take
 FINER = 1e-3  # tolerance on the turn where a task tells it by angles
 CHUNK = 4096  # targets between two calls of progress
 Progress = Callable[[int, int], None]
@@ -49,12 +54,23 @@ class CompiledSearch:
         self.solve_many: Callable[..., None] = partial(solve_all, *constants)
         self.bring_one: Callable[..., float] = partial(bring_near, *constants)
         self.bring_many: Callable[..., None] = partial(bring_all_near, *constants)
-        self.first_table: Table = (self.problem.table(np.random.default_rng((seed, 0)), FIRST_STARTS), GROUP)
+        self.move_to_misses: Callable[..., None] = partial(nearest_misses, *constants)
+        self.first_table = self.problem.table(np.random.default_rng((seed, 0)), FIRST_STARTS)
+        self.soon: Table = (self.first_table[: SOON * GROUP], GROUP)
+        self._compile()
 
     @cached_property
-    def reach(self) -> ReachBound:
+    def proof(self) -> UnreachableProof:
         """What proves that a target is out of reach."""
-        return reach_bound(self.problem)
+        return UnreachableProof(self.robot, self.task, self.problem)
+
+    def _compile(self) -> None:
+        """Solve for the pose of the first start, so that no time limit pays for the compilation."""
+        T = np.eye(4)
+        T[:3] = self.first_table[0, :12].reshape(3, 4)
+        T[:3, 3] *= self.problem.unit
+        goal = pin.SE3(T).homogeneous if self.task.takes_poses else T
+        self.solve_one(goal, self.middle, self.first_table[:1], 1, 0, np.empty_like(self.middle))
 
     def quick_call(self) -> Callable[[Any, Any], IKResult]:
         """Return `solve` with the usual case in front: a pose as target, q0 an array or None, a solution at once.
@@ -64,7 +80,7 @@ class CompiledSearch:
         """
         if self.prefer != "any" or not self.task.takes_poses:
             return self.solve
-        kernel, (table, group), middle, tolerance = self.solve_one, self.first_table, self.middle, self.tolerance
+        kernel, (table, group), middle, tolerance = self.solve_one, self.soon, self.middle, self.tolerance
         SE3, ndarray, number, shape, empty = pin.SE3, np.ndarray, np.dtype(float), middle.shape, np.empty
         carefully, converged = self.solve, IKStatus.CONVERGED
 
@@ -85,13 +101,14 @@ class CompiledSearch:
 
     def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the answer for one target."""
+        begin = perf_counter()
         goal = self.task.goal(self.robot, target)
         start, first = (self.middle, 0) if q0 is None else (self.robot.configuration(q0, "q0"), -1)
         q = np.empty_like(start)
-        tried, error = self.solve_one(goal, start, *self.first_table, first, q)
+        tried, error = self.solve_one(goal, start, *self.soon, first, q)
         status = IKStatus.CONVERGED if error <= self.tolerance else IKStatus.NOT_FOUND
         batch = IKBatch(q[None], np.array([status]), np.array([error]), np.array([tried]))
-        self._go_on([target], goal[None], start[None], batch)
+        self._go_on([target], goal[None], start[None], batch, perf_counter() - begin)
         batch.error[0] = self._brought_near(goal, start, batch.q[0], batch.error[0])
         return batch[0]
 
@@ -104,14 +121,14 @@ class CompiledSearch:
         for i in range(0, k, CHUNK):
             some = np.arange(i, min(i + CHUNK, k))
             batch.q[some], batch.starts[some], batch.error[some] = self._round(
-                goals[some], starts[some], self.first_table, first
+                goals[some], starts[some], self.soon, first
             )
             done = len(some) + i - int(np.count_nonzero(batch.error[: i + len(some)] > self.tolerance))
             if progress is not None:
                 progress(done, k)
         for refused in np.flatnonzero(batch.starts < 0).tolist():
             self._numbered_goal(refused, targets[refused], task_checks=True)
-        self._go_on(targets, goals, starts, batch, progress)
+        self._go_on(targets, goals, starts, batch, progress=progress)
         if self.prefer != "any":
             wished = starts if self.prefer == "near" else np.tile(self.middle, (k, 1))
             on_all_cores(lambda some: self.bring_many(goals[some], wished[some], batch.q[some], batch.error[some]), k)
@@ -153,39 +170,84 @@ class CompiledSearch:
         return q, tried, errors
 
     def _go_on(
-        self, targets: list[Any], goals: Array, starts: Array, batch: IKBatch, progress: Progress | None = None
+        self,
+        targets: list[Any],
+        goals: Array,
+        starts: Array,
+        batch: IKBatch,
+        spent: float = 0.0,
+        progress: Progress | None = None,
     ) -> None:
-        """Try further starts for what was not reached, until the time is over; then look around the nearest misses."""
+        """Go on with what was not reached: prove it out of reach, or try further starts until the time is over."""
         missed = np.flatnonzero(~(batch.error <= self.tolerance))  # NaN is a miss
-        proven = np.array([self._out_of_reach(goals[i]) for i in missed], dtype=bool)
+        if not missed.size:
+            batch.status[:] = IKStatus.CONVERGED
+            return
+        proven = np.array([self.proof.at_once(goals[i], self.tolerance, self.tolerance) for i in missed], dtype=bool)
         batch.status[missed] = [IKStatus.UNREACHABLE if out else IKStatus.NOT_FOUND for out in proven]
-        left, spent, number = missed[~proven], 0.0, 0
-        while left.size and spent < self.time_limit:
-            begin, share, number = perf_counter(), min(1.0, threads() / left.size), number + 1
-            table: Table = (self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1)
-            q, tried, errors = self._round(goals[left], starts[left], table, 0)
-            batch.starts[left] += tried
-            better = errors < batch.error[left]
-            batch.q[left[better]], batch.error[left[better]] = q[better], errors[better]
-            left = left[batch.error[left] > self.tolerance]
-            spent += (perf_counter() - begin) * share
+        self._restart(missed[~proven], goals, starts, batch, spent)
         never = missed[batch.error[missed] > self.tolerance]
-        for number, i in enumerate(never, start=1 - len(never)):
-            self._look_around(i, targets[i], batch)
+        for i in range(0, len(never), CHUNK):
+            self._move_to_misses(never[i : i + CHUNK], targets, goals, batch)
             if progress is not None:
-                progress(len(batch) + number, len(batch))
+                progress(len(batch) - len(never) + min(i + CHUNK, len(never)), len(batch))
         batch.status[batch.error <= self.tolerance] = IKStatus.CONVERGED
 
-    def _out_of_reach(self, goal: Array) -> bool:
-        """Whether the goal is farther than the chain is long, by more than the tolerance."""
-        return self.reach.excess(goal, self.problem.counted) > self.tolerance
+    def _restart(self, left: Indices, goals: Array, starts: Array, batch: IKBatch, spent: float) -> None:
+        """Try further starts for the targets that are left, until the time is over: `spent` seconds a target are.
 
-    def _look_around(self, i: int, target: Any, batch: IKBatch) -> None:
-        """Move the nearest miss of target i to where |e| is least around it, e being the task's own error."""
+        After the starts near the targets comes a proof that there is no solution, then starts anywhere.
+        """
+        size = SOON
+        for table, group in self._further_starts():
+            at = 0
+            while at * group < len(table):
+                if not left.size or spent >= self.time_limit:
+                    return
+                begin, share = perf_counter(), min(1.0, threads() / left.size)
+                some = (table[at * group : (at + size) * group], group)
+                q, tried, errors = self._round(goals[left], starts[left], some, 0)
+                at += size
+                batch.starts[left] += tried
+                better = errors < batch.error[left]
+                batch.q[left[better]], batch.error[left[better]] = q[better], errors[better]
+                left = left[batch.error[left] > self.tolerance]
+                seconds = (perf_counter() - begin) * share
+                spent += seconds
+                size = int(np.clip(size * SHORT * self.time_limit / seconds, 1, LATER_STARTS))
+            if group == GROUP and left.size:
+                begin, share = perf_counter(), min(1.0, threads() / left.size)
+                left = self._not_excluded(left, goals, batch)
+                spent += (perf_counter() - begin) * share
+
+    def _further_starts(self) -> Iterator[Table]:
+        """Yield the rest of the first table, and then one table of random starts after the other."""
+        yield self.first_table[SOON * GROUP :], GROUP
+        for number in count(1):
+            yield self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1
+
+    def _not_excluded(self, left: Indices, goals: Array, batch: IKBatch) -> Indices:
+        """Return the targets of which it cannot be proven in the time that every joint box is without a solution."""
+        proven = np.zeros(len(left), dtype=bool)
+        exclude, seconds = self.proof.by_exclusion, PROVING * self.time_limit
+
+        def prove(some: slice) -> None:
+            for i in range(some.start, some.stop):
+                proven[i] = exclude(goals[left[i]], self.tolerance, self.tolerance, seconds=seconds)
+
+        on_all_cores(prove, len(left))
+        batch.status[left[proven]] = IKStatus.UNREACHABLE
+        return left[~proven]
+
+    def _move_to_misses(self, never: Indices, targets: list[Any], goals: Array, batch: IKBatch) -> None:
+        """Move what was found for targets that are not reached to where |e| is least around it.
+
+        Where the task has an error of its own in place of the rotation vector, that is reported.
+        """
+        q, errors = batch.q[never], batch.error[never]
+        on_all_cores(lambda some: self.move_to_misses(goals[never[some]], q[some], errors[some]), len(never))
+        batch.q[never], batch.error[never] = q, errors
         if self.task.tells_angles:  # which a singular orientation does not have
             return
-        descent = Descent(self.robot, self.task, self.task.target(target), self.problem.box)
-        places = (batch.q[i], descent.nearest_miss(batch.q[i]))
-        errors = [float(np.hypot.reduce(self.task.error(self.robot, q, target))) for q in places]
-        nearest = int(np.argmin(errors))
-        batch.q[i], batch.error[i] = places[nearest], errors[nearest]
+        for i in never:
+            batch.error[i] = float(np.hypot.reduce(self.task.error(self.robot, batch.q[i], targets[i])))

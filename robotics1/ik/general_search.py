@@ -17,7 +17,8 @@ from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
-SEARCHING = 0.7  # of the time limit; the rest is for the nearest miss
+SEARCHING = 0.6  # of the time limit; the rest is for the nearest miss
+GRACE, QUICK = 0.05, 1e-3  # seconds that the nearest miss may take longer, where an evaluation takes less than that
 PREPARING = 0.2  # of the time limit, that a look at the task may take
 
 
@@ -32,6 +33,8 @@ class GeneralSearch:
         task.check_integrable(robot)
         if robot.nv == 0:
             raise TaskError("nothing moves this task: the robot has no joint")
+        import scipy.optimize  # noqa: F401  (now, and not while the time runs)
+
         self.robot, self.task, self.tolerance = robot, task, tolerance
         self.seed, self.time_limit = seed, time_limit
         self.problem = scaled_task(robot, task, open_ranges=True, seconds=PREPARING * time_limit)
@@ -82,7 +85,10 @@ class GeneralSearch:
             except OutOfTime:
                 break
             start = self.problem.random(rng, 1)[0]
-        last = Descent(self.problem, goal, until(begin + self.time_limit), descent.known)
+        searched = perf_counter()
+        self._error(Descent(self.problem, goal), best)
+        grace = GRACE if perf_counter() - searched < QUICK else 0.0
+        last = Descent(self.problem, goal, until(begin + self.time_limit + grace), descent.known)
         q = self._wound(last, last.nearest_miss(best), None)
         error = self._error(last, q)
         if error < least:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from time import perf_counter
 
 import numpy as np
 
@@ -113,19 +114,24 @@ class UnreachableProof:
         box = np.concatenate([0.5 * (low + high), 0.5 * (high - low)])
         return box if np.isfinite(box).all() and np.isfinite(self._speeds).all() else None
 
-    def by_exclusion(self, goal: Array, linear: float, angular: float, most: int = MOST) -> bool:
-        """Whether every joint box is excluded, of which no more than `most` are looked at."""
+    def by_exclusion(self, goal: Array, linear: float, angular: float, *, seconds: float = np.inf) -> bool:
+        """Whether every joint box can be excluded, before the time is over."""
         if self._whole_box is None:
             return False
         n = len(self.problem.active)
         boxes = np.empty((SPLITS * n + 2, 2 * n))
         boxes[0] = self._whole_box
         scaled = np.array(goal[:3], dtype=float)
-        scaled[:, 3] /= self.problem.unit
+        with np.errstate(over="ignore"):
+            scaled[:, 3] /= self.problem.unit
         links, _, _, task = self.problem.arrays(linear)
         tolerance = np.array([linear / self.problem.unit, angular])
-        left = exclude(links, task, scaled, self._speeds, tolerance, boxes, 1, most)
-        return left == 0 and left != OPEN
+        left, end = 1, perf_counter() + seconds
+        for _ in range(0, MOST, AT_ONCE):
+            left = exclude(links, task, scaled, self._speeds, tolerance, boxes, left, AT_ONCE)
+            if left in (0, OPEN) or perf_counter() > end:
+                break
+        return left == 0
 
 
 def is_out_of_reach(problem: ScaledTask, target: object) -> bool:

@@ -1,6 +1,7 @@
 """Inverse kinematics that keeps to the joint limits, and reports a success only when forward kinematics verifies it."""
 
 from collections.abc import Callable
+from time import perf_counter
 from typing import Any
 
 import numpy.typing as npt
@@ -9,7 +10,7 @@ from robotics1.errors import InputError
 from robotics1.ik.compiled_search import CompiledSearch
 from robotics1.ik.general_search import GeneralSearch
 from robotics1.ik.result import IKBatch, IKResult
-from robotics1.inputs import counting_number, one_of, real_number
+from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask, Task
 
@@ -50,6 +51,7 @@ class IKSolver:
         tolerance: float = 1e-6,
         prefer: str = "any",
     ) -> None:
+        a_robot_and_a_task(robot, task)
         self.robot, self.task = robot, task
         options: dict[str, Any] = {
             "prefer": one_of("prefer", prefer, PREFERENCES),
@@ -91,6 +93,10 @@ class IKSolver:
         """
         return self._call(target, q0)
 
+    def leave(self, seconds: float) -> None:
+        """Leave a target this much of the time limit [s], and a fifth of it at least: preparing has taken the rest."""
+        self._search.time_limit = max(seconds, 0.2 * self._search.time_limit)
+
     def solve_batch(
         self, targets: Any, q0: npt.ArrayLike | None = None, *, progress: Callable[[int, int], None] | None = None
     ) -> IKBatch:
@@ -128,7 +134,9 @@ def solve_ik(
     Raises:
         TaskError, InputError: as `IKSolver` does.
     """
+    begin = perf_counter()
     solver = IKSolver(robot, task, seed=seed, time_limit=time_limit, tolerance=tolerance, prefer=prefer)
+    solver.leave(time_limit - (perf_counter() - begin))
     return solver(target, q0)
 
 

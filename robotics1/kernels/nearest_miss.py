@@ -1,0 +1,204 @@
+"""The configuration inside the joint limits whose pose misses a goal by least: Newton's method on ½ |e|²."""
+
+import math
+
+import numpy as np
+
+from robotics1.inputs import Array
+from robotics1.kernels.chain import Indices
+from robotics1.kernels.compilation import compiled
+from robotics1.kernels.descent import copy
+from robotics1.kernels.forward import place_joints
+from robotics1.kernels.inverse import from_units, in_units, inside, to_units
+from robotics1.kernels.pose_error import pose_error
+
+STEPS = 60
+STATIONARY = 1e-14  # relative decrease of |e|² that is rounding
+LEAST, MOST = 1e-12, 1e12  # damping μ, beside the largest curvature
+WEAK = 1e-3  # μ to begin with
+
+
+@compiled()
+def half_square(links: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array, T: Array, lines: Array,
+                M: Array, e: Array) -> float:  # fmt: skip
+    """Return ½ |e|² at x, and write e, (6,): its linear rows in metres, and zero where they do not count."""
+    place_joints(links, x, T, lines)
+    pose_error(goal, axis, T, M, e)
+    total = 0.0
+    for i in range(6):
+        e[i] *= counted[i] * (unit if i < 3 else 1.0)
+        total += 0.5 * e[i] * e[i]
+    return total
+
+
+@compiled()
+def slope_and_curvature(
+    links: Array, counted: Array, axis: Array, unit: float, T: Array, lines: Array, e: Array, g: Array, H: Array,
+    moves: Array,
+) -> None:  # fmt: skip
+    """Write the gradient g, (n,), and the Hessian H, (n, n), of ½ |e|².
+
+    With the columns (v_j, ω_j) of J: g_j = −e·J_j and H_jk = J_j·J_k − e·∂J_j/∂x_k. A joint j before k carries k's
+    motion along: ∂v_k/∂x_j = ω_j × v_k; of the rotation the symmetric part ½ ω_j × ω_k counts, and J·J is
+    weighted with ½θ cot ½θ across the axis of the missing turn θ.
+    """
+    k, n = len(links) - 1, len(g)
+    for j in range(n):
+        g[j] = 0.0
+        for i in range(n):
+            H[i, j] = 0.0
+    pointing = axis[0] != 0.0 or axis[1] != 0.0 or axis[2] != 0.0
+    a = np.zeros(3)
+    if pointing:
+        for i in range(3):
+            a[i] = T[i, 0] * axis[0] + T[i, 1] * axis[1] + T[i, 2] * axis[2]
+    theta = math.sqrt(e[3] * e[3] + e[4] * e[4] + e[5] * e[5])
+    across = 1.0
+    if theta > 1e-4 and counted[3] + counted[4] + counted[5] > 2.5:
+        half = theta if pointing else 0.5 * theta
+        across = half / math.tan(half) if half < 3.0 else -3.0 / math.tan(0.14159)
+    for j in range(k):
+        r = links[j, 14]
+        dx, dy, dz = T[0, 3] - lines[j, 3], T[1, 3] - lines[j, 4], T[2, 3] - lines[j, 5]
+        for i in range(3):
+            moves[j, 3 + i] = 0.0 if links[j, 12] != 0.0 else r * lines[j, i]
+        if links[j, 12] != 0.0:
+            for i in range(3):
+                moves[j, i] = r * unit * lines[j, i]
+        else:
+            moves[j, 0] = r * unit * (lines[j, 1] * dz - lines[j, 2] * dy)
+            moves[j, 1] = r * unit * (lines[j, 2] * dx - lines[j, 0] * dz)
+            moves[j, 2] = r * unit * (lines[j, 0] * dy - lines[j, 1] * dx)
+    for j in range(k):
+        own = int(links[j, 13])
+        for i in range(6):
+            g[own] -= e[i] * moves[j, i]
+        for m in range(j, k):
+            other = int(links[m, 13])
+            h = 0.0
+            for i in range(3):
+                h += counted[i] * moves[j, i] * moves[m, i]
+            wx, wy, wz = moves[j, 3], moves[j, 4], moves[j, 5]
+            h -= e[0] * (wy * moves[m, 2] - wz * moves[m, 1])
+            h -= e[1] * (wz * moves[m, 0] - wx * moves[m, 2])
+            h -= e[2] * (wx * moves[m, 1] - wy * moves[m, 0])
+            dot, along, other_along, on_a, other_on_a = 0.0, 0.0, 0.0, 0.0, 0.0
+            for i in range(3):
+                dot += counted[3 + i] * moves[j, 3 + i] * moves[m, 3 + i]
+                on_a += a[i] * moves[j, 3 + i]
+                other_on_a += a[i] * moves[m, 3 + i]
+                if theta > 1e-4:
+                    along += e[3 + i] * moves[j, 3 + i] / theta
+                    other_along += e[3 + i] * moves[m, 3 + i] / theta
+            if pointing:
+                dot -= on_a * other_on_a
+            h += across * dot + (1.0 - across) * along * other_along
+            if m > j:
+                h -= 0.5 * e[3] * (wy * moves[m, 5] - wz * moves[m, 4])
+                h -= 0.5 * e[4] * (wz * moves[m, 3] - wx * moves[m, 5])
+                h -= 0.5 * e[5] * (wx * moves[m, 4] - wy * moves[m, 3])
+            H[own, other] += h
+            if m > j:
+                H[other, own] += h
+
+
+@compiled()
+def solve_positive(H: Array, held: Array, damping: float, g: Array, L: Array, step: Array) -> bool:
+    """Write to step the solution of (H + μ diag) step = −g for the joints that are not held; zero for the others.
+
+    Return whether the matrix is positive definite: if not, nothing is written. Cholesky's decomposition, row by row.
+    """
+    n = len(g)
+    for i in range(n):
+        for j in range(i + 1):
+            total = 1.0 if i == j else 0.0
+            if held[i] == 0.0 and held[j] == 0.0:
+                total = H[i, j] + (damping if i == j else 0.0)
+            for m in range(j):
+                total -= L[i, m] * L[j, m]
+            if i == j:
+                if not total > 0.0:
+                    return False
+                L[i, i] = math.sqrt(total)
+            else:
+                L[i, j] = total / L[j, j]
+    for i in range(n):
+        total = -g[i] if held[i] == 0.0 else 0.0
+        for m in range(i):
+            total -= L[i, m] * step[m]
+        step[i] = total / L[i, i]
+    for i in range(n - 1, -1, -1):
+        total = step[i]
+        for m in range(i + 1, n):
+            total -= L[m, i] * step[m]
+        step[i] = total / L[i, i]
+    return True
+
+
+@compiled()
+def least_miss(links: Array, limits: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array) -> float:
+    """Move x, (n,), inside the limits to a stationary point of |e|², in [m, rad]; return |e|.
+
+    x ← x − (H + μ 1)⁻¹ g; a joint that stands at a limit and would leave it is held. μ grows until the matrix is
+    positive definite and |e| falls, and fades where it does.
+
+    Source: Nocedal, Wright, Numerical Optimization, 2006, sections 3.4 and 16.7 (the projection); Bertsekas, SIAM J.
+    Control and Optimization 20 (1982).
+    """
+    n, k = len(x), len(links) - 1
+    T, lines, M, e = np.empty((3, 4)), np.empty((k, 6)), np.empty((3, 3)), np.empty(6)
+    g, H, L, step, held = np.empty(n), np.empty((n, n)), np.empty((n, n)), np.empty(n), np.empty(n)
+    ahead, moves, trial = np.empty(n), np.empty((k, 6)), np.empty(6)
+    value = half_square(links, counted, axis, unit, goal, x, T, lines, M, e)
+    if not math.isfinite(value) or value > 1e200:
+        return math.sqrt(2.0 * value)
+    mu = WEAK
+    for _ in range(STEPS):
+        half_square(links, counted, axis, unit, goal, x, T, lines, M, e)
+        slope_and_curvature(links, counted, axis, unit, T, lines, e, g, H, moves)
+        largest = 0.0
+        for j in range(n):
+            largest = max(largest, abs(H[j, j]))
+            below, above = x[j] <= limits[0, j] and g[j] > 0.0, x[j] >= limits[1, j] and g[j] < 0.0
+            held[j] = 1.0 if limits[2, j] == 0.0 and (below or above) else 0.0
+        better = False
+        while mu < MOST:
+            if solve_positive(H, held, mu * max(largest, 1e-300), g, L, step):
+                for j in range(n):
+                    ahead[j] = x[j] + step[j]
+                    if limits[2, j] == 0.0:
+                        ahead[j] = min(max(ahead[j], limits[0, j]), limits[1, j])
+                new = half_square(links, counted, axis, unit, goal, ahead, T, lines, M, trial)
+                if new < value:
+                    better = True
+                    break
+            mu = max(4.0 * mu, 1e-8)
+        if not better:
+            break
+        gain, value = value - new, new
+        copy(ahead, x)
+        mu = max(0.1 * mu, LEAST)
+        if gain <= STATIONARY * value:
+            break
+    return math.sqrt(2.0 * value)
+
+
+@compiled()
+def nearest_misses(
+    links: Array, coordinates: Array, active: Indices, task: Array, targets: Array, q: Array, errors: Array
+) -> None:
+    """Move each configuration q, (k, nq), to the least miss of its target, (k, 4, 4), near it, with its |e|, (k,).
+
+    The other arguments are those of `inverse.solve`.
+    """
+    n = len(active)
+    x, limits, goal = np.empty(n), np.empty((3, n)), np.empty((3, 4))
+    for i in range(len(targets)):
+        in_units(targets[i], task[9], goal)
+        to_units(coordinates, active, q[i], x, limits)
+        found = least_miss(links, limits, task[:6], task[6:9], task[9], goal, x)
+        if found < errors[i]:
+            for j in range(n):
+                x[j] = inside(limits[0, j], limits[1, j], limits[2, j], x[j])
+            from_units(coordinates, active, x, q[i])
+            errors[i] = found
