@@ -162,6 +162,10 @@ def _is_a_task(value: Any) -> bool:
 
 
 def _kind(value: Any) -> str:
-    return repr(value) if isinstance(value, str) else f"the class {value.__name__}" if isinstance(value, type) else (
-        f"a {type(value).__name__}"
+    return (
+        repr(value)
+        if isinstance(value, str)
+        else f"the class {value.__name__}"
+        if isinstance(value, type)
+        else (f"a {type(value).__name__}")
     )

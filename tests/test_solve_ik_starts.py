@@ -202,14 +202,16 @@ def test_every_target_of_a_batch_has_its_own_status(planar_2r):
     batch = IKSolver(planar_2r, XY, time_limit=0.01).solve_batch(np.array([[1, 1], [0.1, 0], [3, 0], [2, 0]]))
     assert list(batch.status) == [
         IKStatus.CONVERGED,
-        IKStatus.NOT_FOUND,
+        IKStatus.UNREACHABLE,
         IKStatus.UNREACHABLE,
         IKStatus.CONVERGED,
     ]
     assert batch.converged.tolist() == [True, False, False, True]
     assert batch.error[1:3] == pytest.approx([0.3, 1.0], abs=1e-6)
     assert len(batch) == 4
-    with pytest.raises(NotConverged, match="2 of 4 targets were not reached; the first is target 1: no") as raised:
+    with pytest.raises(
+        NotConverged, match="2 of 4 targets were not reached; the first is target 1: it is proven"
+    ) as raised:
         batch.require()
     assert raised.value.result is batch
     reachable = IKSolver(planar_2r, XY).solve_batch([[1, 1], [0, 1]])

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 from rich.console import Console
+from rich.markup import escape
 
 from robotics1.cli.arguments import parse_vector
 from robotics1.cli.output import in_degrees, joint_names, say_outside_limits, write_json
@@ -59,6 +60,8 @@ def print_solutions(
                 "solutions": found.q,
                 "singular": found.singular,
                 "least_error": found.least_error,
+                "free_joints": found.free_joints,
+                "dimension": found.dimension,
             }
         )
         return len(found) > 0
@@ -71,6 +74,9 @@ def print_solutions(
     console.print(matrix_table(in_degrees(robot, found.q[:SHOWN], degrees), rows, joint_names(robot)))
     if len(found) > SHOWN:
         console.print(f"and {len(found) - SHOWN} more")
+    if found.free_joints:
+        names = escape(", ".join(found.free_joints))
+        console.print(f"{names}: anywhere in the limits, since the task does not move", highlight=False)
     return True
 
 

@@ -196,9 +196,10 @@ class CompiledSearch:
     def _restart(self, left: Indices, goals: Array, starts: Array, batch: IKBatch, spent: float) -> None:
         """Try further starts for the targets that are left, until the time is over: `spent` seconds a target are.
 
-        After the starts near the targets comes a proof that there is no solution, then starts anywhere.
+        First comes a short attempt to prove that there is no solution, then starts near the targets, a longer attempt,
+        and starts anywhere.
         """
-        size = SOON
+        left, size = self._not_excluded(left, goals, batch, seconds=0.0), SOON
         for table, group in self._further_starts():
             at = 0
             while at * group < len(table):
@@ -217,7 +218,7 @@ class CompiledSearch:
                 size = int(np.clip(size * SHORT * self.time_limit / seconds, 1, LATER_STARTS))
             if group == GROUP and left.size:
                 begin, share = perf_counter(), min(1.0, threads() / left.size)
-                left = self._not_excluded(left, goals, batch)
+                left = self._not_excluded(left, goals, batch, seconds=PROVING * self.time_limit)
                 spent += (perf_counter() - begin) * share
 
     def _further_starts(self) -> Iterator[Table]:
@@ -226,16 +227,17 @@ class CompiledSearch:
         for number in count(1):
             yield self.problem.table(np.random.default_rng((self.seed, number)), LATER_STARTS), 1
 
-    def _not_excluded(self, left: Indices, goals: Array, batch: IKBatch) -> Indices:
+    def _not_excluded(self, left: Indices, goals: Array, batch: IKBatch, *, seconds: float) -> Indices:
         """Return the targets of which it cannot be proven in the time that every joint box is without a solution."""
         proven = np.zeros(len(left), dtype=bool)
-        exclude, seconds = self.proof.by_exclusion, PROVING * self.time_limit
+        exclude = self.proof.by_exclusion
 
         def prove(some: slice) -> None:
             for i in range(some.start, some.stop):
                 proven[i] = exclude(goals[left[i]], self.tolerance, self.tolerance, seconds=seconds)
 
-        on_all_cores(prove, len(left))
+        if left.size:
+            on_all_cores(prove, len(left))
         batch.status[left[proven]] = IKStatus.UNREACHABLE
         return left[~proven]
 

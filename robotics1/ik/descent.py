@@ -1,6 +1,7 @@
 """Damped least squares inside the joint limits, for any task: the task says no more than its error and Jacobian."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from time import perf_counter
 from typing import Any
@@ -16,6 +17,7 @@ REACHED = 1e-9  # |e| of a solution, lengths relative to the arm
 HOPELESS = 1e9  # |e| in lengths of the arm: there rounding hides what the joints do
 FAR = 10.0  # |e|² beyond which the damping grows no more: the way may be long
 FLOOR = 1e-20  # λ² that is left at the target: above rounding, and small beside σ² of what still counts as regular
+PATIENCE = 8  # steps without progress, after which a descent is given up
 REMEMBERED = 100  # errors
 End = tuple[Array, float]
 
@@ -86,7 +88,7 @@ class Descent:
                 stuck = 0 if error < 0.9 * least else stuck + 1
                 if error < least:
                     best, least = q, error
-                if least < 1e-15 or stuck > 12 or (least < 1e-12 and stuck > 2) or error > HOPELESS:
+                if least < 1e-15 or stuck > PATIENCE or (least < 1e-12 and stuck > 2) or error > HOPELESS:
                     break
                 q = self.problem.box.nearest(q + self.problem.box.unit * self._step(q, e))
         except OutOfTime:
@@ -95,8 +97,6 @@ class Descent:
 
     def nearest_miss(self, q: Array) -> Array:
         """Return the configuration near q with the least |e| inside the box."""
-        from scipy.optimize import least_squares
-
         best = (np.inf, q)
 
         def error(p: Array) -> Array:
@@ -105,10 +105,8 @@ class Descent:
             best = min(best, (self.relative_error(p), p), key=lambda pair: pair[0])
             return e
 
-        try:
+        with suppress(OutOfTime):
             self._least_squares(q, error)
-        except OutOfTime:
-            pass
         return best[1]
 
     def _least_squares(self, q: Array, error: Callable[[Array], Array]) -> None:
@@ -118,7 +116,9 @@ class Descent:
         from scipy.optimize import least_squares
 
         box = self.problem.box
-        lower, upper = (np.where(box.circular, end, limit) for end, limit in ((-np.inf, box.lower), (np.inf, box.upper)))
+        lower, upper = (
+            np.where(box.circular, end, limit) for end, limit in ((-np.inf, box.lower), (np.inf, box.upper))
+        )
         moving = self.problem.moving & (lower < upper)
         if np.abs(error(q)).max() > HOPELESS or not moving.any():
             return

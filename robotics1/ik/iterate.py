@@ -11,12 +11,12 @@ from robotics1.analysis.spaces import RANK_TOLERANCE, numeric_rank
 from robotics1.errors import NotConverged, TaskError
 from robotics1.ik.status import IKStatus
 from robotics1.ik.steps import damped_step, gradient_step, newton_step, pseudoinverse_step
-from robotics1.inputs import Array, counting_number, one_of, real_number
+from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 METHODS = ("newton", "pseudoinverse", "gradient", "damped")
-TOO_FAR = 1e6  # a joint value beyond this says that the iteration diverges [rad or m]
+TOO_FAR = 1e6  # a joint value beyond this says that the iteration diverges [rad, or lengths of the arm and of the way]
 
 
 class IKIterate(NamedTuple):
@@ -110,11 +110,12 @@ def iterate_ik(
         damping: λ of "damped", 0.1 by default.
 
     Raises:
-        TaskError: "newton" on a task with m ≠ n rows, or axes that move with the robot.
+        TaskError: "newton" on a task with m ≠ n rows, axes that move with the robot, or a robot without joints.
         InputError: an argument has the wrong shape or value.
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.
     """
+    a_robot_and_a_task(robot, task)
     step = _step(robot, task, method, gain, damping)
     tolerance = real_number("tolerance", tolerance, positive=True)
     limit = counting_number("max_iterations", max_iterations)
@@ -122,17 +123,28 @@ def iterate_ik(
     target = task.target(target)
     q = robot.configuration(q0, "q0")
     table: list[IKIterate] = []
+    too_far = _too_far(robot, task, q, target)
     while True:
         e, J = task.error(robot, q, target), task.jacobian(robot, q)
         table.append(_row(len(table), q, task.value(robot, q), e, J))
         status = _status(J, e, method, tolerance, len(table) > limit)
         if status is None:
-            ahead = q + step(J, e)
-            if not np.abs(ahead).max(initial=0.0) < TOO_FAR:  # also when it is not a number
+            with np.errstate(over="ignore", invalid="ignore"):
+                ahead = q + step(J, e)
+            if not np.all(np.abs(ahead) < too_far):  # also when it is not a number
                 status = IKStatus.DIVERGED
         if status is not None:
             return IKIteration(status, q, tuple(table), robot.within_limits(q), method)
         q = ahead
+
+
+def _too_far(robot: Robot, task: Task, q0: Array, target: Any) -> Array:
+    """Return (n,) the joint values beyond which an iteration diverges: a target may itself be 10⁷ m away."""
+    lengths = [robot.reach, *np.abs(q0[~robot.revolute])]
+    lengths += list(np.abs(task.error(robot, q0, target))[np.array(task.row_units) != "rad"])
+    with np.errstate(over="ignore"):
+        turns = TOO_FAR * np.maximum(1.0, np.abs(q0))
+        return np.where(robot.revolute, turns, TOO_FAR * max(1.0, *lengths))
 
 
 def _step(
@@ -142,6 +154,8 @@ def _step(
     one_of("method", method, METHODS)
     if robot.nq != robot.nv:
         raise TaskError(f"robot {robot.name!r} has joints with several degrees of freedom, so q + Δq is not defined")
+    if robot.nv == 0:
+        raise TaskError(f"nothing moves this task: robot {robot.name!r} has no joint")
     if method == "newton" and task.rows != robot.nv:
         raise TaskError(
             f"newton needs as many task rows as joints; here there are {task.rows} rows and {robot.nv} joints: "
@@ -162,18 +176,18 @@ def _row(k: int, q: Array, r: Any, e: Array, J: Array) -> IKIterate:
     square = J.shape[0] == J.shape[1]
     det = float(np.linalg.det(J)) if square else float("nan")
     least = np.linalg.svd(J, compute_uv=False)[-1:].sum()  # 0 without joints
-    return IKIterate(k, q, r, float(np.linalg.norm(e)), det, float(least))
+    return IKIterate(k, q, r, float(np.hypot.reduce(e)), det, float(least))
 
 
 def _status(J: Array, e: Array, method: str, tolerance: float, used_up: bool) -> IKStatus | None:
     """Return why the iteration ends at this iterate, or None if it goes on."""
-    error = np.linalg.norm(e)
+    error = float(np.hypot.reduce(e))  # which does not overflow
     if error <= tolerance:
         return IKStatus.CONVERGED
     sigma = np.linalg.svd(J, compute_uv=False)
     if method == "newton":
         if numeric_rank(sigma) < len(sigma):
             return IKStatus.SINGULAR
-    elif np.linalg.norm(J.T @ e) <= RANK_TOLERANCE * sigma[:1].sum() * error:
+    elif np.hypot.reduce(J.T @ e) <= RANK_TOLERANCE * sigma[:1].sum() * error:
         return IKStatus.STALLED
     return IKStatus.MAX_ITERATIONS if used_up else None

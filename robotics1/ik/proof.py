@@ -19,7 +19,7 @@ from robotics1.tasks.task import FrameTask
 
 STILL = 1e-12  # of a row of J that is zero but for rounding, lengths in reaches
 MOST = 200_000 if COMPILED else 2_000  # boxes that a proof may take
-AT_ONCE = 2_000  # boxes between two looks at the clock
+AT_ONCE = 500  # boxes between two looks at the clock
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,10 +99,12 @@ class UnreachableProof:
         chain, n = self.problem.chain, len(self.problem.active)
         speeds = np.zeros((2, n))
         turning = chain.prismatic == 0
-        np.add.at(speeds[0], chain.coordinate, chain.ratio * np.where(turning, self.reach.arms / self.problem.unit, 1.0))
+        np.add.at(
+            speeds[0], chain.coordinate, chain.ratio * np.where(turning, self.reach.arms / self.problem.unit, 1.0)
+        )
         np.add.at(speeds[1], chain.coordinate, chain.ratio * turning)
         position, turn = self.problem.counted[:3].any(), self.problem.counted[3:].any()
-        return speeds * np.array([[float(position)], [float(turn)]])
+        return np.asarray(speeds * np.array([[float(position)], [float(turn)]]))
 
     @cached_property
     def _whole_box(self) -> Array | None:
@@ -115,7 +117,7 @@ class UnreachableProof:
         return box if np.isfinite(box).all() and np.isfinite(self._speeds).all() else None
 
     def by_exclusion(self, goal: Array, linear: float, angular: float, *, seconds: float = np.inf) -> bool:
-        """Whether every joint box can be excluded, before the time is over."""
+        """Whether every joint box can be excluded, before the time is over; 500 boxes are looked at in any case."""
         if self._whole_box is None:
             return False
         n = len(self.problem.active)

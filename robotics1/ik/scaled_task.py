@@ -18,7 +18,7 @@ from robotics1.tasks.task import Task
 SAMPLES = 6  # random configurations at which the task is looked at
 MOVES = 1e-12  # an entry of J, beside the largest of its row, that is not rounding; of differences 1e-8
 EVALUATIONS, EVALUATIONS_A_JOINT = 700, 70  # of a function, for all this
-FAR_FROM_BASE = 1e-5  # of the distance of the arm from the origin of the world: below, its own size is rounding
+ROUNDED = 1e-5  # of the longest length at hand: an arm that is shorter is measured by that
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,10 +86,10 @@ class ScaledTask:
             return float(np.hypot.reduce(np.where(in_metres, self.length / self._size_at(q), 1.0) * e))
 
     def _size_at(self, q: Array) -> float:
-        """Return the length of the links and of the prismatic joints at q [m], never below rounding."""
+        """Return the length of the links and of the prismatic joints at q [m], never near rounding."""
         size = self.robot.fixed_length + float(np.abs(q[~self.robot.revolute]).sum())
         base = float(np.hypot.reduce(self.robot.model.jointPlacements[1].translation)) if self.robot.nq else 0.0
-        return max(size, FAR_FROM_BASE * base) or self.length
+        return max(size, ROUNDED * base, ROUNDED * self.length)
 
 
 def scaled_task(
@@ -166,7 +166,7 @@ def _moving(task: Task, J: list[Array], length: float, units: Array) -> npt.NDAr
 
 def _circles(robot: Robot, near: JointBox, lower: Array, upper: Array, period: Array) -> JointBox:
     """Return the box whose circles are the joints that a period of their own brings back, inside the limits."""
-    circular = robot.revolute & (upper - lower >= period - 1e-9)
+    circular = robot.revolute & np.isfinite(period) & (upper - lower >= period - 1e-9)
     low, high = near.lower.copy(), near.upper.copy()
     for j in np.flatnonzero(robot.revolute):
         if circular[j]:

@@ -157,7 +157,7 @@ def _answer(
 ) -> IKSolutions:
     robot = problem.robot
     return IKSolutions(
-        q=np.array(found).reshape(-1, robot.nq),
+        q=np.array(found).reshape(len(found), robot.nq),
         singular=np.array(singular, dtype=bool),
         verdict=verdict,
         complete=verdict is IKVerdict.UNREACHABLE or not (dimension or problem.moving.any()),

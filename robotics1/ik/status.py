@@ -11,5 +11,5 @@ class IKStatus(Enum):
     STALLED = "Jᵀe = 0 with e ≠ 0: no step along J reduces the error; start elsewhere"
     MAX_ITERATIONS = "the number of iterations is used up"
     DIVERGED = "the iterates grow without bound; a smaller gain or 'damped' would not"
-    UNREACHABLE = "the target is farther than the arm is long, with all its joints in line"
+    UNREACHABLE = "it is proven that no q inside the limits reaches the target"
     NOT_FOUND = "no start led to the target within the time limit; that proves nothing, but it is likely out of reach"

@@ -23,8 +23,9 @@ def gradient_step(J: Array, e: Array, gain: float | None = None) -> Array:
     """
     g = J.T @ e
     if gain is None:
-        slope = J @ g
-        gain = float(g @ g / (slope @ slope)) if slope.any() else 0.0
+        size = np.hypot.reduce(g)
+        slope = np.hypot.reduce(J @ (g / size)) if size > 0 else 0.0  # of a unit vector, whose squares do not overflow
+        gain = float(1 / slope) ** 2 if slope > 0 else 0.0
     return gain * g
 
 

@@ -49,7 +49,7 @@ class WholeTurns:
         left = e - self.wrapped(e)
         if not left.any():
             return q
-        counting = np.flatnonzero(self.change.any(axis=0))
+        counting = np.flatnonzero(self.change.any(axis=0)).tolist()
         for order in (*((j,) for j in counting), tuple(counting)):
             p, rest = self._turned(q, left, order, lower, upper)
             if np.abs(rest).max() < 0.5 * self.modulus[self.modulus > 0].min():
@@ -86,7 +86,7 @@ def whole_turns(robot: Robot, task: Task, box: JointBox, samples: Array) -> Whol
     change = np.zeros((task.rows, robot.nq))
     J = np.abs([task.jacobian(robot, q) * robot.units for q in samples[:2]])
     size = np.maximum(J.max(axis=(0, 2), initial=0.0), 1e-300)  # of what the rows change by
-    for j in np.flatnonzero(robot.revolute):
+    for j in np.flatnonzero(robot.revolute).tolist():
         period[j], change[:, j] = _change(robot, task, samples, j, size)
     own = isinstance(task, FunctionTask) and task.units is None
     jumps = _jumps(robot, task, box) if own else np.zeros(task.rows, dtype=bool)

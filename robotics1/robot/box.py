@@ -37,7 +37,7 @@ class JointBox:
         return 2 * rng.uniform(0.5 * self.lower, 0.5 * self.upper, (count, len(self.lower)))
 
     def nearest(self, q: Array) -> Array:
-        """Return q with circular joints turned into (upper − period, upper] and the others moved to their nearest limit."""
+        """Return q with circular joints turned into (upper − period, upper] and the others moved into their limits."""
         turned = self.upper - (self.upper - q) % self.period
         turned = np.where(turned < self.upper - self.period + 1e-9, self.upper, turned)  # −π, but for rounding, is π
         return np.where(self.circular, turned, np.clip(q, self.lower, self.upper))

@@ -12,11 +12,10 @@ from scipy.optimize import brentq
 
 from robotics1.analysis.spaces import Subspaces, pseudoinverse, subspaces
 from robotics1.errors import InputError, NotConverged
-from robotics1.ik.solutions import ik_solutions
-from robotics1.inputs import Array, per_joint, real_array, real_number
+from robotics1.ik.solutions import IKVerdict, ik_solutions
+from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
 from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
-from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.limits.violations import LimitViolation, limit_violations
 from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory, cubic
@@ -31,7 +30,8 @@ class MeetingVerdict(Enum):
     MEETS = "the robot meets the target in position and velocity"
     BEYOND_LIMITS = "every way to the meeting point passes a limit of the robot"
     VELOCITY_LOST = "the robot reaches the meeting point only in a singular configuration that lacks the velocity"
-    UNREACHABLE = "the meeting point is out of the robot's reach"
+    UNREACHABLE = "it is proven that the meeting point is out of the robot's reach"
+    NOT_FOUND = "no configuration at the meeting point was found; it is likely out of the robot's reach"
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,8 +136,8 @@ def rendezvous(
         InputError: the event has no zero before the horizon, the time is not positive, or a shape is wrong.
         TaskError: the task does not fit the robot.
     """
-    require_task(task)
-    q0 = require_robot(robot).configuration(q0)
+    a_robot_and_a_task(robot, task)
+    q0 = robot.configuration(q0)
     qdot0 = per_joint("qdot0", qdot0, robot.nv)
     if not callable(target_motion) or not hasattr(target_motion, "velocity"):
         raise InputError("target_motion must give p(t) and velocity(t); use LinearMotion or FunctionMotion")
@@ -148,7 +148,7 @@ def rendezvous(
     branches = [_branch(robot, task, q, velocity, (q0, qdot0), T) for q in solutions.q]
     branches.sort(key=lambda branch: (not branch.feasible, branch.singular))
     miss = 0.0 if len(solutions) else solutions.least_error
-    return Rendezvous(T, position, velocity, tuple(branches), _verdict(branches), miss)
+    return Rendezvous(T, position, velocity, tuple(branches), _verdict(branches, solutions.verdict), miss)
 
 
 def meeting_time(
@@ -205,9 +205,9 @@ def nearest_turn(robot: Robot, q: Array, q0: Array) -> Array:
     return np.where(robot.revolute, q + TURN * turns, q)
 
 
-def _verdict(branches: list[MeetingBranch]) -> MeetingVerdict:
+def _verdict(branches: list[MeetingBranch], solutions: IKVerdict) -> MeetingVerdict:
     if not branches:
-        return MeetingVerdict.UNREACHABLE
+        return MeetingVerdict.UNREACHABLE if solutions is IKVerdict.UNREACHABLE else MeetingVerdict.NOT_FOUND
     if any(branch.feasible for branch in branches):
         return MeetingVerdict.MEETS
     if any(branch.matches for branch in branches):
