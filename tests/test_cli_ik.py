@@ -69,7 +69,7 @@ def test_ik_solve_exits_with_1_and_tells_the_nearest_miss():
     hole = [*XY, "--target", "0.2,0", "--method", "solve", "--time-limit", "0.01"]
     result = CliRunner().invoke(app, [*hole, "-p", "l1=1", "-p", "l2=0.5"])
     assert result.exit_code == 1
-    assert "NOT_FOUND" in result.stdout
+    assert "UNREACHABLE" in result.stdout
     assert "|e| = 0.3 at" in result.stdout
 
 

@@ -18,7 +18,8 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 SEARCHING = 0.6  # of the time limit; the rest is for the nearest miss
-GRACE, QUICK = 0.05, 1e-3  # seconds that the nearest miss may take longer, where an evaluation takes less than that
+GRACE, QUICK = 0.15, 1e-3  # seconds that the nearest miss may take longer, where an evaluation takes less than that
+GROUP = 8  # random starts of which the one with the least error is taken
 PREPARING = 0.2  # of the time limit, that a look at the task may take
 
 
@@ -37,6 +38,9 @@ class GeneralSearch:
 
         self.robot, self.task, self.tolerance = robot, task, tolerance
         self.seed, self.time_limit = seed, time_limit
+        begin = perf_counter()
+        task.value(robot, np.clip(0.0, robot.lower, robot.upper))
+        self.quick = perf_counter() - begin < QUICK
         self.problem = scaled_task(robot, task, open_ranges=True, seconds=PREPARING * time_limit)
 
     def quick_call(self) -> Callable[[Any, Any], IKResult]:
@@ -70,9 +74,9 @@ class GeneralSearch:
         searching = until(begin + SEARCHING * self.time_limit)
         goal, around = self.task.target(target), None if q0 is None else self.robot.configuration(q0, "q0")
         rng = np.random.default_rng((self.seed, 0))
-        start = self.problem.random(rng, 1)[0] if around is None else box.nearest(around)
-        best, least, tried = start, np.inf, 0
         descent = Descent(self.problem, goal, searching)
+        start = self._start(descent, rng) if around is None else box.nearest(around)
+        best, least, tried = start, np.inf, 0
         while True:
             q, error = self._answer(descent, start, around)
             tried += 1
@@ -84,10 +88,8 @@ class GeneralSearch:
                 searching()
             except OutOfTime:
                 break
-            start = self.problem.random(rng, 1)[0]
-        searched = perf_counter()
-        self._error(Descent(self.problem, goal), best)
-        grace = GRACE if perf_counter() - searched < QUICK else 0.0
+            start = self._start(descent, rng)
+        grace = GRACE if self.quick else 0.0
         last = Descent(self.problem, goal, until(begin + self.time_limit + grace), descent.known)
         q = self._wound(last, last.nearest_miss(best), None)
         error = self._error(last, q)
@@ -95,6 +97,16 @@ class GeneralSearch:
             best, least = q, error
         status = IKStatus.CONVERGED if least <= self.tolerance else IKStatus.NOT_FOUND
         return IKResult(status, best, least, tried)
+
+    def _start(self, descent: Descent, rng: np.random.Generator) -> Array:
+        """Return the best of some random starts, of a slow function the first one."""
+        starts = self.problem.random(rng, GROUP)
+        best, least = starts[0], np.inf
+        for q in starts if self.quick else ():
+            error = float(np.hypot.reduce(descent.problem.error(q, descent.target)))
+            if error < least:
+                best, least = q, error
+        return np.asarray(best)
 
     def _answer(self, descent: Descent, start: Array, around: Array | None) -> tuple[Array, float]:
         """Return where a descent ends, turned until its value is the target's, and |e| in the task's units."""

@@ -19,7 +19,7 @@ from robotics1.tasks.task import FrameTask
 
 STILL = 1e-12  # of a row of J that is zero but for rounding, lengths in reaches
 MOST = 200_000 if COMPILED else 2_000  # boxes that a proof may take
-AT_ONCE = 500  # boxes between two looks at the clock
+AT_ONCE = 4_000  # boxes between two looks at the clock
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +117,7 @@ class UnreachableProof:
         return box if np.isfinite(box).all() and np.isfinite(self._speeds).all() else None
 
     def by_exclusion(self, goal: Array, linear: float, angular: float, *, seconds: float = np.inf) -> bool:
-        """Whether every joint box can be excluded, before the time is over; 500 boxes are looked at in any case."""
+        """Whether every joint box can be excluded, before the time is over; 4000 boxes are looked at in any case."""
         if self._whole_box is None:
             return False
         n = len(self.problem.active)
