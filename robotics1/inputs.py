@@ -127,7 +127,7 @@ def a_robot(value: Any) -> None:
     Raises:
         InputError: the message says what would be right.
     """
-    if hasattr(value, "model") and hasattr(value, "joint_names") and not isinstance(value, type):
+    if _is_a_robot(value):
         return
     if _is_a_task(value):
         raise InputError("the robot comes first, then the task; here a task stands in the place of the robot")
@@ -145,7 +145,7 @@ def a_task(value: Any) -> None:
         return
     if isinstance(value, type) and hasattr(value, "check_integrable"):
         raise InputError(f"the task must be made first: write {value.__name__}(...) with brackets")
-    if hasattr(value, "joint_names"):
+    if _is_a_robot(value):
         raise InputError("the robot comes first, then the task; here a robot stands in the place of the task")
     hint = "such as PositionTask('xy'), PlanarPoseTask() or PoseTask()"
     raise InputError(f"the task must be a task {hint}, not {_kind(value)}")
@@ -157,15 +157,15 @@ def a_robot_and_a_task(robot: Any, task: Any) -> None:
     a_task(task)
 
 
+def _is_a_robot(value: Any) -> bool:
+    return hasattr(type(value), "frame_id")  # robots are made of what is checked here, so that their class is unknown
+
+
 def _is_a_task(value: Any) -> bool:
     return hasattr(value, "check_integrable") and hasattr(value, "jacobian") and not isinstance(value, type)
 
 
 def _kind(value: Any) -> str:
-    return (
-        repr(value)
-        if isinstance(value, str)
-        else f"the class {value.__name__}"
-        if isinstance(value, type)
-        else (f"a {type(value).__name__}")
-    )
+    if isinstance(value, str):
+        return repr(value)
+    return f"the class {value.__name__}" if isinstance(value, type) else f"a {type(value).__name__}"

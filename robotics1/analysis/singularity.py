@@ -10,7 +10,7 @@ from robotics1.analysis.singular_branches import branches_of
 from robotics1.analysis.singular_points import NOTHING_MOVES, singular_points
 from robotics1.analysis.singular_set import SingularSet
 from robotics1.errors import FormulaError, TaskError
-from robotics1.inputs import counting_number, one_of, real_number
+from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
 from robotics1.robot.model import Robot
 from robotics1.symbolic.polynomials.time_limit import TimeLimit
@@ -58,6 +58,7 @@ def find_singularities(
         TaskError: the task does not fit the robot, or no joint moves it.
         FormulaError: method="symbolic", and there are no formulas of the robot or the task.
     """
+    a_robot_and_a_task(robot, task)
     one_of("method", method, METHODS)
     count = counting_number("samples", samples, least=1)
     seed = counting_number("seed", seed)

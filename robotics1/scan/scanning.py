@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from robotics1.analysis.singular_points import MOVES, NOTHING_MOVES, SingularPoints, singular_points
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import counting_number, one_of, real_number
+from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
 from robotics1.scan.reduction import MEASURES, Reduction, reduced
@@ -84,6 +84,7 @@ def scan_singularities(
     Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985; Siciliano, Sciavicco,
     Villani, Oriolo, Robotics, 2009, section 3.9.
     """
+    a_robot_and_a_task(robot, task)
     chosen = _measures(measures)
     one_of("method", method, METHODS)
     seed, refine = counting_number("seed", seed), counting_number("refine", refine)

@@ -9,9 +9,8 @@ import numpy.typing as npt
 from robotics1.analysis.rounded_configuration import RoundedConfiguration, rounded_configuration
 from robotics1.analysis.spaces import RANK_TOLERANCE, subspaces
 from robotics1.differentiation import directional_derivative
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, a_robot_and_a_task, real_array
 from robotics1.robot.model import Robot
-from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
 
@@ -131,9 +130,8 @@ def joint_velocity(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.5.
     """
+    a_robot_and_a_task(robot, task)
     chosen = resolution_or_default(resolution)
-    require_robot(robot)
-    require_task(task)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
     rounded = _rounded(robot, task, chosen, q)
 
@@ -178,9 +176,8 @@ def joint_acceleration(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
+    a_robot_and_a_task(robot, task)
     chosen = resolution_or_default(resolution)
-    require_robot(robot)
-    require_task(task)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
     rounded = _rounded(robot, task, chosen, q)
     u = real_array("qdot", qdot, (rounded.spaces.J.shape[1],), "one number for each joint, or each input")

@@ -7,9 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, per_joint, real_array
+from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array
 from robotics1.robot.model import Robot
-from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow, Wish
@@ -52,6 +51,7 @@ def follow_trajectory(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1 (closed-loop inverse kinematics).
     """
+    a_robot_and_a_task(robot, task)
     q0 = _start(robot, task, trajectory, q0)
     K = _gain("gain", gain, task.rows)
     flow = VelocityFlow(robot, task, trajectory, resolution_or_default(resolution), K, null_velocity)
@@ -87,6 +87,7 @@ def follow_trajectory_by_acceleration(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
+    a_robot_and_a_task(robot, task)
     q0, u0 = _pair("state", state)
     q0 = _start(robot, task, trajectory, q0)
     resolution = resolution_or_default(resolution)
@@ -142,8 +143,7 @@ def _segment(
 
 
 def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Array:
-    require_task(task)
-    if require_robot(robot).nq != robot.nv:
+    if robot.nq != robot.nv:
         raise InputError(
             f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and prismatic "
             f"joints can follow a trajectory"

@@ -8,10 +8,9 @@ import numpy.typing as npt
 
 from robotics1.differentiation import derivative_inside, directional_derivative
 from robotics1.errors import InputError
-from robotics1.inputs import Array
+from robotics1.inputs import Array, a_robot_and_a_task
 from robotics1.kinematics import joint_rates
 from robotics1.robot.model import Robot
-from robotics1.tasks.arguments import require_robot, require_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Side, Trajectory, require_motion, smooth_ends
@@ -35,8 +34,8 @@ def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLik
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
-    require_task(task)
-    q = require_robot(robot).configuration(q)
+    a_robot_and_a_task(robot, task)
+    q = robot.configuration(q)
     return directional_derivative(lambda x: task.jacobian(robot, x), robot, q, joint_rates(robot, "qdot", qdot))
 
 
@@ -57,7 +56,8 @@ class TaskTrajectory:
     def __post_init__(self) -> None:
         """Refuse a motion of other joints, and a task that does not fit."""
         require_motion("trajectory", self.trajectory, derivatives=2)
-        require_task(self.task).check(require_robot(self.robot))
+        a_robot_and_a_task(self.robot, self.task)
+        self.task.check(self.robot)
         rates = np.shape(self.trajectory.velocity(0.0))
         if rates != (self.robot.nv,):
             raise InputError(f"the trajectory must move {self.robot.nv} joints; its velocity has the shape {rates}")

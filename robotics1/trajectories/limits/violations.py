@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.errors import InputError
+from robotics1.inputs import a_robot
 from robotics1.robot.model import Robot
-from robotics1.tasks.arguments import require_robot
 from robotics1.trajectories.limits.motion_limits import MotionLimits
 from robotics1.trajectories.peaks.extremes import extremes_of
 from robotics1.trajectories.protocols import Trajectory, number_of_joints
@@ -52,7 +52,8 @@ def limit_violations(
     Raises:
         InputError: the trajectory or the limits are of another number of joints.
     """
-    n = number_of_joints("trajectory", trajectory, require_robot(robot).nv)
+    a_robot(robot)
+    n = number_of_joints("trajectory", trajectory, robot.nv)
     if limits is not None and not isinstance(limits, MotionLimits):
         raise InputError(f"limits must be MotionLimits(acceleration=..., jerk=...); it is {limits!r}")
     more = (limits or MotionLimits()).of_joints(n)
