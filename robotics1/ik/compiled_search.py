@@ -31,6 +31,7 @@ FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
 SOON = 8  # groups of them that are tried before anything is proven
 LATER_STARTS = 256  # of each table after that, all of them tried
 SHORT = 0.05  # of the time limit, that the starts between two looks at the clock take
+ENOUGH = 0.92  # of the time limit, after which no further starts are tried
 PROVING = 0.2  # of the time limit, that a proof may take
 FINER = 1e-3  # tolerance on the turn where a task tells it by angles
 CHUNK = 4096  # targets between two calls of progress
@@ -203,7 +204,7 @@ class CompiledSearch:
         for table, group in self._further_starts():
             at = 0
             while at * group < len(table):
-                if not left.size or spent >= self.time_limit:
+                if not left.size or spent >= ENOUGH * self.time_limit:
                     return
                 begin, share = perf_counter(), min(1.0, threads() / left.size)
                 some = (table[at * group : (at + size) * group], group)

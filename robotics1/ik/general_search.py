@@ -18,7 +18,8 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 SEARCHING = 0.6  # of the time limit; the rest is for the nearest miss
-GRACE, QUICK = 0.15, 1e-3  # seconds that the nearest miss may take longer, where an evaluation takes less than that
+GRACE, LONGER = 0.05, 0.1  # seconds, or of the time limit, that the nearest miss may take longer ...
+QUICK = 1e-3  # ... where an evaluation takes less than that [s]
 GROUP = 8  # random starts of which the one with the least error is taken
 PREPARING = 0.2  # of the time limit, that a look at the task may take
 
@@ -89,7 +90,7 @@ class GeneralSearch:
             except OutOfTime:
                 break
             start = self._start(descent, rng)
-        grace = GRACE if self.quick else 0.0
+        grace = max(GRACE, LONGER * self.time_limit) if self.quick else 0.0
         last = Descent(self.problem, goal, until(begin + self.time_limit + grace), descent.known)
         q = self._wound(last, last.nearest_miss(best), None)
         error = self._error(last, q)

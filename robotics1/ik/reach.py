@@ -1,11 +1,14 @@
 """How far a chain reaches at most: what proves a target out of reach."""
 
 from dataclasses import dataclass
+from math import hypot
 
 import numpy as np
 
 from robotics1.ik.pose_problem import PoseProblem
 from robotics1.inputs import Array
+
+SWEEPS, SMOOTHING = 400, 50  # over the axes, until the shortest way over them is found
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,8 +51,6 @@ class ReachBound:
 
 def reach_bound(problem: PoseProblem) -> ReachBound:
     """Return the bound of a chain, with the points on the axes that make it least."""
-    from scipy.optimize import minimize
-
     chain, coordinates = problem.chain, problem.coordinates[problem.active[problem.chain.coordinate]]
     P, turning = chain.placements, chain.prismatic == 0
     travel = chain.ratio * np.abs(coordinates[:, :2]).max(axis=1) / coordinates[:, 3]
@@ -59,7 +60,7 @@ def reach_bound(problem: PoseProblem) -> ReachBound:
         shifts = np.append(shifts * turning, 0.0)
         return np.asarray(P[1:, :, 3] + shifts[1:, None] * P[1:, :, 2] - shifts[:-1, None] * np.array([0.0, 0.0, 1.0]))
 
-    shifts = minimize(lambda t: np.linalg.norm(pieces(t), axis=1).sum(), np.zeros(len(turning))).x * turning
+    shifts = _shortest(P, turning)
     lengths = np.linalg.norm(pieces(shifts), axis=1)
     arms = np.cumsum((lengths + np.append(np.where(turning, 0.0, travel)[1:], 0.0))[::-1])[::-1]
     R, p = P[-1, :, :3], P[-1, :, 3]
@@ -71,3 +72,28 @@ def reach_bound(problem: PoseProblem) -> ReachBound:
         length_to_hand=problem.unit * float(length - lengths[-1]),
         arms=problem.unit * arms,
     )
+
+
+def _shortest(P: Array, turning: Array) -> Array:
+    """Return the shifts along the axes, (k,), that make Σ |pieces| least, one after the other, again and again.
+
+    The point on an axis from which the way to a and to b is shortest divides their feet a_z and b_z as their distances
+    d_a and d_b from the axis. These are rounded up at first, so that no point sticks to another.
+    """
+    R, p = P[:, :, :3].tolist(), P[:, :, 3].tolist()
+    shifts = [0.0] * len(turning)
+    for sweep in range(SWEEPS):
+        smooth, change = 0.5**sweep, 0.0
+        for i in np.flatnonzero(turning).tolist():
+            ahead = shifts[i + 1] if i + 1 < len(shifts) else 0.0
+            b = [p[i + 1][row] + ahead * R[i + 1][row][2] for row in range(3)]
+            foot, d_b = b[2], hypot(b[0], b[1], smooth)
+            if i > 0:
+                back = [-p[i][row] + (shifts[i - 1] if row == 2 else 0.0) for row in range(3)]
+                a = [sum(R[i][row][column] * back[row] for row in range(3)) for column in range(3)]
+                d_a = hypot(a[0], a[1], smooth)
+                foot = (a[2] * d_b + b[2] * d_a) / (d_a + d_b) if d_a + d_b > 0 else 0.5 * (a[2] + b[2])
+            change, shifts[i] = max(change, abs(foot - shifts[i])), foot
+        if sweep > SMOOTHING and change < 1e-12:
+            break
+    return np.array(shifts)
