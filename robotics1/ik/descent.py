@@ -17,6 +17,7 @@ REACHED = 1e-9  # |e| of a solution, lengths relative to the arm
 HOPELESS = 1e9  # |e| in lengths of the arm: there rounding hides what the joints do
 FAR = 10.0  # |e|² beyond which the damping grows no more: the way may be long
 FLOOR = 1e-20  # λ² that is left at the target: above rounding, and small beside σ² of what still counts as regular
+LARGE = 1e-2  # |e| of a miss at which the curvature of the task counts
 PATIENCE = 8  # steps without progress, after which a descent is given up
 REMEMBERED = 100  # errors
 End = tuple[Array, float]
@@ -110,10 +111,11 @@ class Descent:
         return best[1]
 
     def _least_squares(self, q: Array, error: Callable[[Array], Array]) -> None:
-        """Minimise |e|² from q inside the box; the joints that are circles and those that cannot move are no variables
-        with limits.
+        """Minimise |e|² from q inside the box, where circles have no limits.
+
+        Far from a solution the curvature of the task counts, which BFGS sees; near one Gauss and Newton are exact.
         """
-        from scipy.optimize import least_squares
+        from scipy.optimize import least_squares, minimize
 
         box = self.problem.box
         lower, upper = (
@@ -129,9 +131,19 @@ class Descent:
             whole[moving] = x * units
             return box.nearest(whole)
 
+        def half_square(x: Array) -> tuple[float, Array]:
+            e = error(moved(x))
+            return 0.5 * float(e @ e), -self.jacobian(moved(x))[:, moving].T @ e
+
+        low, high, x, most = lower[moving] / units, upper[moving] / units, start[moving] / units, 100
+        if np.hypot.reduce(self.error(start)) > LARGE:
+            bounds = list(zip(low, high, strict=True))
+            options = {"maxiter": 100, "ftol": 1e-15, "gtol": 1e-9}
+            found = minimize(half_square, x, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
+            x, most = np.clip(found.x, low, high), 20
         least_squares(
-            lambda x: error(moved(x)), start[moving] / units, jac=lambda x: -self.jacobian(moved(x))[:, moving],
-            bounds=(lower[moving] / units, upper[moving] / units), xtol=1e-12, ftol=1e-15, gtol=1e-15, max_nfev=100,
+            lambda x: error(moved(x)), x, jac=lambda x: -self.jacobian(moved(x))[:, moving],
+            bounds=(low, high), xtol=1e-12, ftol=1e-15, gtol=1e-15, max_nfev=most,
         )  # fmt: skip
 
     def jacobian(self, q: Array) -> Array:

@@ -39,10 +39,10 @@ class GeneralSearch:
 
         self.robot, self.task, self.tolerance = robot, task, tolerance
         self.seed, self.time_limit = seed, time_limit
-        begin = perf_counter()
-        task.value(robot, np.clip(0.0, robot.lower, robot.upper))
-        self.quick = perf_counter() - begin < QUICK
         self.problem = scaled_task(robot, task, open_ranges=True, seconds=PREPARING * time_limit)
+        begin = perf_counter()
+        task.value(robot, self.problem.middle)
+        self.quick = perf_counter() - begin < QUICK
 
     def quick_call(self) -> Callable[[Any, Any], IKResult]:
         """Return `solve`; there is nothing quicker."""

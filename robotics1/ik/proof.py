@@ -113,8 +113,9 @@ class UnreachableProof:
         lower, upper, circular, unit = own.T
         low = np.where(circular > 0, -np.pi, lower / unit)
         high = np.where(circular > 0, np.pi, upper / unit)
-        box = np.concatenate([0.5 * (low + high), 0.5 * (high - low)])
-        return box if np.isfinite(box).all() and np.isfinite(self._speeds).all() else None
+        if not (np.isfinite([low, high]).all() and np.isfinite(self._speeds).all()):
+            return None
+        return np.concatenate([0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low])
 
     def by_exclusion(self, goal: Array, linear: float, angular: float, *, seconds: float = np.inf) -> bool:
         """Whether every joint box can be excluded, before the time is over; 4000 boxes are looked at in any case."""

@@ -25,6 +25,7 @@ class ReachBound:
         hand: (3,) where the last of the points on axes is in the task's frame [m], if that joint turns: a target pose
             tells where it must be.
         length_to_hand: the sum without the last piece [m].
+        least: no configuration takes the origin nearer to o: the longest piece without all the others [m].
         arms: (k,) the sums of what follows each joint: how far its axis is from the frame's origin at most [m].
     """
 
@@ -32,10 +33,11 @@ class ReachBound:
     length: float
     hand: Array | None
     length_to_hand: float
+    least: float
     arms: Array
 
     def excess(self, goal: Array, counted: Array) -> float:
-        """Return by how much a goal, (4, 4) [m], is farther than the chain reaches [m]; negative proves nothing.
+        """Return by how much a goal, (4, 4) [m], is farther, or nearer, than the chain reaches [m]; negative proves nothing.
 
         Of coordinates that do not count nothing is known, so just the others, counted (6,), enter |p_d − o|.
         """
@@ -43,7 +45,8 @@ class ReachBound:
             return self._excess(goal, counted)
 
     def _excess(self, goal: Array, counted: Array) -> float:
-        far = [np.linalg.norm((goal[:3, 3] - self.o) * counted[:3]) - self.length]
+        away = np.linalg.norm((goal[:3, 3] - self.o) * counted[:3])
+        far = [away - self.length, self.least - away if counted[:3].all() else -np.inf]
         if self.hand is not None and counted.all():
             far.append(np.linalg.norm(goal[:3, :3] @ self.hand + goal[:3, 3] - self.o) - self.length_to_hand)
         return float(max(far))
@@ -70,6 +73,7 @@ def reach_bound(problem: PoseProblem) -> ReachBound:
         length=problem.unit * length,
         hand=problem.unit * (R.T @ (np.array([0.0, 0.0, shifts[-1]]) - p)) if turning[-1] else None,
         length_to_hand=problem.unit * float(length - lengths[-1]),
+        least=problem.unit * float(2 * lengths.max() - length),
         arms=problem.unit * arms,
     )
 
