@@ -98,17 +98,22 @@ class Descent:
 
     def nearest_miss(self, q: Array) -> Array:
         """Return the configuration near q with the least |e| inside the box."""
-        best = (np.inf, q)
+        best, weights = (np.inf, q), self._weights
 
         def error(p: Array) -> Array:
             nonlocal best
-            e = self.error(p)
-            best = min(best, (self.relative_error(p), p), key=lambda pair: pair[0])
+            e = weights * self.error(p)
+            best = min(best, (float(np.hypot.reduce(e)), p), key=lambda pair: pair[0])
             return e
 
         with suppress(OutOfTime):
             self._least_squares(q, error)
         return best[1]
+
+    @property
+    def _weights(self) -> Array:
+        """(m,) what makes rows without units count as they do in |e| of the task, but for one factor for all."""
+        return np.asarray(self.problem.rows.min() / self.problem.rows)
 
     def _least_squares(self, q: Array, error: Callable[[Array], Array]) -> None:
         """Minimise |e|² from q inside the box, where circles have no limits.
@@ -131,9 +136,12 @@ class Descent:
             whole[moving] = x * units
             return box.nearest(whole)
 
+        def slope(x: Array) -> Array:
+            return np.asarray(-self._weights[:, None] * self.jacobian(moved(x))[:, moving])
+
         def half_square(x: Array) -> tuple[float, Array]:
             e = error(moved(x))
-            return 0.5 * float(e @ e), -self.jacobian(moved(x))[:, moving].T @ e
+            return 0.5 * float(e @ e), slope(x).T @ e
 
         low, high, x, most = lower[moving] / units, upper[moving] / units, start[moving] / units, 100
         if np.hypot.reduce(self.error(start)) > LARGE:
@@ -142,7 +150,7 @@ class Descent:
             found = minimize(half_square, x, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
             x, most = np.clip(found.x, low, high), 20
         least_squares(
-            lambda x: error(moved(x)), x, jac=lambda x: -self.jacobian(moved(x))[:, moving],
+            lambda x: error(moved(x)), x, jac=slope,
             bounds=(low, high), xtol=1e-12, ftol=1e-15, gtol=1e-15, max_nfev=most,
         )  # fmt: skip
 

@@ -37,7 +37,7 @@ class ReachBound:
     arms: Array
 
     def excess(self, goal: Array, counted: Array) -> float:
-        """Return by how much a goal, (4, 4) [m], is farther, or nearer, than the chain reaches [m]; negative proves nothing.
+        """Return by how much a goal, (4, 4) [m], is farther or nearer than the chain reaches; negative proves nothing.
 
         Of coordinates that do not count nothing is known, so just the others, counted (6,), enter |p_d − o|.
         """
