@@ -57,18 +57,21 @@ def parse_robot(source: str, parameters: Sequence[str], tool: str | None) -> Rob
     return load_robot(source if "/" not in source else Path(source), parameters=parse_parameters(parameters), tool=tool)
 
 
-def parse_parameters(texts: Sequence[str]) -> dict[str, float]:
-    """Return the parameters typed as l2=0.5.
+def parse_parameters(texts: Sequence[str]) -> dict[str, float | str]:
+    """Return the parameters typed as l2=0.5, or as ur_type=ur5e: what is no number is a word.
 
     Raises:
-        InputError: one is not name=number.
+        InputError: one is not name=value.
     """
-    values = {}
+    values: dict[str, float | str] = {}
     for text in texts:
-        name, sign, number = text.partition("=")
+        name, sign, value = text.partition("=")
         if not sign:
             raise InputError(f"{text!r} is not a parameter; write it like l2=0.5")
-        values[name.strip()] = parse_number(number)
+        try:
+            values[name.strip()] = parse_number(value)
+        except InputError:
+            values[name.strip()] = value
     return values
 
 

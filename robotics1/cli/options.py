@@ -7,7 +7,12 @@ import typer
 from robotics1.cli.arguments import TASKS
 
 RobotName = Annotated[str, typer.Argument(help="A robot's name (prr, cylindrical, planar_2r) or a URDF or xacro file.")]
-Parameters = Annotated[list[str] | None, typer.Option("--param", "-p", help="A named length, as in l2=0.5.")]
+Parameters = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--param", "-p", help="A named length, as in l2=0.5, or a word that a xacro takes, as in ur_type=ur5e."
+    ),
+]
 Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
 Frame = Annotated[str | None, typer.Option(help="The link that is asked about; by default the tool.")]
 Q = Annotated[str | None, typer.Option("--q", help="Joint values, as in 0.5,pi/2,-0.7pi; by default zero.")]

@@ -50,7 +50,7 @@ class Examination:
 def examine(
     source: str | Path,
     *,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float | str] | None = None,
     tool: str | None = None,
     packages: Iterable[str | Path] = (),
     trusted: bool = False,

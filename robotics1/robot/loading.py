@@ -12,7 +12,6 @@ from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import by_name
 from robotics1.robot.building import build_model
 from robotics1.robot.checking import check_urdf
-from robotics1.robot.expansion import expand_xacro
 from robotics1.robot.findings import Findings
 from robotics1.robot.follower_limits import narrow_leaders
 from robotics1.robot.locking import lock
@@ -22,6 +21,7 @@ from robotics1.robot.model import Robot, frame_number, tips
 from robotics1.robot.parameters import Parameters
 from robotics1.robot.rewriting import clean, rebase
 from robotics1.robot.sources import robot_file, robot_text
+from robotics1.robot.xacro.expansion import expand_xacro
 
 USUAL_TOOLS = ("tool0", "tool")
 
@@ -29,7 +29,7 @@ USUAL_TOOLS = ("tool0", "tool")
 def load_robot(
     source: str | Path,
     *,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float | str] | None = None,
     base: str | None = None,
     tool: str | None = None,
     locked: Mapping[str, Any] | None = None,
@@ -45,14 +45,16 @@ def load_robot(
 
     Args:
         source: a path, a name, or a text.
-        parameters: values for the named lengths of a xacro file, such as {"l2": 0.5} [m].
+        parameters: values for the arguments of a xacro file: named lengths such as {"l2": 0.5} [m], and words such
+            as {"ur_type": "ur5e"}, which True and False may stand for.
         base: the link that is the world; by default the root. Of a link that moves, only its subtree is kept.
         tool: the link meant when no frame is named; without it the only tip, else the one called `tool0` or
             `tool`, else none.
         locked: joint name → value at which it is fixed [rad or m]; of a planar joint [x, y, θ]; of a floating one
             [x, y, z, qx, qy, qz, qw], a `pin.SE3` or a matrix (4, 4); 0 is where the file draws it.
         packages: folders in which `package://` and `$(find pkg)` look, beside those above the file.
-        trusted: whether meshes may be any files of this computer, and a xacro may read YAML files and the environment.
+        trusted: whether meshes may be any files of this computer, and a xacro may read files outside its folder, its
+            package and `packages`, and the environment.
 
     Raises:
         RobotFileError: the file is missing, not in the encoding that it declares, or no robot; with the line.
@@ -76,7 +78,7 @@ def robot_from_text(
     text: str,
     *,
     path: Path,
-    parameters: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float | str] | None = None,
     base: str | None = None,
     tool: str | None = None,
     locked: Mapping[str, Any] | None = None,
@@ -92,8 +94,9 @@ def robot_from_text(
     trusted = trusted is True
     values_at = by_name("locked", locked, "{'q1': 0.5}")
 
+    place = path.absolute() if path.is_file() else path  # the working folder may be another one later
     given = by_name("parameters", parameters, "{'l2': 0.5}")
-    source = LoadedText(text, path, given, base, tool, values_at, tuple(folders), trusted)
+    source = LoadedText(text, place, given, base, tool, values_at, tuple(folders), trusted)
     text, values = urdf_text(text, path, given, folders, trusted=trusted)
     root = parse_xml(text, path)
     findings = findings_of(root, path)
@@ -125,7 +128,7 @@ class LoadedText:
 
     text: str
     path: Path
-    parameters: Mapping[str, float]
+    parameters: Mapping[str, float | str]
     base: str | None
     tool: str | None
     locked: Mapping[str, Any]
@@ -141,7 +144,7 @@ class LoadedText:
 def _folders(packages: Iterable[str | Path]) -> list[Path]:
     listed = [packages] if isinstance(packages, str | Path) else packages
     try:
-        return [Path(folder) for folder in listed]
+        return [Path(folder).resolve() for folder in listed]
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
 
@@ -153,7 +156,7 @@ def findings_of(root: Element, path: Path) -> Findings:
 
 
 def urdf_text(
-    text: str, path: Path, parameters: Mapping[str, float], packages: list[Path], *, trusted: bool
+    text: str, path: Path, parameters: Mapping[str, float | str], packages: list[Path], *, trusted: bool
 ) -> tuple[str, dict[str, float]]:
     """Return the URDF text, expanded if it is xacro, and the values of its parameters.
 
