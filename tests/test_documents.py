@@ -1,6 +1,7 @@
 """The code of every page in docs/ runs, what it asserts holds, and its results are those that the page says."""
 
 import re
+import shutil
 from math import pi, sqrt
 from pathlib import Path
 from types import SimpleNamespace
@@ -12,6 +13,7 @@ import sympy
 from robotics1 import FollowingVerdict, Formulas, RateVerdict
 
 DOCS = Path(__file__).parents[1] / "docs"
+DESCRIPTIONS = Path(__file__).parent / "descriptions"  # in the manner of the makers' own
 
 
 def text(name):
@@ -33,6 +35,8 @@ def run(tmp_path_factory):
     def run_page(name):
         if name not in done:
             folder = tmp_path_factory.mktemp(name)
+            if name == "official_descriptions":
+                shutil.copytree(DESCRIPTIONS, folder, dirs_exist_ok=True)
             scope, after = {"__name__": "__main__"}, []
             with pytest.MonkeyPatch.context() as patch:
                 patch.chdir(folder)
@@ -54,6 +58,15 @@ def test_the_code_of_a_page_runs_and_what_it_asserts_holds(run, name):
 def test_the_page_on_robots_says_what_a_loaded_robot_has(run):
     page = run("robots")[0][-1]
     assert page.robot.parameters == {"l2": 0.5, "l3": 0.4}
+
+
+def test_the_page_on_official_descriptions_loads_an_arm_of_each_maker(run):
+    page = run("official_descriptions")[0][-1]
+    joints = {
+        **{"ur5e": 3, "left": 3, "fr3": 2, "with_hand": 2, "gen3": 7, "gen3_6": 6, "xarm7": 7, "xarm6": 6, "m1013": 2},
+        **{"vx300s": 1, "m10ia": 2, "irb2400": 2, "kr10": 2},
+    }
+    assert {name: getattr(page, name).nq for name in joints} == joints
 
 
 def test_the_page_on_dh_tables_says_what_it_prints(run):
