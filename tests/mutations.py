@@ -17,12 +17,14 @@ from functools import cache
 from pathlib import Path
 from random import Random
 
+from expression_mutations import EXPRESSION_CHANGES, RICH
 from joint_kinds import KINDS
 from malformed import BASE
 
 TESTS = Path(__file__).parent
 BATCH = 2500
 LARGE = 20_000  # characters, beyond which a text is changed no more
+RICHES = 8  # times more often than another, the file that is rich in expressions is changed
 PATIENCE = 900  # seconds for a batch
 NUMBER = re.compile(r"(?<![\w.#])-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 ATTRIBUTE = re.compile(r'([\w:]+)="([^"<]*)"')
@@ -49,10 +51,8 @@ EXTREMES = (
 MILD = ("0.5", "-0.7", "1", "2", "-1.2e-3", "+4", ".25", "5.")
 WORDS = (
     *("revolute", "prismatic", "continuous", "fixed", "floating", "planar", "base", "link1", "tool", "q1", "world"),
+    *("universe", "", " "),
     *(
-        "universe",
-        "",
-        " ",
         "\u00e9",
         "a" * 5000,
         "../x",
@@ -198,17 +198,17 @@ def sources():
     files = [*(TESTS.parent / "urdf").glob("*.urdf*"), *(TESTS / "robots").glob("*.urdf*")]
     texts = {path.name: path.read_text(encoding="utf-8") for path in sorted(files)}
     texts |= {f"{name.replace(' ', '_')}.urdf": text for name, (text, *_) in KINDS.items()}
-    return texts | {"base.urdf": BASE}
+    return texts | {"base.urdf": BASE, "rich.urdf.xacro": RICH}
 
 
 def mutant(seed, i):
     """The name, text, and text of `parts.xacro` of mutant i."""
     random = Random(f"{seed}:{i}")
     texts = sources()
-    name = random.choice(sorted(texts))
+    name = random.choice([*sorted(texts), *["rich.urdf.xacro"] * RICHES])
     text, parts = texts[name], (TESTS.parent / "urdf" / "parts.xacro").read_text(encoding="utf-8")
     for _ in range(random.choice((1, 1, 1, 1, 2, 4))):
-        change = random.choice(CHANGES)
+        change = random.choice(CHANGES if "$" not in text or random.random() < 0.4 else EXPRESSION_CHANGES)
         if len(text) > LARGE:
             break
         if 'filename="parts.xacro"' in text and random.random() < 0.2:

@@ -32,8 +32,8 @@ def test_a_mutant_is_the_same_each_time_and_differs_from_its_neighbours():
 def test_every_change_changes_a_text():
     from random import Random
 
-    for change in set(mutations.CHANGES):
-        texts = {change(Random(seed), mutations.BASE) for seed in range(40)}
+    for change in {*mutations.CHANGES, *mutations.EXPRESSION_CHANGES}:
+        texts = {change(Random(seed), mutations.BASE + mutations.RICH) for seed in range(40)}
         assert len(texts) > 3, change.__name__
         assert change(Random(0), "") == "" or change is mutations.flip_bytes
 

@@ -97,13 +97,19 @@ def test_a_parameter_that_is_no_finite_number_is_an_input_error(value):
         load_robot("prr", parameters={"l2": value})
 
 
-@pytest.mark.parametrize("default", ["", ' default=""'])
-def test_a_parameter_without_default_must_be_given_and_then_serves(tmp_path, default):
+@pytest.mark.parametrize(
+    ("default", "message", "element"),
+    [
+        ("", "parameter 'l2' has no default: give it a value", "l2"),
+        (' default=""', "joint 'q3' needs 3 numbers in xyz of its <origin>, not ' 0 0'", "q3"),
+    ],
+)
+def test_a_length_without_a_number_as_its_default_must_be_given(tmp_path, default, message, element):
     text = (ROBOTS / "planar_3r.urdf.xacro").read_text(encoding="utf-8").replace(' default="0.4"', default)
     path = written(tmp_path, text, "arm.urdf.xacro")
-    with pytest.raises(RobotFileError, match="parameter 'l2' has no default") as caught:
+    with pytest.raises(RobotFileError, match=message) as caught:
         load_robot(path)
-    assert (caught.value.path, caught.value.element) == (path, "l2")
+    assert (caught.value.path, caught.value.element) == (path, element)
     assert load_robot(path, parameters={"l2": 1}).parameters["l2"] == 1.0
 
 

@@ -174,10 +174,53 @@ WITHIN = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
 PART = WITHIN.format('<xacro:property name="far" value="0.25"/>')
 
 
-@pytest.mark.parametrize("file", ["part.xacro", "sub/part.xacro", "../part.xacro"])
+@pytest.mark.parametrize("file", ["part.xacro", "sub/part.xacro", "../part.xacro", "p*.xacro", "sub/?art.xacro"])
 def test_an_included_file_is_looked_for_beside_the_robots_file(load, file):
     head = f'<xacro:include filename="{file}"/>'
-    assert x(load(files={f"robots/{file}": PART}, name="robots/arm.xacro", head=head, xyz="${far} 0 0")) == 0.25
+    files = {f"robots/{file.replace('p*', 'part').replace('?', 'p')}": PART, "package.xml": "<package/>"}
+    assert x(load(files=files, name="robots/arm.xacro", head=head, xyz="${far} 0 0")) == 0.25
+
+
+@pytest.mark.parametrize("file", ["../part.xacro", "../../part.xacro"])
+def test_an_included_file_is_in_the_folder_of_the_robot_or_in_its_package_or_given(load, tmp_path, file):
+    head, name = f'<xacro:include filename="{file}"/>', "a/robots/arm.xacro"
+    files = {"part.xacro": PART, "a/part.xacro": PART}
+    message = r"'\.\./.*part\.xacro' leads by '\.\.' out of the file's own folder and the packages; give its folder"
+    refused(load, message, files=files, name=name, head=head)
+    for allowed in ({"packages": [tmp_path]}, {"trusted": True}):
+        assert x(load(files=files, name=name, head=head, xyz="${far} 0 0", **allowed)) == 0.25
+    assert x(load(files={"package.xml": ""}, name=name, head=head, xyz="${far} 0 0")) == 0.25
+
+
+def test_a_package_has_the_name_in_its_package_xml(load, tmp_path):
+    head = '<xacro:include filename="$(find parts)/part.xacro"/>'
+    manifest = '<package format="3"><name>parts</name></package>'
+    files = {"src/repository/v2/part.xacro": PART, "src/repository/v2/package.xml": manifest}
+    assert x(load(files=files, packages=[tmp_path / "src"], head=head, xyz="${far} 0 0")) == 0.25
+
+
+def test_a_relative_folder_of_packages_is_found_from_the_working_folder(load, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    head = '<xacro:include filename="$(find parts)/part.xacro"/>'
+    for packages in (["src"], "src", ["./src/../src"]):
+        robot = load(
+            files={"src/parts/part.xacro": PART}, packages=packages, name="r/a.xacro", head=head, xyz="${far} 0 0"
+        )
+        assert x(robot) == 0.25
+
+
+@pytest.mark.parametrize("optional", ["true", "1", "True"])
+def test_an_optional_included_file_may_be_missing(load, optional):
+    assert load(head=f'<xacro:include filename="missing.xacro" optional="{optional}"/>').nq == 1
+
+
+def test_names_of_an_included_file_have_its_namespace(load):
+    part = WITHIN.format(
+        '<xacro:property name="far" value="0.25"/><xacro:macro name="m" params="a"><link name="${a}"/></xacro:macro>'
+    )
+    head = '<xacro:include filename="part.xacro" ns="parts"/>'
+    tail = '<gazebo><xacro:parts.m a="x"/></gazebo>'
+    assert x(load(files={"part.xacro": part}, head=head, xyz="${parts.far} 0 0", tail=tail)) == 0.25
 
 
 def test_a_file_included_by_an_included_file_is_looked_for_beside_that(load):
@@ -235,16 +278,51 @@ def test_an_ill_formed_included_file_is_named(load, text):
     [
         ({"xyz": "$(env HOME) 0 0"}, r"\$\(env\)"),
         ({"xyz": "$(optenv FAR 1) 0 0"}, r"\$\(optenv\)"),
-        ({"xyz": "${load_yaml('far.yaml')['far']} 0 0"}, "load_yaml"),
-        ({"xyz": "${xacro.load_yaml('far.yaml')['far']} 0 0"}, "load_yaml"),
+        ({"xyz": "$(eval env_far) 0 0", "head": '<xacro:arg name="env_far" default="$(env HOME)"/>'}, r"\$\(env\)"),
         ({"head": '<xacro:arg name="a" default="$(optenv FAR 1)"/>'}, r"\$\(optenv\)"),
+        ({"link": "$(cwd)"}, r"\$\(cwd\)"),
     ],
 )
-def test_yaml_files_and_the_environment_are_read_only_when_trusted(load, monkeypatch, part, what):
+def test_the_environment_is_read_only_when_trusted(load, monkeypatch, part, what):
     monkeypatch.setenv("HOME", "1")
-    files = {"far.yaml": "far: 1.0\n"}
-    refused(load, f"it uses {what}, which reads this computer; load it with trusted=True", files=files, **part)
-    assert load(files=files, trusted=True, **part).nv == 1
+    refused(load, f"it uses {what}, which reads this computer; load it with trusted=True", **part)
+    assert load(trusted=True, **part).nv == 1
+
+
+# --- YAML
+
+YAML = """\
+arm: &arm {length: 0.25, names: [a, b], turned: true, off: null}
+again: {<<: *arm, length: 2.5e-1}
+turn: !degrees 90
+back: !radians pi/2
+short: !millimeters 250
+date: 2001-02-03
+"""
+
+
+@pytest.mark.parametrize(
+    ("expression", "value"),
+    [
+        ("load_yaml('far.yaml')['arm']['length']", 0.25),
+        ("xacro.load_yaml('far.yaml').arm.length", 0.25),
+        ("xacro.load_yaml('$(find robots)/far.yaml').again.length", 0.25),
+        ("xacro.load_yaml(xacro.abs_filename('far.yaml')).again.names[1]", "b"),
+        ("xacro.load_yaml('package://robots/far.yaml').turn", pi / 2),
+        ("xacro.load_yaml('far.yaml').back", pi / 2),
+        ("xacro.load_yaml('far.yaml').short", 0.25),
+        ("xacro.load_yaml('far.yaml').date", "2001-02-03"),
+        ("xacro.load_yaml('far.yaml').arm.turned", True),
+        ("len(xacro.load_yaml('far.yaml').arm.names)", 2),
+        ("[k for k in xacro.load_yaml('far.yaml').arm.keys()][0]", "length"),
+        ("xacro.load_yaml('far.yaml').arm.get('width', 7)", 7),
+        ("xacro.dotify(dict(a=dict(b=3))).a.b", 3),
+    ],
+)
+def test_a_yaml_file_of_the_robots_folder_is_read_without_trust(load, expression, value):
+    tail = f'<gazebo value="${{{expression}}}"/>'
+    robot = load(files={"robots/far.yaml": YAML}, name="robots/arm.xacro", tail=tail)
+    assert f'value="{value}"' in robot.urdf
 
 
 @pytest.mark.parametrize(
@@ -296,3 +374,19 @@ def test_an_expanded_file_is_checked_like_any_other(load):
 def test_no_line_of_the_expanded_text_is_told_as_one_of_the_file(load):
     error = refused(load, "there are 2 roots: 'base', 'a'", tail='<link name="a"/>')
     assert error.line is None
+
+
+def test_a_link_to_a_robots_file_reads_what_is_beside_the_file(load, tmp_path):
+    load(files={"real/part.xacro": PART}, name="real/arm.xacro", head='<xacro:include filename="part.xacro"/>')
+    (tmp_path / "links").mkdir()
+    for name in ("arm.xacro", "part.xacro"):
+        (tmp_path / "links" / name).symlink_to(tmp_path / "real" / name)
+    assert load_robot(tmp_path / "links" / "arm.xacro").nq == 1
+
+
+@pytest.mark.parametrize("folder", ["[robots]", "a*b", "what?"])
+def test_a_folder_may_have_any_name(load, folder):
+    head = '<xacro:include filename="part.xacro"/>'
+    assert (
+        x(load(files={f"{folder}/part.xacro": PART}, name=f"{folder}/arm.xacro", head=head, xyz="${far} 0 0")) == 0.25
+    )
