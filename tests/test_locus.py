@@ -202,7 +202,7 @@ def test_every_zero_of_a_product_with_half_angles_is_real_in_whole_angles_and_va
 )
 def test_common_zeros_are_pieces_on_which_every_polynomial_vanishes(expressions, count, dimension):
     rng = np.random.default_rng(2)
-    pieces = largest_pieces(loci(*expressions), CaseDistinction(VALUES, TimeLimit(20)), BOX, rng)
+    pieces, _ = largest_pieces(loci(*expressions), CaseDistinction(VALUES, TimeLimit(20)), BOX, rng)
     real = [(piece, piece.random(BOX, rng)) for piece in pieces]
     assert len(real) == count
     for piece, q in real:

@@ -32,15 +32,22 @@ def conditions_on_lengths(search: SymbolicSearch, branches: Iterable[SingularBra
     set is found again.
     """
     search = replace(search, cases=replace(search.cases, limit=TimeLimit(search.cases.limit.seconds)))
-    met = {written_product(factors(zero.equation), search.groups): zero for zero in search.cases.excluded}
+    met: dict[sympy.Expr, Zero] = {}
+    try:
+        with search.cases.limit.kept():
+            for zero in search.cases.excluded:
+                met[written_product(factors(zero.equation), search.groups)] = zero
+    except OutOfTime:
+        pass  # the others are left out
     unsigned = {-x if x.could_extract_minus_sign() else x: zero for x, zero in met.items()}
     known = list(branches)
     telling = []
     try:
-        for x, zero in list(unsigned.items())[:MOST]:
-            other = _lengths_with_a_solution(zero, search.cases.parameters, search.anywhere)
-            if other is not None and _adds_branches(search, *other, known):
-                telling.append(sympy.Eq(x, 0))
+        with search.cases.limit.kept():
+            for x, zero in list(unsigned.items())[:MOST]:
+                other = _lengths_with_a_solution(zero, search.cases.parameters, search.anywhere)
+                if other is not None and _adds_branches(search, *other, known):
+                    telling.append(sympy.Eq(x, 0))
     except OutOfTime:
         pass  # what has been tried stands
     return tuple(telling)
@@ -74,7 +81,7 @@ def _adds_branches(
     rng = np.random.default_rng(0)
     cases = replace(search.cases, parameters=parameters, excluded=[])
     loci = singular_loci(search.rows.M, search.points.rank, where, cases)
-    pieces = largest_pieces(loci, cases, search.anywhere, rng)
+    pieces, _ = largest_pieces(loci, cases, search.anywhere, rng)
     known = [
         replace(branch.formulas.configurations, parameters=parameters)
         for branch in branches

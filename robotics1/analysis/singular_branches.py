@@ -1,14 +1,16 @@
 """From points on the singular set to its pieces: their dimension, constant and free joints, and what hangs together."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.analysis.limits import NEAR, note_on_limits
 from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
 from robotics1.analysis.singular_set import SingularBranch
 from robotics1.inputs import Array
-from robotics1.symbolic.polynomials.time_limit import TimeLimit
+from robotics1.robot.box import JointBox
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit, check_time
 
 ENOUGH = 50  # samples of a branch
 SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one
@@ -36,36 +38,45 @@ def branches_of(
     """Return the pieces of the singular set that `count` random starts lead to, the larger first; fewer starts and
     walks, and fewer samples of each, when the time is over.
     """
-    sheets = _sheets(points, count, rng, limit)
-    flat = [sheet for sheet in sheets if not sheet.tied]
-    pieces = []
-    for sheet in sheets:
-        if any(_is_part_of(points, sheet, larger) for larger in flat):
-            continue  # where the set is degenerate inside a larger sheet its dimension is measured too low
-        pieces += _connected_pieces(points, sheet, flat, limit) if sheet.tied else [sheet]
-    branches = [_branch(points, piece, flat, rng, limit) for piece in pieces]
+    limits = points.box
+    points = replace(points, box=limits.widened(NEAR))
+    with limit.kept():
+        sheets = _sheets(points, count, rng)
+        flat = [sheet for sheet in sheets if not sheet.tied]
+        pieces = []
+        for sheet in sheets:
+            if any(_is_part_of(points, sheet, larger) for larger in flat):
+                continue  # where the set is degenerate inside a larger sheet its dimension is measured too low
+            pieces += _connected_pieces(points, sheet, flat) if sheet.tied else [sheet]
+        branches = [_branch(points, piece, flat, rng, limits) for piece in pieces]
     return tuple(sorted(branches, key=lambda branch: (-branch.dimension, list(branch.values.items()))))
 
 
-def _sheets(points: SingularPoints, count: int, rng: np.random.Generator, limit: TimeLimit) -> list[Sheet]:
+def _sheets(points: SingularPoints, count: int, rng: np.random.Generator) -> list[Sheet]:
+    """Return the sheets that the starts lead to before the time is over."""
     sheets: list[Sheet] = []
-    for start in points.box.random(rng, count):
-        if limit.is_over:
-            break
-        q = points.project(start)
-        if q is None:
-            continue
-        known = next((sheet for sheet in sheets if not sheet.tied and _lies_on(points, q, sheet)), None)
-        if known is None:
-            known = _sheet_at(points, q, rng)
-            alike = (s for s in sheets if s.tied and _alike(points, s, known))
-            sheet = next(alike, None)
-            if sheet is None:
-                sheets.append(known)
-                continue
-            known = sheet
-        known.points.append(q)
+    try:
+        for start in points.box.random(rng, count):
+            _add_start(points, start, sheets, rng)
+    except OutOfTime:
+        pass  # what was found stands
     return sheets
+
+
+def _add_start(points: SingularPoints, start: Array, sheets: list[Sheet], rng: np.random.Generator) -> None:
+    """Add the configuration that a start leads to, if it leads to one, to its sheet; or begin a sheet with it."""
+    q = points.project(start)
+    if q is None:
+        return
+    known = next((sheet for sheet in sheets if not sheet.tied and _lies_on(points, q, sheet)), None)
+    if known is None:
+        known = _sheet_at(points, q, rng)
+        sheet = next((s for s in sheets if s.tied and _alike(points, s, known)), None)
+        if sheet is None:
+            sheets.append(known)
+            return
+        known = sheet
+    known.points.append(q)
 
 
 def _sheet_at(points: SingularPoints, q: Array, rng: np.random.Generator) -> Sheet:
@@ -112,21 +123,25 @@ def _is_part_of(points: SingularPoints, sheet: Sheet, larger: Sheet) -> bool:
     return larger.dimension > sheet.dimension and all(_lies_on(points, q, larger) for q in sheet.points)
 
 
-def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet], limit: TimeLimit) -> list[Sheet]:
-    """Split a curved sheet into what a walk on the set connects: union-find over the nearest pairs."""
+def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet]) -> list[Sheet]:
+    """Split a curved sheet into what a walk on the set connects: union-find over the nearest pairs. When the time is
+    over, it stays whole.
+    """
     members = sheet.points[:200]
     for q in members:
         q[list(sheet.free)] = members[0][list(sheet.free)]
-    apart = np.array([[np.linalg.norm(points.box.difference(a, b)) for b in members] for a in members])
+    apart = np.array([np.linalg.norm(points.box.difference(np.array(members), b), axis=1) for b in members])
     piece = list(range(len(members)))
     near = np.sort(apart, axis=1)[:, min(8, len(members) - 1)]
     pairs = sorted(
         (apart[i, j], i, j) for i in range(len(members)) for j in range(i) if apart[i, j] <= max(near[i], near[j])
     )
     for _, i, j in pairs:
-        if limit.is_over:
+        try:
+            connected = piece[i] != piece[j] and _walk(points, members[i], members[j], flat)
+        except OutOfTime:
             return [sheet]
-        if piece[i] != piece[j] and _walk(points, members[i], members[j], flat):
+        if connected:
             old, new = piece[i], piece[j]
             piece = [new if label == old else label for label in piece]
     groups = [[q for q, label in zip(members, piece, strict=True) if label == name] for name in sorted(set(piece))]
@@ -155,24 +170,24 @@ def _walk(points: SingularPoints, start: Array, goal: Array, flat: list[Sheet]) 
 
 
 def _branch(
-    points: SingularPoints, piece: Sheet, flat: list[Sheet], rng: np.random.Generator, limit: TimeLimit
+    points: SingularPoints, piece: Sheet, flat: list[Sheet], rng: np.random.Generator, limits: JointBox
 ) -> SingularBranch:
-    """Complete the samples of a piece and choose the configuration at which its bases are told."""
-    samples = [points.box.nearest(q) for q in piece.points]
-    values = _constant_values(points, piece, samples)
-    free = list(piece.free)
-    while piece.dimension > 0 and len(samples) < ENOUGH and not limit.is_over:
-        q = samples[rng.integers(len(samples))].copy()
-        if piece.tied:
-            q = _neighbour(points, piece, q, rng)
-            if any(_lies_on(points, q, sheet) for sheet in flat):
-                continue  # it has changed to another piece, where the two cross
-        q[free] = points.box.random(rng, 1)[0, free]
-        samples.append(q)
+    """Complete the samples of a piece and choose the configuration at which its bases are told. They lie inside the
+    joint limits, unless all that was found is outside by less than 1e-6.
+    """
+    found = [points.box.nearest(q) for q in piece.points]
+    values = _constant_values(points, piece, found)
+    for q in found:
+        q[list(piece.constant)] = values
+    samples = [q for q in found if limits.contains(q)]
+    if samples:
+        points = replace(points, box=limits)
+    else:
+        samples = found
     if piece.dimension == 0:
         samples = samples[:1]
-    for q in samples:
-        q[list(piece.constant)] = values
+    else:
+        _complete(points, piece, flat, rng, samples)
     ranks = [points.rank_at(q) for q in samples]
     best = int(np.argmax(ranks))
     names = points.robot.joint_names
@@ -184,7 +199,29 @@ def _branch(
         samples=np.array(samples),
         q=samples[best],
         rank=ranks[best],
+        note=note_on_limits(np.array(samples), limits, names),
     )
+
+
+def _complete(
+    points: SingularPoints, piece: Sheet, flat: list[Sheet], rng: np.random.Generator, samples: list[Array]
+) -> None:
+    """Add samples until there are enough, or the time is over."""
+    free = list(piece.free)
+    try:
+        while len(samples) < ENOUGH:
+            check_time()
+            q = samples[rng.integers(len(samples))].copy()
+            if piece.tied:
+                values = q[list(piece.constant)]
+                q = _neighbour(points, piece, q, rng)
+                q[list(piece.constant)] = values
+                if any(_lies_on(points, q, sheet) for sheet in flat):
+                    continue  # it has changed to another piece, where the two cross
+            q[free] = points.box.random(rng, 1)[0, free]
+            samples.append(q)
+    except OutOfTime:
+        pass  # one sample is a branch
 
 
 def _constant_values(points: SingularPoints, piece: Sheet, samples: list[Array]) -> Array:

@@ -10,6 +10,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
+from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.tasks.task import Task
 from robotics1.tasks.units import unitless_jacobian
 
@@ -43,6 +44,10 @@ class SingularPoints:
         """Return J(q), (m, n), without units."""
         return unitless_jacobian(self.robot, self.task, q)
 
+    def _in_time(self, q: Array) -> Array:
+        check_time()  # J of an arm of many joints is asked for hundreds of times in one step
+        return self.jacobian(q)
+
     def gap(self, q: Array) -> float:
         """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set, and infinite where the
         task has no Jacobian.
@@ -60,6 +65,9 @@ class SingularPoints:
     def project(self, q: Array, iterations: int = 60) -> Array | None:
         """Return a configuration on the set near q, or None when Newton's method finds none inside the box, or meets
         one at which the task has no Jacobian.
+
+        Raises:
+            OutOfTime: the time of a limit that is kept is over.
         """
         try:
             return self._projected(q, iterations)
@@ -69,6 +77,7 @@ class SingularPoints:
     def _projected(self, q: Array, iterations: int) -> Array | None:
         best, best_gap = q, np.inf
         for _ in range(iterations):
+            check_time()
             gap = self.gap(q)
             if gap < best_gap:
                 best, best_gap = q, gap
@@ -104,13 +113,15 @@ class SingularPoints:
         U2, V2 = U[:, k:], Vt[k:].T
         block = np.zeros((U2.shape[1], V2.shape[1]))
         np.fill_diagonal(block, sigma[k:])
-        dJ = configuration_derivative(self.jacobian, self.robot, q) * self.box.unit
+        dJ = configuration_derivative(self._in_time, self.robot, q) * self.box.unit
         A = np.einsum("ia,ijk,jb->abk", U2, dJ, V2).reshape(-1, self.robot.nv)
         return A, block.ravel()
 
 
 def singular_points(robot: Robot, task: Task, box: JointBox, rng: np.random.Generator) -> SingularPoints:
     """Return the singular set of a task: ρ and the usual σ₁ are the largest at 16 random configurations."""
+    if robot.nv == 0:
+        return SingularPoints(robot, task, box, 0, 0.0)
     sigmas = [np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False) for q in box.random(rng, 16)]
     rank = max(numeric_rank(sigma) if sigma[0] > MOVES else 0 for sigma in sigmas)
     return SingularPoints(robot, task, box, rank, max(float(sigma[0]) for sigma in sigmas))

@@ -38,6 +38,7 @@ class SingularBranch:
         q: (nq,) a configuration of the branch at which the bases below are taken.
         rank: the rank of J on the branch (almost everywhere on it).
         formulas: its equations and bases in symbols, of a branch that was found in exact form.
+        note: whether it lies at a joint limit, or outside of one by less than 1e-6 rad or reaches.
     """
 
     points: SingularPoints = field(repr=False)
@@ -48,6 +49,7 @@ class SingularBranch:
     q: Array
     rank: int
     formulas: "BranchFormulas | None" = field(default=None, repr=False)
+    note: str = ""
 
     @property
     def conditions(self) -> "tuple[sympy.Eq, ...]":

@@ -11,9 +11,9 @@ from robotics1.analysis.singular_points import NOTHING_MOVES, singular_points
 from robotics1.analysis.singular_set import SingularSet
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
-from robotics1.robot.box import joint_box
+from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
-from robotics1.symbolic.polynomials.time_limit import TimeLimit
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.tasks.task import Task
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 METHODS = ("auto", "symbolic", "numeric")
 WORTH_TELLING = 1e-8  # [rad]
+EXACT, DRAWN = 0.6, 0.75  # parts of the time after which equations, and configurations that satisfy them, must be there
 
 
 def find_singularities(
@@ -51,7 +52,8 @@ def find_singularities(
             limits.
         samples: the number of starts of the numeric method.
         seed: of the random numbers.
-        time_limit: of the symbolic method, and again of the numeric one [s]; each ends soon after it.
+        time_limit: of both methods together [s]: three quarters of it are the exact answer's, and what is left is the
+            numeric search's. What is asked of the answer later, such as `intersections`, has that time once more.
 
     Raises:
         InputError: an unlimited prismatic joint without a box, or a bad option.
@@ -62,40 +64,47 @@ def find_singularities(
     one_of("method", method, METHODS)
     count = counting_number("samples", samples, least=1)
     seed = counting_number("seed", seed)
-    limit = real_number("time_limit", time_limit, positive=True)
+    limit = TimeLimit(real_number("time_limit", time_limit, positive=True))
     task.check(robot)
+    where = joint_box(robot, box, unlimited=None if method == "numeric" else 2.0)
+    if robot.nv == 0:
+        return _without_joints(robot, task, method)
     if method == "numeric":
-        return _numeric(robot, task, box, count, seed, limit)
+        return _numeric(robot, task, where, count, seed, limit)
     try:
-        return _symbolic(robot, task, box, count, seed, limit)
+        return _symbolic(robot, task, where, count, seed, limit)
     except FormulaError as error:
         if method == "symbolic":
             raise
-        return replace(_numeric(robot, task, box, count, seed, limit), note=f"There are no formulas: {error}.")
+        found = _numeric(robot, task, joint_box(robot, box), count, seed, limit)
+        return replace(found, note=f"There are no formulas: {error}.")
 
 
-def _numeric(
-    robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None, count: int, seed: int, seconds: float
-) -> SingularSet:
-    where = joint_box(robot, box)
+def _without_joints(robot: Robot, task: Task, method: str) -> SingularSet:
+    """Return the answer for a robot that does not move: J has no columns, and rank 0 is its full rank."""
+    note = "The robot has no joints, so that its Jacobian has no columns."
+    return SingularSet(robot, task, 0, (), "numeric" if method == "numeric" else "symbolic", complete=True, note=note)
+
+
+def _numeric(robot: Robot, task: Task, where: JointBox, count: int, seed: int, limit: TimeLimit) -> SingularSet:
     rng = np.random.default_rng(seed)
     points = singular_points(robot, task, where, rng)
     if points.rank == 0:
         raise TaskError(NOTHING_MOVES)
-    return SingularSet(
-        robot, task, points.rank, branches_of(points, count, rng, TimeLimit(seconds)), "numeric", complete=False
-    )
+    return SingularSet(robot, task, points.rank, branches_of(points, count, rng, limit), "numeric", complete=False)
 
 
-def _symbolic(
-    robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None, count: int, seed: int, limit: float
-) -> SingularSet:
+def _symbolic(robot: Robot, task: Task, where: JointBox, count: int, seed: int, limit: TimeLimit) -> SingularSet:
     from robotics1.analysis.symbolic_branches import symbolic_search
 
-    where = joint_box(robot, box, unlimited=2.0)
     rng = np.random.default_rng(seed)
-    search = symbolic_search(robot, task, where, rng, limit)
-    answer = search.branches(rng)
+    try:
+        with limit.part(EXACT).kept():
+            search = symbolic_search(robot, task, where, rng, limit.part(EXACT))
+    except OutOfTime:
+        found = _numeric(robot, task, where, count, seed, limit)
+        return replace(found, note=_not_complete(limit, len(found.branches), 0))
+    answer = search.branches(rng, limit.part(DRAWN))
     found = SingularSet(
         robot,
         task,
@@ -111,16 +120,20 @@ def _symbolic(
         return found
     others = [
         branch
-        for branch in branches_of(search.points, count, rng, TimeLimit(limit))
+        for branch in branches_of(search.points, count, rng, limit)
         if not all(any(known.contains(q) for known in answer.inside) for q in branch.samples)
     ]
-    note = f"The exact answer was not complete after {limit:g} s; {_by_numbers(len(others), len(answer.inside))}."
+    note = _not_complete(limit, len(others), len(answer.inside))
     return replace(
         found,
         branches=(*answer.inside, *others),
         method="both" if answer.inside else "numeric",
         note=" ".join(filter(None, (note, found.note))),
     )
+
+
+def _not_complete(limit: TimeLimit, others: int, exact: int) -> str:
+    return f"The exact answer was not complete after {limit.seconds:g} s; {_by_numbers(others, exact)}."
 
 
 def _by_numbers(others: int, exact: int) -> str:

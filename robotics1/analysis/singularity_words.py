@@ -132,6 +132,7 @@ def branch_sentences(branch: "SingularBranch") -> str:
     free = _called(branch.free_joints, branch.points.robot, symbols=branch.formulas is not None)
     whatever = f", whatever {enumeration(free)}" if free else ""
     lines = [f"{place(branch)}{_because(branch)}{whatever}: the rank is {branch.rank} instead of {branch.points.rank}."]
+    lines += [f"   {branch.note}"] if branch.note else []
     rows = ", ".join(branch.points.task.row_names)
     if branch.rank == 0:
         return "\n".join([*lines, *_nothing_moves(rows)])

@@ -7,6 +7,7 @@ from itertools import combinations
 import numpy as np
 import sympy
 
+from robotics1.analysis.limits import NEAR, note_on_limits
 from robotics1.analysis.singular_points import NOTHING_MOVES, SingularPoints, singular_points
 from robotics1.analysis.singular_set import SingularBranch
 from robotics1.analysis.spaces import subspaces
@@ -16,7 +17,7 @@ from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.cleaning import cleaned
 from robotics1.symbolic.kinematics.convenient_axes import Convenient
-from robotics1.symbolic.polynomials.time_limit import UNLIMITED, OutOfTime, TimeLimit
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 from robotics1.symbolic.singular_sets.configurations import Configurations
 from robotics1.symbolic.singular_sets.locus import Locus
@@ -51,24 +52,48 @@ class SymbolicSearch:
     anywhere: JointBox
     cleaned: float
 
-    def branches(self, rng: np.random.Generator) -> "Found":
-        """Return the branches."""
+    def branches(self, rng: np.random.Generator, limit: TimeLimit) -> "Found":
+        """Return the branches: equations until the time of the search is over, and what is drawn of them until
+        `limit` is.
+        """
         whole = Locus(self.rows.M[0, 0].frequencies)
         loci: list[Locus] = []
         complete = True
         try:
-            loci.extend(singular_loci(self.rows.M, self.points.rank, whole, self.cases))
+            with self.cases.limit.kept():
+                loci.extend(singular_loci(self.rows.M, self.points.rank, whole, self.cases))
         except OutOfTime:
             complete = False
-        pieces = largest_pieces(loci, replace(self.cases, limit=UNLIMITED), self.anywhere, rng)
-        existing = [piece for piece in pieces if self._samples(piece, self.anywhere, rng, POINTS)]
-        inside = [piece for piece in existing if self._samples(piece, self.points.box, rng, POINTS)]
-        return Found(
-            inside=_sorted(self._branch(piece, self.points.box, rng) for piece in inside),
-            outside=_sorted(self._branch(piece, self.anywhere, rng) for piece in existing if piece not in inside),
-            undefined=tuple(self._undefined(piece) for piece in pieces if piece not in existing),
-            complete=complete,
-        )
+        inside: list[SingularBranch] = []
+        outside: list[SingularBranch] = []
+        undefined: list[BranchFormulas] = []
+        with limit.kept():
+            pieces, all_drawn = largest_pieces(loci, replace(self.cases, limit=limit), self.anywhere, rng)
+            try:
+                for piece in pieces:
+                    self._place(piece, rng, inside, outside, undefined)
+            except OutOfTime:
+                all_drawn = False
+        return Found(_sorted(inside), _sorted(outside), tuple(undefined), complete and all_drawn)
+
+    def _place(
+        self,
+        piece: Configurations,
+        rng: np.random.Generator,
+        inside: list[SingularBranch],
+        outside: list[SingularBranch],
+        undefined: list[BranchFormulas],
+    ) -> None:
+        """Add a piece to those inside the limits, or within 1e-6 of them; to those outside; or to those where the task
+        has no Jacobian.
+        """
+        limits = self.points.box
+        boxes = ((limits, inside), (limits.widened(NEAR), inside), (self.anywhere, outside))
+        for box, branches in boxes:
+            if self._samples(piece, box, rng, POINTS):
+                branches.append(self._branch(piece, box, rng))
+                return
+        undefined.append(self._undefined(piece))
 
     @property
     def almost_everywhere(self) -> BranchFormulas:
@@ -84,8 +109,9 @@ class SymbolicSearch:
         found: list[SingularBranch] = []
         complete = True
         try:
-            for pieces in replace(self, cases=again).crossings(branches, np.random.default_rng(0)):
-                found += pieces
+            with again.limit.kept():
+                for pieces in replace(self, cases=again).crossings(branches, np.random.default_rng(0)):
+                    found += pieces
         except OutOfTime:
             complete = False
         kept: list[SingularBranch] = []
@@ -131,16 +157,29 @@ class SymbolicSearch:
     ) -> list[SingularBranch]:
         """Return the pieces that are part of all these branches, with samples; `known` as in `largest_pieces`."""
         found = []
-        for piece in largest_pieces(loci, self.cases, self.points.box, rng, known):
+        pieces, all_drawn = largest_pieces(loci, self.cases, self.points.box, rng, known)
+        for piece in pieces:
             samples = self._samples(piece, self.points.box, rng, POINTS)
             if samples and all(branch.contains(q) for q in samples for branch in within):
                 found.append(self._branch(piece, self.points.box, rng))
+        if not all_drawn:
+            raise OutOfTime
         return found
 
     def _samples(self, piece: Configurations, box: JointBox, rng: np.random.Generator, count: int) -> list[Array]:
         """Return configurations of the piece at which the task has a Jacobian; none if it has none."""
         drawn = [piece.random(box, rng) for _ in range(count)]
         return [q for q in drawn if q is not None and np.isfinite(self.points.gap(q))]
+
+    def _more_samples(self, piece: Configurations, box: JointBox, rng: np.random.Generator, count: int) -> list[Array]:
+        """Return up to `count` configurations of the piece: fewer when the time is over."""
+        found: list[Array] = []
+        try:
+            for _ in range(count):
+                found += self._samples(piece, box, rng, 1)
+        except OutOfTime:
+            pass  # one sample is a branch
+        return found
 
     def _branch(self, piece: Configurations, box: JointBox, rng: np.random.Generator) -> SingularBranch:
         """Return a piece with samples, each of them verified.
@@ -151,7 +190,7 @@ class SymbolicSearch:
         samples = np.array(self._samples(piece, box, rng, POINTS))
         dimension = piece.dimension(samples[0])
         if dimension:
-            samples = np.array([*samples, *self._samples(piece, box, rng, SAMPLES - len(samples))])
+            samples = np.array([*samples, *self._more_samples(piece, box, rng, SAMPLES - len(samples))])
         else:
             samples = samples[:1]
         worst = max(self.points.gap(q) for q in samples)
@@ -162,7 +201,7 @@ class SymbolicSearch:
         names = self.points.robot.joint_names
         constant = piece.locus.joints if dimension == 0 else piece.constant
         return SingularBranch(
-            points=self.points,
+            points=replace(self.points, box=box),
             dimension=dimension,
             values={names[i]: float(samples[0][i]) for i in constant},
             free_joints=tuple(name for i, name in enumerate(names) if i not in piece.locus.joints),
@@ -170,6 +209,7 @@ class SymbolicSearch:
             q=samples[best],
             rank=ranks[best],
             formulas=BranchFormulas(self.rows, self.groups, piece, ranks[best]),
+            note=note_on_limits(samples, self.points.box, names),
         )
 
     def _undefined(self, piece: Configurations) -> BranchFormulas:
@@ -203,14 +243,14 @@ def _sorted(branches: Iterable[SingularBranch]) -> tuple[SingularBranch, ...]:
 
 
 def symbolic_search(
-    robot: Robot, task: Task, box: JointBox, rng: np.random.Generator, seconds: float
+    robot: Robot, task: Task, box: JointBox, rng: np.random.Generator, limit: TimeLimit
 ) -> SymbolicSearch:
     """Prepare the search: the Jacobian in exact form, and in numbers of the robot with exact angles.
 
     Raises:
+        OutOfTime: the time of a limit that is kept is over.
         FormulaError: there are no formulas of the robot or the task.
     """
-    limit = TimeLimit(seconds)
     found = formulas(robot, task)
     points = singular_points(cleaned(robot)[0], task, box, rng)
     if points.rank == 0:

@@ -1,7 +1,7 @@
 """The configurations that a search goes through: a box of joint values, in which whole turns are closed circles."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -41,6 +41,16 @@ class JointBox:
         turned = self.upper - (self.upper - q) % self.period
         turned = np.where(turned < self.upper - self.period + 1e-9, self.upper, turned)  # −π, but for rounding, is π
         return np.where(self.circular, turned, np.clip(q, self.lower, self.upper))
+
+    def contains(self, q: Array, tolerance: float = 1e-9) -> bool:
+        """Return whether q lies in the box, to a tolerance in units."""
+        inside = (q >= self.lower - tolerance * self.unit) & (q <= self.upper + tolerance * self.unit)
+        return bool((inside | self.circular).all())
+
+    def widened(self, margin: float) -> "JointBox":
+        """Return the box with each limit moved out by a margin, in units; circles stay circles."""
+        out = np.where(self.circular, 0.0, margin * self.unit)
+        return replace(self, lower=self.lower - out, upper=self.upper + out)
 
     def difference(self, a: Array, b: Array) -> Array:
         """Return a − b in units, the short way round the circles."""

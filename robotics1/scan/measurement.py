@@ -93,8 +93,22 @@ class TaskMeasurement:
             return np.full((len(self.rows), len(self.units)), np.nan)
 
 
-def measurement_of(robot: Robot, task: Task, rank: int, length: float) -> KernelMeasurement | TaskMeasurement:
+@dataclass(frozen=True, eq=False)
+class WithoutJoints:
+    """Of a J without columns: no singular value can vanish, and the product of none is 1."""
+
+    sendable: ClassVar[bool] = True
+
+    def measures(self, q: Array, names: tuple[str, ...]) -> dict[str, Array]:
+        """Return measure → values (N,) at the configurations q (0, N)."""
+        values = {"sigma_min": np.inf, "condition": 1.0, "manipulability": 1.0}
+        return {name: np.full(q.shape[1], values[name]) for name in names}
+
+
+def measurement_of(robot: Robot, task: Task, rank: int, length: float) -> Measurement:
     """Return the measurement of a task's J, with lengths in units of `length` [m]: by the kernels if they serve it."""
+    if robot.nv == 0:
+        return WithoutJoints()
     if isinstance(task, FrameTask):
         S = _constant_rows(robot, task)
         if S is not None:

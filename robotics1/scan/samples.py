@@ -51,6 +51,8 @@ def samples_of(
     Raises:
         InputError: the number is none, or too small for a grid.
     """
+    if len(box.lower) == 0:
+        return RandomSamples(box.lower, box.upper, 1, seed)  # there is one configuration, ()
     if method == "grid":
         return GridSamples(_grid_axes(box, samples, moving))
     count = _whole("samples", samples)

@@ -91,8 +91,6 @@ def scan_singularities(
     length = real_number("length", length, positive=True)
     _check_callables(executor, progress)
     task.check(robot)
-    if robot.nv == 0:
-        raise TaskError(NOTHING_MOVES)
     where = joint_box(robot, box)
     points = _singular_points(robot, task, where, seed)
     configurations = samples_of(method, where, samples, seed, _moving(points))
@@ -134,7 +132,7 @@ def _check_callables(executor: object, progress: object) -> None:
 
 def _singular_points(robot: Robot, task: Task, box: JointBox, seed: int) -> SingularPoints:
     points = singular_points(robot, task, box, np.random.default_rng(seed))
-    if points.rank == 0:
+    if points.rank == 0 and robot.nv > 0:
         raise TaskError(NOTHING_MOVES)
     return points
 

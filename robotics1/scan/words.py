@@ -16,6 +16,8 @@ SHOWN = 3  # configurations of a group that are written out
 def scan_sentences(scan: "SingularityScan") -> str:
     """Return what was scanned, each measure in a line, the nearest configuration, and what was refined."""
     rows = ", ".join(scan.task.row_names)
+    if scan.robot.nv == 0:
+        return f"{scan.robot.name}, task ({rows}): the robot has no joints, so that J has no σ that could vanish."
     lines = [f"{scan.robot.name}, task ({rows}): {scan.count} {CHOSEN[scan.method]}; {units(scan)}."]
     if scan.rank < min(scan.task.rows, scan.robot.nv):
         lines.append(f"The rank of J is {scan.rank} almost everywhere, so the measures count {scan.rank} σ only.")

@@ -68,6 +68,13 @@ class Chain:
             pose = _product(found[-1], motion)
         return [*found, pose]
 
+    def axes_after(self, number: int) -> Matrix:
+        """Return the axes (3, 3) of a joint's frame, after it has moved, in the world."""
+        R, _ = self.still
+        for (placement, _), (motion, _) in self._steps[: number + 1]:
+            R = R @ placement @ motion
+        return R
+
     @cached_property
     def still(self) -> Pose:
         """The identity."""

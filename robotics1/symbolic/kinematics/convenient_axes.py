@@ -71,7 +71,7 @@ def convenient(chain: Chain, row_names: tuple[str, ...], J: Matrix) -> Convenien
         return Convenient(J)
     middle = moving[len(moving) // 2]
     M = chain.jacobian_at(middle)
-    R = chain.poses[middle][0] @ chain.motions[middle][0]
+    R = chain.axes_after(middle)
     _, p = chain.relative(middle, len(chain.joints))
     if kind == 6:
         return Convenient(M, (R, p), kind)

@@ -12,8 +12,8 @@ PARALLEL = 1e-9  # |ω × ω'| of unit axes that counts as none
 def parallel_groups(chain: Chain) -> Groups:
     """Return the places of the angles that are added up: consecutive revolute joints with parallel axes."""
     robot = chain.robot
-    own = [joint.leader for joint in chain.joints if joint.kind == "revolute"]
-    columns = [robot.joint_names.index(name) for name in dict.fromkeys(own)]
+    own = [robot.joint_names.index(joint.leader) for joint in chain.joints if joint.kind == "revolute"]
+    columns = [i for i in dict.fromkeys(own) if robot.revolute[i]]
     places = {i: chain.frequencies.angles.index(chain.q[i]) for i in columns}
     rng = np.random.default_rng(0)
     axes = [frame_jacobian(robot, rng.uniform(-2, 2, robot.nq), frame=chain.frame)[3:] for _ in range(2)]

@@ -10,11 +10,14 @@ from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent
+from robotics1.symbolic.polynomials.scaled import in_doubles, scaled
 
 
 @dataclass(frozen=True, eq=False)
 class Evaluated:
     """f(q) as a function of numbers, with the parameters at given values.
+
+    Where a coefficient is too large or too small for a double, all are divided by one power of two: the zeros stay.
 
     Attributes:
         f: a real trigonometric polynomial.
@@ -38,22 +41,22 @@ class Evaluated:
         amplitudes, multiples, powers = [], [], []
         for k, c in self.f.terms.items():
             for m, a in c.terms():
-                value = complex(a.x, a.y)
+                value = scaled(a)
                 power, multiple = np.zeros(len(self.q)), np.zeros(len(self.q))
                 for symbol, e in zip(F.ring.symbols, m, strict=True):
                     if symbol in self.q:
                         power[self.q.index(symbol)] = e
                     elif e:
-                        value *= self._number(symbol) ** e
+                        value = value.times(self._number(symbol), int(e))
                 for symbol, e in zip(F.angles, k, strict=True):
                     if symbol in self.q:
                         multiple[self.q.index(symbol)] = e * self.unit
                     elif e:
-                        value *= np.exp(1j * e * self.unit * self.parameters[symbol])
+                        value = value.turned(e * self.unit * self.parameters[symbol])
                 amplitudes.append(value)
                 multiples.append(multiple)
                 powers.append(power)
-        return np.array(amplitudes), np.array(multiples), np.array(powers)
+        return in_doubles(amplitudes), np.array(multiples), np.array(powers)
 
     def _number(self, symbol: sympy.Symbol) -> float:
         square = ROOTS.get(str(symbol))

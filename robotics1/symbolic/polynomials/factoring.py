@@ -13,6 +13,7 @@ import sympy
 from flint import fmpq, fmpq_mpoly
 
 from robotics1.caching import cached_property
+from robotics1.symbolic.polynomials.cost import check_time_to_factor
 from robotics1.symbolic.polynomials.half_tangents import (
     Degrees,
     context,
@@ -105,6 +106,7 @@ def irreducible_parts(f: Laurent) -> tuple[Laurent, list[Part]]:
 def parts_of(F: Frequencies, N: fmpq_mpoly) -> list[Part]:
     """Return the irreducible factors of N(t), each as often as it occurs."""
     lengths = len(F.ring.symbols)
+    check_time_to_factor(N)
     _, found = N.factor()
     return [Part(F, n, tuple(map(int, n.degrees()[lengths:]))) for n, power in found for _ in range(int(power))]
 

@@ -18,7 +18,9 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyElement
 
+from robotics1.symbolic.polynomials.cost import check_time_to_divide
 from robotics1.symbolic.polynomials.laurent import ROOTS, Exponents, Frequencies, Laurent, gaussian
+from robotics1.symbolic.polynomials.time_limit import check_time
 
 Degrees = tuple[int, ...]  # dⱼ, one for each angle
 
@@ -80,6 +82,8 @@ def is_multiple(F: Frequencies, f: fmpq_mpoly, g: fmpq_mpoly) -> bool:
         if conjugated != norm:
             others = without_squares(F, others * conjugated)
             norm = without_squares(F, norm * conjugated)
+    check_time()
+    check_time_to_divide(f, norm)
     return (without_squares(F, f * others) % norm).is_zero()
 
 
@@ -104,6 +108,7 @@ def _change_exponents(
             continue
         changed: dict[Exponents, PolyElement] = {}
         for k, c in terms.items():
+            check_time()
             for power, factor in expansion(k[j], dj).items():
                 key = (*k[:j], power, *k[j + 1 :])
                 value = c * factor

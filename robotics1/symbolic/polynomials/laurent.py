@@ -17,6 +17,8 @@ import sympy
 from sympy.polys.domains import QQ, QQ_I
 from sympy.polys.rings import PolyElement, PolyRing
 
+from robotics1.symbolic.polynomials.time_limit import check_time
+
 Exponents = tuple[int, ...]
 Matrix = np.ndarray[Any, Any]  # of Laurent polynomials
 ROOTS = {"√2": 2, "√3": 3}  # generators that stand for square roots
@@ -108,6 +110,7 @@ class Laurent:
     def __mul__(self, other: "Laurent") -> "Laurent":
         terms: dict[Exponents, PolyElement] = {}
         for k, c in self.terms.items():
+            check_time()
             for m, d in other.terms.items():
                 n = tuple(a + b for a, b in zip(k, m, strict=True))
                 terms[n] = terms[n] + c * d if n in terms else c * d

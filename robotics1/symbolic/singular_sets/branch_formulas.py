@@ -125,8 +125,10 @@ class BranchFormulas:
 
     def _echelon(self, M: Matrix) -> Echelon:
         at = self.configurations
+        limit = TimeLimit(SECONDS)
         try:
-            form = echelon_form(M, at.locus, at.parameters, TimeLimit(SECONDS))
+            with limit.kept():
+                form = echelon_form(M, at.locus, at.parameters, limit)
         except OutOfTime as error:
             raise FormulaError(f"there is no basis in symbols after {SECONDS:g} s; take the one in numbers") from error
         if len(form.pivots) != self.rank:

@@ -11,6 +11,7 @@ from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.robot.box import TURN, JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part
+from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.singular_sets.locus import Locus
 
 ON_THE_LOCUS = 1e-12  # of an equation, beside the sum of its terms
@@ -60,8 +61,12 @@ class Configurations:
 
         Random joint values are completed to one where the box allows it; where it hardly ever does, the distance to
         the locus is made least, from several starts.
+
+        Raises:
+            OutOfTime: the time of a limit that is kept is over.
         """
         for start in box.random(rng, TRIES if len(self._implicit) < 2 else TRIES // 5):
+            check_time()
             solved = self._solved(self._with_pinned(start), rng)
             inside = None if solved is None else into(box, self._angles, self._completed(solved))
             if inside is not None:
@@ -72,7 +77,7 @@ class Configurations:
 
     def _rare(self, box: JointBox, rng: np.random.Generator) -> Array | None:
         """Return a configuration found by least squares: from anywhere in the box, or near those found before."""
-        place = box.lower.tobytes(), box.upper.tobytes()
+        place = (*box.lower, *box.upper)
         found = self._found.setdefault(place, [])
         if found is None:
             return None
@@ -91,7 +96,7 @@ class Configurations:
         return None
 
     @cached_property
-    def _found(self) -> dict[tuple[bytes, bytes], list[Array] | None]:
+    def _found(self) -> dict[tuple[float, ...], list[Array] | None]:
         """What least squares have found in each box; None if nothing."""
         return {}
 
@@ -111,6 +116,7 @@ class Configurations:
             return self._completed(q)
 
         def distance(x: Array) -> Array:
+            check_time()
             q = at(x)
             turned = np.where(self._angles, q - TURN * np.round((q - (box.lower + box.upper) / 2) / TURN), q)
             beyond = np.maximum(box.lower - turned, 0) + np.maximum(turned - box.upper, 0)
@@ -175,6 +181,7 @@ class Configurations:
         """Return a point near q at which all implicit equations hold: Gauss-Newton steps of least norm."""
         moving = [i for i in range(len(q)) if i not in self.pinned]
         for _ in range(STEPS):
+            check_time()
             f = np.array([g(q) / g.size for g in self._implicit])
             if np.abs(f).max() <= ON_THE_LOCUS:
                 return q

@@ -12,6 +12,7 @@ import numpy as np
 import sympy
 from flint import fmpq, fmpq_mpoly
 
+from robotics1.symbolic.polynomials.cost import check_time_to_divide
 from robotics1.symbolic.polynomials.half_tangents import (
     context,
     from_numerator,
@@ -21,7 +22,7 @@ from robotics1.symbolic.polynomials.half_tangents import (
     without_squares,
 )
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
-from robotics1.symbolic.polynomials.time_limit import TimeLimit
+from robotics1.symbolic.polynomials.time_limit import TimeLimit, check_time
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, vanishing_lengths
 
@@ -167,8 +168,14 @@ def primitive(row: Row) -> Row:
     nonzero = [entry for entry in row if not entry.is_zero()]
     if not nonzero:
         return row
-    divisor = reduce(lambda a, b: a.gcd(b), nonzero)
+    divisor = reduce(_common_divisor, nonzero)
     return [entry // divisor for entry in row]
+
+
+def _common_divisor(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+    check_time()
+    check_time_to_divide(a, b)
+    return a.gcd(b)
 
 
 def _lengths_alone(F: Frequencies, row: Row) -> fmpq_mpoly:

@@ -10,6 +10,7 @@ from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.determinants import minors_of_order
 from robotics1.symbolic.polynomials.evaluation import evaluated_part
 from robotics1.symbolic.polynomials.laurent import Matrix
+from robotics1.symbolic.polynomials.time_limit import OutOfTime
 from robotics1.symbolic.singular_sets.configurations import Configurations
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.solving import CaseDistinction
@@ -34,31 +35,33 @@ def largest_pieces(
     box: JointBox,
     rng: np.random.Generator,
     known: dict[Hashable, list[Array]] | None = None,
-) -> list[Configurations]:
-    """Return the pieces that have configurations in the box and are part of no other, the larger first.
+) -> tuple[list[Configurations], bool]:
+    """Return the pieces that have configurations in the box and are part of no other, the larger first; and whether
+    the time was enough to look at all of them.
 
     `known` keeps configurations of each piece, for calls that meet the same pieces in the same box again.
-
-    Raises:
-        OutOfTime: the time is over.
     """
     drawn = {} if known is None else known
     real = []
-    for piece in (piece for locus in loci for piece in _with_single_values(locus, cases)):
-        cases.limit.check()
-        if piece.key not in drawn:
-            drawn[piece.key] = _points(piece, box, rng)
-        points = drawn[piece.key]
-        if points:
-            real.append((piece, points))
-        elif len(piece.locus.implicit) == 1:
-            cases.excluded.extend(zero for zero in piece.locus.zeros if zero.part is not None)
+    complete = True
+    try:
+        for piece in (piece for locus in loci for piece in _with_single_values(locus, cases)):
+            cases.limit.check()
+            if piece.key not in drawn:
+                drawn[piece.key] = _points(piece, box, rng)
+            points = drawn[piece.key]
+            if points:
+                real.append((piece, points))
+            elif len(piece.locus.implicit) == 1:
+                cases.excluded.extend(zero for zero in piece.locus.zeros if zero.part is not None)
+    except OutOfTime:
+        complete = False
     real.sort(key=lambda item: (-item[0].dimension(item[1][0]), len(item[0].locus.implicit)))
     kept: list[Configurations] = []
     for piece, points in real:
         if not any(all(larger.contains(q) for q in points) for larger in kept):
             kept.append(piece)
-    return kept
+    return kept, complete
 
 
 def _points(piece: Configurations, box: JointBox, rng: np.random.Generator) -> list[Array]:

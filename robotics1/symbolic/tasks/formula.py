@@ -12,6 +12,7 @@ from robotics1.symbolic.kinematics.chain import Chain, chain_to
 from robotics1.symbolic.kinematics.cleaning import cleaned
 from robotics1.symbolic.kinematics.frame_motion import Joints
 from robotics1.symbolic.kinematics.points import link_of, with_point
+from robotics1.symbolic.polynomials.laurent import ROOTS
 from robotics1.symbolic.tasks.reading import Reading
 from robotics1.symbolic.tasks.task_formulas import Formulas
 from robotics1.symbolic.tasks.task_map import task_map
@@ -94,11 +95,11 @@ def _joints_to_axes(chain: Chain, task: FrameTask | FunctionTask) -> Joints:
 
 def _check_names(robot: Robot, chain: Chain) -> None:
     joints = {symbol.name for symbol in chain.q}
-    rates = {f"qdot{i}" for i in range(1, len(chain.q) + 1)}
     for name in robot.parameters:
-        if name in joints | rates:
-            kind = "joint" if name in joints else "joint's velocity"
-            raise FormulaError(f"robot {robot.name!r} has a parameter {name!r}, which in formulas is a {kind}")
+        if name in joints:
+            raise FormulaError(f"robot {robot.name!r} has a parameter {name!r}, which in formulas is a joint")
+        if name in ROOTS:
+            raise FormulaError(f"robot {robot.name!r} has a parameter {name!r}, which in formulas is a number")
 
 
 def row_places(task: Task, rows: Sequence[str] | None) -> tuple[int, ...]:

@@ -107,15 +107,21 @@ class Reading:
 
     @cached_property
     def minors(self) -> dict[tuple[int, ...], Minor]:
-        """The largest minors of J: the columns (or, of a tall J, rows) that are left out → Σ l f₁ f₂ ..."""
+        """The largest minors of J: the columns (or, of a tall J, rows) that are left out → Σ l f₁ f₂ ...
+
+        Without columns there is one, that of no rows and no columns, which is 1.
+        """
         L, limit = self.factored, TimeLimit(PATIENCE)
         m, n = len(L.weights), len(self.chain.q)
+        every = tuple(range(m))
+        if n == 0:
+            return {every: ((sympy.S.One, ()),)}
         try:
-            if m > n:
-                return self._tall_minors({out: factors(f) for out, f in minors(self.rows, limit).items()})
-            every = tuple(range(m))
-            left = self._normal.written(L.left_minor(every, every))
-            return {out: ((left, factors(f)),) for out, f in minors(self.convenient.M, limit).items()}
+            with limit.kept():
+                if m > n:
+                    return self._tall_minors({out: factors(f) for out, f in minors(self.rows, limit).items()})
+                left = self._normal.written(L.left_minor(every, every))
+                return {out: ((left, factors(f)),) for out, f in minors(self.convenient.M, limit).items()}
         except OutOfTime as error:
             raise FormulaError(f"the minors of J were not found within {PATIENCE:g} s") from error
 
@@ -140,6 +146,8 @@ class Reading:
             FormulaError: the rows of a tall J are quotients, or the minors cannot be had.
         """
         zero = self.chain.frequencies.constant(0)
+        if not self.chain.q:
+            return sympy.S.One
         if not self.factored.is_plain and len(self.factored.weights) > len(self.chain.q):
             raise FormulaError("the rows of a tall J are quotients, so that det(JᵀJ) cannot be reduced")
         products = [(left, reduce(lambda a, b: a * b, found)) for ((left, found),) in self.minors.values()]

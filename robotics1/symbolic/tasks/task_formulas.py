@@ -76,8 +76,11 @@ class Formulas:
 
     @cached_property
     def qdot(self) -> tuple[sympy.Symbol, ...]:
-        """The velocities q̇1, q̇2, ..., in the formulas of J̇."""
-        return tuple(sympy.symbols(f"qdot1:{len(self.q) + 1}", real=True))
+        """The velocities q̇1, q̇2, ..., in the formulas of J̇; qdot_1, ... if a parameter is called qdot1."""
+        word = "qdot"
+        while any(name.startswith(word) for name in self.robot.parameters):
+            word += "_"
+        return tuple(sympy.Symbol(f"{word}{i}", real=True) for i in range(1, len(self.q) + 1))
 
     @cached_property
     def jacobian_rate(self) -> sympy.Matrix:

@@ -13,6 +13,7 @@ import numpy as np
 import sympy
 
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
+from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.writing.sums_of_angles import Groups, written
 
 MOST_PRODUCTS = 1000  # of terms, that are tried
@@ -48,6 +49,7 @@ class Composition:
 
     def total(self, products: Iterable[tuple[Entry, Entry]], *others: Entry) -> Entry:
         """Return Σ a b + Σ others."""
+        check_time()
         pairs = [(a, b) for a, b in products if a and b]
         rest = [entry for entry in others if entry]
         entries = [entry for pair in pairs for entry in pair] + rest
