@@ -13,16 +13,19 @@ ROUNDING = 1e-9  # outside of a limit by less than this is at the limit, in unit
 
 
 def note_on_limits(samples: Array, limits: JointBox, names: Sequence[str]) -> str:
-    """Return which joints have all samples (k, n) at a limit, or outside of it by less than 1e-6; "" if none has."""
-    below, above = samples - limits.lower, limits.upper - samples  # negative outside
+    """Return which limits all samples (k, n) are at; or, if none of them is inside, which they are outside of, by less
+    than 1e-6. "" if neither.
+    """
+    sides = (("lower", samples - limits.lower), ("upper", limits.upper - samples))
     at: list[str] = []
     outside: list[str] = []
-    for word, inside in (("lower", below), ("upper", above)):
-        inside = inside / limits.unit
-        near = (np.abs(inside).max(axis=0) <= NEAR) & ~limits.circular
-        beyond = inside.max(axis=0) < -ROUNDING
-        at += [f"the {word} limit of {names[i]}" for i in np.flatnonzero(near & ~beyond)]
-        outside += [f"the {word} limit of {names[i]}" for i in np.flatnonzero(near & beyond)]
+    none_inside = not any(limits.contains(q, ROUNDING) for q in samples)
+    for word, distances in sides:
+        inside = distances / limits.unit
+        beyond = (inside < -ROUNDING).any(axis=0) & ~limits.circular & none_inside
+        near = (np.abs(inside).max(axis=0) <= NEAR) & ~limits.circular & ~beyond
+        at += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(near)]
+        outside += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(beyond)]
     said = [f"It lies at {enumeration(at)}."] if at else []
     if outside:
         said.append(f"It lies outside {enumeration(outside)} by less than {NEAR:g}, so that the arm can come to it.")

@@ -50,8 +50,10 @@ class SingularPoints:
 
     def gap(self, q: Array) -> float:
         """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set, and infinite where the
-        task has no Jacobian.
+        task has no Jacobian, or no singular value that could vanish.
         """
+        if self.rank == 0:
+            return np.inf
         try:
             J = self.jacobian(q)
         except TaskError:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 METHODS = ("auto", "symbolic", "numeric")
 WORTH_TELLING = 1e-8  # [rad]
-EXACT, DRAWN = 0.6, 0.75  # parts of the time after which equations, and configurations that satisfy them, must be there
+EXACT, DRAWN = 0.75, 0.85  # parts of the time after which equations, and configurations that satisfy them, must be there
 
 
 def find_singularities(
@@ -52,7 +52,7 @@ def find_singularities(
             limits.
         samples: the number of starts of the numeric method.
         seed: of the random numbers.
-        time_limit: of both methods together [s]: three quarters of it are the exact answer's, and what is left is the
+        time_limit: of both methods together [s]: five sixths of it are the exact answer's, and what is left is the
             numeric search's. What is asked of the answer later, such as `intersections`, has that time once more.
 
     Raises:

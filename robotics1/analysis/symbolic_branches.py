@@ -99,7 +99,7 @@ class SymbolicSearch:
     def almost_everywhere(self) -> BranchFormulas:
         """The bases of J where it is not singular."""
         whole = Configurations(Locus(self.rows.M[0, 0].frequencies), self.cases.parameters, {})
-        return BranchFormulas(self.rows, self.groups, whole, self.points.rank)
+        return BranchFormulas(self.rows, self.groups, whole, self.points.rank, self.anywhere)
 
     def intersections(self, branches: Sequence[SingularBranch]) -> tuple[tuple[SingularBranch, ...], bool]:
         """Return where two branches meet, and where the rank falls further; and whether they are all. A piece of
@@ -208,12 +208,12 @@ class SymbolicSearch:
             samples=samples,
             q=samples[best],
             rank=ranks[best],
-            formulas=BranchFormulas(self.rows, self.groups, piece, ranks[best]),
+            formulas=BranchFormulas(self.rows, self.groups, piece, ranks[best], self.anywhere),
             note=note_on_limits(samples, self.points.box, names),
         )
 
     def _undefined(self, piece: Configurations) -> BranchFormulas:
-        return BranchFormulas(self.rows, self.groups, piece, self.points.rank)
+        return BranchFormulas(self.rows, self.groups, piece, self.points.rank, self.anywhere)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,6 +12,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 
 ONE_PLACE = 1e-6  # distance of two configurations that are one [rad, or reach]
+NOTHING = "The robot has no joints."
 STANDS_STILL = 1e-2  # part of a tangent direction that a constant joint may have
 
 
@@ -88,6 +89,8 @@ def refine(
         box: as of `find_singularities`.
         seed: of the random numbers.
     """
+    if points.rank == 0:
+        return Refinement((), tuple(range(len(worst))), None, NOTHING)
     found, note = None, ""
     try:
         found = find_singularities(points.robot, points.task, method="symbolic", box=box, seed=seed)

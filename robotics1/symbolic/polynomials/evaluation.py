@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy
@@ -35,7 +36,7 @@ class Evaluated:
         return self.f.frequencies.q
 
     @cached_property
-    def _table(self) -> tuple[Array, Array, Array]:
+    def _table(self) -> tuple[Any, Array, Array]:
         """The terms: complex amplitudes (k,), multiples of the joint angles (k, n), powers of prismatic ones."""
         F = self.f.frequencies
         amplitudes, multiples, powers = [], [], []

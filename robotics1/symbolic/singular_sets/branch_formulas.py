@@ -1,28 +1,43 @@
 """The formulas of a piece of the singular set: its equations, and bases that are valid on all of it."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from functools import reduce
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import Any
 
+import numpy as np
 import sympy
 
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
+from robotics1.inputs import one_of
+from robotics1.robot.box import JointBox
 from robotics1.symbolic.kinematics.convenient_axes import Convenient
 from robotics1.symbolic.polynomials.factoring import Part, factors
 from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.singular_sets.bases import (
+    BasisVector,
+    SpecialPoints,
+    independent_vectors,
+    scaled,
+    special_points,
+    sums_of,
+    vanishing_minors,
+)
 from robotics1.symbolic.singular_sets.closed_forms import angle_of_turn, root_of
 from robotics1.symbolic.singular_sets.configurations import Configurations
-from robotics1.symbolic.singular_sets.elimination import Echelon, echelon_form, without_divisor
+from robotics1.symbolic.singular_sets.elimination import Echelon, echelon_form, in_whole_angles, primitive_row
+from robotics1.symbolic.singular_sets.singular_loci import largest_pieces
+from robotics1.symbolic.singular_sets.solving import CaseDistinction
 from robotics1.symbolic.writing.recognition import recognised
 from robotics1.symbolic.writing.sums_of_angles import Groups, written, written_product
 
 SECONDS = 20.0  # for one basis
 SHORT = 18  # entries of a Jacobian whose bases are short enough to be read
 SHORT_NULL = 36  # for the null space, which does not depend on the axes
+BASES = ("null", "range", "left_null")
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,16 +49,18 @@ class BranchFormulas:
         groups: the angles that are added up in writing.
         configurations: the piece.
         rank: of J on it, in numbers.
+        anywhere: a box without the robot's limits.
     """
 
     rows: Convenient
     groups: Groups
     configurations: Configurations
     rank: int
+    anywhere: JointBox
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what is pickled and copied: not the echelon form, whose entries are polynomials of FLINT."""
-        return {name: value for name, value in vars(self).items() if name != "_columns_of_rows"}
+        """Return what is pickled and copied: not the bases before they are written, which hold polynomials of FLINT."""
+        return {name: value for name, value in vars(self).items() if name not in ("_null", "_range", "_left_null")}
 
     @cached_property
     def conditions(self) -> tuple[sympy.Eq, ...]:
@@ -98,59 +115,139 @@ class BranchFormulas:
 
     @cached_property
     def null(self) -> sympy.Matrix:
-        """(n, n − r) a basis of N(J): joint velocities that do not move the task.
+        """(n, n − r) a basis of N(J): joint velocities that do not move the task. `except_where` gives exceptions.
 
         Raises:
             FormulaError: there was no time for it.
         """
-        return self._columns(self._echelon(self.rows.M).null, self.rows.M.shape[1])
+        return self._written(self._null, self.rows.M.shape[1])
 
     @cached_property
     def range(self) -> sympy.Matrix:
         """(m, r) a basis of R(J): task velocities that can be realised. Raises as `null`."""
-        vectors = self._columns_of_rows.row_space
-        return self._columns([self.rows.velocity(vector) for vector in vectors], len(self.rows.M))
+        return self._written(self._range, len(self.rows.M))
 
     @cached_property
     def left_null(self) -> sympy.Matrix:
         """(m, m − r) a basis of N(Jᵀ): the velocities that are lost, and forces without torque. Raises as `null`."""
-        vectors = self._columns_of_rows.null
-        return self._columns([self.rows.force(vector) for vector in vectors], len(self.rows.M))
+        return self._written(self._left_null, len(self.rows.M))
+
+    def except_where(self, name: str) -> tuple[tuple[sympy.Eq, ...], ...]:
+        """Return where a basis, "null", "range" or "left_null", loses its rank though J has that of the branch: each
+        piece as equations. Without any, the basis holds on all of the branch.
+
+        Raises:
+            InputError: there is no such basis.
+            FormulaError: there is no such basis in symbols, or no time for the answer.
+        """
+        vectors: list[BasisVector] = getattr(self, f"_{one_of('name', name, BASES)}")
+        if name not in self._exceptions:
+            limit = TimeLimit(SECONDS)
+            try:
+                with limit.kept():
+                    self._exceptions[name] = self._pieces_without_rank(vectors, limit)
+            except OutOfTime as error:
+                raise FormulaError(f"where the basis holds was not found in {SECONDS:g} s") from error
+        return self._exceptions[name]
 
     @cached_property
-    def _columns_of_rows(self) -> Echelon:
-        if not self.rows.leads_back:
-            raise FormulaError("the rows of the task are quotients; take the bases in numbers")
-        return self._echelon(self.rows.M.T)
+    def _exceptions(self) -> dict[str, tuple[tuple[sympy.Eq, ...], ...]]:
+        return {}
 
-    def _echelon(self, M: Matrix) -> Echelon:
+    def _pieces_without_rank(self, vectors: list[BasisVector], limit: TimeLimit) -> tuple[tuple[sympy.Eq, ...], ...]:
+        if not vectors:
+            return ()
         at = self.configurations
-        limit = TimeLimit(SECONDS)
+        cases = CaseDistinction(at.parameters, limit)
+        loci = cases.common_zeros(vanishing_minors(vectors), at.locus)
+        pieces, complete = largest_pieces(loci, cases, self.anywhere, np.random.default_rng(0))
+        if not complete:
+            raise OutOfTime
+        within = [piece for piece in pieces if self._is_within(piece)]
+        kept = [piece for piece in within if len(special_points(self.rows.M, piece, self.rank).q)]
+        return tuple(replace(self, configurations=piece).conditions for piece in kept)
+
+    def _is_within(self, piece: Configurations) -> bool:
+        """Whether a piece of the locus has the values that are meant of those that its equations allow."""
+        q = piece.random(self.anywhere, np.random.default_rng(0))
+        return q is not None and self.configurations.contains(q)
+
+    @cached_property
+    def _null(self) -> list[BasisVector]:
+        return self._basis(self.rows.M, list)
+
+    @cached_property
+    def _left_null(self) -> list[BasisVector]:
+        self._check_that_rows_lead_back()
+        return self._basis(self.rows.M.T, self.rows.force)
+
+    @cached_property
+    def _range(self) -> list[BasisVector]:
+        self._check_that_rows_lead_back()
+        reduced = self.configurations.locus.reduced
+
+        def found(points: SpecialPoints) -> list[BasisVector]:
+            first = self._vectors(self._echelon(self.rows.M.T).row_space, self.rows.velocity)
+            columns = [[reduced(f) for f in self.rows.velocity(column)] for column in self.rows.M.T]
+            return independent_vectors(first, sums_of(columns, self.configurations), points)
+
+        return self._in_time(found)
+
+    def _basis(self, M: Matrix, lead_back: Callable[[Matrix], Iterable[Laurent]]) -> list[BasisVector]:
+        """Return a basis of N(M), each vector led back to the task's own axes."""
+
+        def found(points: SpecialPoints) -> list[BasisVector]:
+            first = self._vectors(self._echelon(M).null, lead_back)
+            others = (vector for circuit in self._circuits(M) for vector in self._vectors([circuit], lead_back))
+            return independent_vectors(first, others, points) if len(first) > 1 else first
+
+        return self._in_time(found)
+
+    def _circuits(self, M: Matrix) -> Iterator[Matrix]:
+        """Yield vectors of N(M) with as many zeros as can be: of r + 1 columns at a time."""
+        n = M.shape[1]
+        for columns in combinations(range(n), self.rank + 1):
+            for vector in self._eliminated(M[:, list(columns)]).null:
+                whole = np.array([self.configurations.locus.frequencies.constant(0)] * n, dtype=object)
+                whole[list(columns)] = vector
+                yield whole
+
+    def _in_time(self, basis: "Callable[[SpecialPoints], list[BasisVector]]") -> list[BasisVector]:
         try:
-            with limit.kept():
-                form = echelon_form(M, at.locus, at.parameters, limit)
+            with TimeLimit(SECONDS).kept():
+                return basis(special_points(self.rows.M, self.configurations, self.rank))
         except OutOfTime as error:
             raise FormulaError(f"there is no basis in symbols after {SECONDS:g} s; take the one in numbers") from error
+
+    def _check_that_rows_lead_back(self) -> None:
+        if not self.rows.leads_back:
+            raise FormulaError("the rows of the task are quotients; take the bases in numbers")
+
+    def _echelon(self, M: Matrix) -> Echelon:
+        form = self._eliminated(M)
         if len(form.pivots) != self.rank:
             raise FormulaError("the basis in symbols has not the dimension of that in numbers; take the one in numbers")
         return form
 
-    def _columns(self, vectors: Iterable[Iterable[Laurent]], m: int) -> sympy.Matrix:
+    def _eliminated(self, M: Matrix) -> Echelon:
+        at = self.configurations
+        return echelon_form(M, at.locus, at.parameters, TimeLimit(SECONDS))
+
+    def _vectors(
+        self, vectors: Iterable[Matrix], lead_back: Callable[[Matrix], Iterable[Laurent]]
+    ) -> list[BasisVector]:
+        """Return vectors in the task's own axes, each without common divisor."""
+        at = self.configurations.locus
+        led = [[at.reduced(f) for f in lead_back(vector)] for vector in vectors]
+        return [BasisVector(at.frequencies, primitive_row(vector)) for vector in led]
+
+    def _written(self, vectors: list[BasisVector], m: int) -> sympy.Matrix:
         """Return vectors as the columns of a matrix, each without common number and with a positive first entry."""
-        columns = [_scaled([self._entry(f) for f in without_divisor(self._reduced(vector))]) for vector in vectors]
+        columns = [scaled(self._entries(vector)) for vector in vectors]
         return sympy.Matrix(m, len(columns), lambda i, j: columns[j][i])
 
-    def _reduced(self, vector: Iterable[Laurent]) -> list[Laurent]:
-        return [self.configurations.locus.reduced(f) for f in vector]
-
-    def _entry(self, f: Laurent) -> sympy.Expr:
-        return written_product(factors(f), self.groups) if f else sympy.S.Zero
-
-
-def _scaled(vector: list[sympy.Expr]) -> list[sympy.Expr]:
-    """Return the vector without the number that its entries share."""
-    parts = [entry.as_content_primitive() for entry in recognised(vector)]
-    common = reduce(sympy.gcd, [number for number, part in parts if part != 0])
-    first = next(entry for entry in vector if entry != 0)
-    sign = -1 if first.could_extract_minus_sign() else 1
-    return [sign * number / common * part for number, part in parts]
+    def _entries(self, vector: BasisVector) -> list[sympy.Expr]:
+        if vector.has_half_angles:
+            return vector.written_in_halves(self.groups)
+        whole = in_whole_angles(vector.frequencies, vector.row)
+        return [written_product(factors(f), self.groups) if f else sympy.S.Zero for f in whole]

@@ -1,6 +1,6 @@
 """Random configurations on a locus."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -74,6 +74,20 @@ class Configurations:
         if not self._implicit and len(self.constant) == len(self._values) + len(self.pinned):
             return None  # all values are told, and one of them is outside
         return self._rare(box, rng)
+
+    def special(self, rng: np.random.Generator, count: int) -> Iterator[Array | None]:
+        """Yield configurations, (n,), most of whose joints are at multiples of π/2, and slides at zero, and half as
+        many random ones; None where an equation cannot be solved.
+        """
+        n = len(self.locus.frequencies.q)
+        for number in range(count + count // 2):
+            check_time()
+            q = np.where(self._angles, rng.uniform(-np.pi, np.pi, n), rng.uniform(-1, 1, n))
+            if number < count:
+                at = np.where(self._angles, rng.integers(-1, 3, n) * np.pi / 2, 0.0)
+                q = np.where(rng.random(n) < 0.7, at, q)
+            solved = self._solved(self._with_pinned(q), rng)
+            yield None if solved is None else self._completed(solved)
 
     def _rare(self, box: JointBox, rng: np.random.Generator) -> Array | None:
         """Return a configuration found by least squares: from anywhere in the box, or near those found before."""

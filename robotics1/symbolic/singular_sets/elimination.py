@@ -67,7 +67,7 @@ class Echelon:
         return found
 
     def _vector(self, row: Row) -> Matrix:
-        return _in_whole_angles(self.frequencies, row)
+        return in_whole_angles(self.frequencies, row)
 
 
 def echelon_form(M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, float], limit: TimeLimit) -> Echelon:
@@ -118,13 +118,12 @@ def _relation(F: Frequencies, row: Row, parameters: Mapping[sympy.Symbol, float]
     return vanishing_lengths(from_numerator(F, alone, (0,) * len(F.angles)), parameters)
 
 
-def without_divisor(vector: Sequence[Laurent]) -> Matrix:
-    """Return a vector without the greatest common divisor of its entries, in whole angles."""
-    F = vector[0].frequencies
-    return _in_whole_angles(F, primitive(_over_common_denominator(vector)))
+def primitive_row(vector: Sequence[Laurent]) -> Row:
+    """Return the numerators of a vector without the greatest common divisor of its entries."""
+    return primitive(_over_common_denominator(vector))
 
 
-def _in_whole_angles(F: Frequencies, row: Row) -> Matrix:
+def in_whole_angles(F: Frequencies, row: Row) -> Matrix:
     """Return numerators over the least powers of 1 + tⱼ² that make all of them polynomials of whole angles."""
     lengths = len(F.ring.symbols)
     degrees = [[int(e) for e in entry.degrees()[lengths:]] for entry in row if not entry.is_zero()]

@@ -1,0 +1,179 @@
+"""Bases that keep their rank on all of a piece of the singular set, where such are found.
+
+Elimination gives a basis that is right almost everywhere on the piece: a pivot may vanish at special points of it, and
+vectors become parallel there. Then vectors are chosen anew, from the columns of J and their sums, or from those vectors
+of the null space that have as many zeros as can be, so that they stay independent at special points too.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations, islice
+
+import numpy as np
+import sympy
+
+from robotics1.inputs import Array
+from robotics1.symbolic.polynomials.evaluation import Evaluated
+from robotics1.symbolic.polynomials.factoring import Part
+from robotics1.symbolic.polynomials.half_tangents import Degrees, in_half_angles
+from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
+from robotics1.symbolic.polynomials.time_limit import check_time
+from robotics1.symbolic.singular_sets.configurations import Configurations
+from robotics1.symbolic.singular_sets.elimination import Row, primitive_row
+from robotics1.symbolic.writing.recognition import recognised
+from robotics1.symbolic.writing.sums_of_angles import Groups, written
+
+POINTS = 60  # special configurations of a piece, and half as many random ones
+INDEPENDENT = 1e-6  # σ_min of unit vectors that are independent
+RANK = 1e-9  # σᵢ of J that count, beside the usual σ₁
+MOST_CHOICES = 1500  # of vectors that are tried
+
+
+@dataclass(frozen=True, eq=False)
+class BasisVector:
+    """A vector without common divisor; its entries are polynomials of the half angles, that vanish together only where
+    they must.
+
+    Attributes:
+        frequencies: of the entries.
+        row: N(t) of each entry.
+    """
+
+    frequencies: Frequencies
+    row: Row
+
+    @cached_property
+    def degrees(self) -> Degrees:
+        """The highest power of each tⱼ among the entries."""
+        lengths = len(self.frequencies.ring.symbols)
+        degrees = [[int(e) for e in entry.degrees()[lengths:]] for entry in self.row if not entry.is_zero()]
+        return tuple(map(max, zip(*degrees, strict=True))) if degrees else ()
+
+    @property
+    def has_half_angles(self) -> bool:
+        """Whether half angles are needed, as in (sin(q3/2), cos(q3/2))."""
+        return any(e % 2 for e in self.degrees)
+
+    @cached_property
+    def entries(self) -> list[Laurent]:
+        """The entries with multiples of φ/2 as exponents."""
+        return [in_half_angles(self.frequencies, entry, self.degrees) for entry in self.row]
+
+    def written_in_halves(self, groups: Groups) -> list[sympy.Expr]:
+        """Return the entries in SymPy, in half angles."""
+        halves = {angle: angle / 2 for angle in self.frequencies.angles}
+        return [written(entry, groups).subs(halves, simultaneous=True) for entry in self.entries]
+
+    def numbers(self, configurations: Configurations) -> list[Evaluated]:
+        """Return the entries as functions of q."""
+        return [Evaluated(entry, configurations.parameters, unit=0.5) for entry in self.entries]
+
+
+@dataclass(frozen=True, eq=False)
+class SpecialPoints:
+    """Configurations of a piece at which J has the piece's rank; at most of them, joints at multiples of π/2.
+
+    Attributes:
+        configurations: the piece.
+        q: (k, n).
+    """
+
+    configurations: Configurations
+    q: Array
+
+    def values(self, vector: BasisVector) -> Array:
+        """Return a vector at the points, (k, n), of length one; zero where its entries vanish together."""
+        functions = vector.numbers(self.configurations)
+        at = np.array([[f(q) for f in functions] for q in self.q]).reshape(len(self.q), len(functions))
+        usual = np.abs(at).max(initial=0.0)
+        lengths = np.linalg.norm(at, axis=1, keepdims=True)
+        return np.where(lengths > RANK * usual, at / np.maximum(lengths, 1e-300), 0.0)
+
+
+def special_points(M: Matrix, configurations: Configurations, rank: int) -> SpecialPoints:
+    """Return special and random configurations of a piece at which M has this rank."""
+    rng = np.random.default_rng(0)
+    entries = [[Evaluated(entry, configurations.parameters) for entry in row] for row in M]
+    drawn = [q for q in configurations.special(rng, POINTS) if q is not None]
+    sigmas = [np.linalg.svd([[f(q) for f in row] for row in entries], compute_uv=False) for q in drawn]
+    usual = max((float(sigma[0]) for sigma in sigmas), default=0.0)
+    kept = [q for q, sigma in zip(drawn, sigmas, strict=True) if (sigma > RANK * usual).sum() == rank]
+    return SpecialPoints(configurations, np.array(kept).reshape(len(kept), len(configurations.locus.frequencies.q)))
+
+
+def keeps_rank(vectors: Sequence[Array]) -> bool:
+    """Whether vectors, each (k, n), are independent at all of k points."""
+    if not vectors or not len(vectors[0]):
+        return True
+    sigmas = np.linalg.svd(np.stack(vectors, axis=2), compute_uv=False)
+    return bool(sigmas[:, -1].min() > INDEPENDENT)
+
+
+def independent_vectors(basis: list[BasisVector], others: Iterable[BasisVector], points: SpecialPoints) -> list[BasisVector]:
+    """Return the basis, or as many vectors, of these and the others, that are independent at all points; the basis if
+    there are none.
+    """
+    known = [points.values(vector) for vector in basis]
+    if keeps_rank(known):
+        return basis
+    pool = sorted([*basis, *others], key=lambda vector: sum(map(len, vector.row)))
+    values = [points.values(vector) for vector in pool]
+    for chosen in islice(combinations(range(len(pool)), len(basis)), MOST_CHOICES):
+        check_time()
+        if keeps_rank([values[i] for i in chosen]):
+            return [pool[i] for i in chosen]
+    return basis
+
+
+def sums_of(columns: Sequence[Sequence[Laurent]], reduced: Configurations) -> Iterator[BasisVector]:
+    """Yield columns, their sums and their differences, on a piece."""
+    F = reduced.locus.frequencies
+    for a in columns:
+        yield from _vectors(F, a)
+    for a, b in combinations(columns, 2):
+        for sign in (1, -1):
+            yield from _vectors(F, [reduced.locus.reduced(x + y if sign > 0 else x - y) for x, y in zip(a, b, strict=True)])
+
+
+def _vectors(F: Frequencies, entries: Sequence[Laurent]) -> Iterator[BasisVector]:
+    check_time()
+    if any(entries):
+        yield BasisVector(F, primitive_row(entries))
+
+
+def vanishing_minors(vectors: Sequence[BasisVector]) -> list[Laurent]:
+    """Return polynomials in whole angles that vanish together where the vectors lose their rank, and nowhere else."""
+    F = vectors[0].frequencies
+    degrees = tuple(map(sum, zip(*(vector.degrees for vector in vectors), strict=True)))
+    found = []
+    for rows in combinations(range(len(vectors[0].row)), len(vectors)):
+        check_time()
+        minor = _determinant([[vector.row[i] for vector in vectors] for i in rows])
+        if not minor.is_zero():
+            found.append(Part(F, minor, degrees).whole)
+    return found
+
+
+def _determinant(A: list[Row]):  # type: ignore[no-untyped-def]
+    """Return the determinant of a small matrix, expanded along its first row."""
+    if len(A) == 1:
+        return A[0][0]
+    total = A[0][0] - A[0][0]
+    for j, entry in enumerate(A[0]):
+        if not entry.is_zero():
+            check_time()
+            term = entry * _determinant([row[:j] + row[j + 1 :] for row in A[1:]])
+            total = total - term if j % 2 else total + term
+    return total
+
+
+def scaled(vector: list[sympy.Expr]) -> list[sympy.Expr]:
+    """Return the vector without the number that its entries share."""
+    from functools import reduce
+
+    parts = [entry.as_content_primitive() for entry in recognised(vector)]
+    common = reduce(sympy.gcd, [number for number, part in parts if part != 0])
+    first = next(entry for entry in vector if entry != 0)
+    sign = -1 if first.could_extract_minus_sign() else 1
+    return [sign * number / common * part for number, part in parts]
