@@ -71,7 +71,9 @@ def check(basis, J, orthogonal, q):
     """The basis at q has independent columns, or q is an exception; and is orthogonal to what it must be."""
     assert basis.is_independent(q) or basis.is_excepted(q), (basis.name, q)
     B = basis(q)
-    assert np.abs(orthogonal.T @ B).max(initial=0) <= 1e-8 * max(1.0, np.abs(J).max()) * max(1.0, np.abs(B).max(initial=0))
+    assert np.abs(orthogonal.T @ B).max(initial=0) <= 1e-8 * max(1.0, np.abs(J).max()) * max(
+        1.0, np.abs(B).max(initial=0)
+    )
 
 
 @pytest.mark.parametrize("name", [name for name in CASES if name not in LONG])

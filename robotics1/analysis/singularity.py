@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 
 METHODS = ("auto", "symbolic", "numeric")
 WORTH_TELLING = 1e-8  # [rad]
-EXACT, DRAWN = 0.75, 0.85  # parts of the time after which equations, and configurations that satisfy them, must be there
+EXACT, DRAWN = (
+    0.75,
+    0.85,
+)  # parts of the time after which equations, and configurations that satisfy them, must be there
 
 
 def find_singularities(

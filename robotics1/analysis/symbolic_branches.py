@@ -29,6 +29,7 @@ from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import FrameTask, Task
 
 SAMPLES = 50
+BESIDE = 8  # configurations outside of a box from which one inside is looked for
 VERIFIED = 1e-9  # σ_ρ of a configuration of a branch, beside the usual σ₁
 
 
@@ -87,9 +88,10 @@ class SymbolicSearch:
         """Add a piece to those inside the limits, or within 1e-6 of them; to those outside; or to those where the task
         has no Jacobian.
         """
-        limits = self.points.box
-        boxes = ((limits, inside), (limits.widened(NEAR), inside), (self.anywhere, outside))
-        for box, branches in boxes:
+        limits, near = self.points.box, self.points.box.widened(NEAR)
+        for box, branches in ((limits, inside), (near, inside), (self.anywhere, outside)):
+            if box is near and piece.locus.implicit:
+                self._look_beside(piece, box, rng)  # values alone are compared with the box exactly
             if self._samples(piece, box, rng, POINTS):
                 branches.append(self._branch(piece, box, rng))
                 return
@@ -211,6 +213,13 @@ class SymbolicSearch:
             formulas=BranchFormulas(self.rows, self.groups, piece, ranks[best], self.anywhere),
             note=note_on_limits(samples, self.points.box, names),
         )
+
+    def _look_beside(self, piece: Configurations, box: JointBox, rng: np.random.Generator) -> None:
+        """Look for configurations of a piece in a box from those outside: moved into it, and then to the set again."""
+        points = replace(self.points, box=box)
+        outside = self._samples(piece, self.anywhere, rng, BESIDE)
+        moved = [points.project(box.nearest(q), iterations=12) for q in outside]
+        piece.remember(box, [p for p in moved if p is not None and piece.contains(p)])
 
     def _undefined(self, piece: Configurations) -> BranchFormulas:
         return BranchFormulas(self.rows, self.groups, piece, self.points.rank, self.anywhere)

@@ -110,7 +110,9 @@ def keeps_rank(vectors: Sequence[Array]) -> bool:
     return bool(sigmas[:, -1].min() > INDEPENDENT)
 
 
-def independent_vectors(basis: list[BasisVector], others: Iterable[BasisVector], points: SpecialPoints) -> list[BasisVector]:
+def independent_vectors(
+    basis: list[BasisVector], others: Iterable[BasisVector], points: SpecialPoints
+) -> list[BasisVector]:
     """Return the basis, or as many vectors, of these and the others, that are independent at all points; the basis if
     there are none.
     """
@@ -133,7 +135,9 @@ def sums_of(columns: Sequence[Sequence[Laurent]], reduced: Configurations) -> It
         yield from _vectors(F, a)
     for a, b in combinations(columns, 2):
         for sign in (1, -1):
-            yield from _vectors(F, [reduced.locus.reduced(x + y if sign > 0 else x - y) for x, y in zip(a, b, strict=True)])
+            yield from _vectors(
+                F, [reduced.locus.reduced(x + y if sign > 0 else x - y) for x, y in zip(a, b, strict=True)]
+            )
 
 
 def _vectors(F: Frequencies, entries: Sequence[Laurent]) -> Iterator[BasisVector]:

@@ -19,6 +19,7 @@ HOLDS = 1e-10
 TRIES = 100  # starts for a configuration in the box; a fifth of them where several equations must be solved
 STEPS = 25  # of Newton's method
 STARTS = 8  # of least squares
+MOST_EVALUATIONS = 80  # of them, from one start
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,6 +110,12 @@ class Configurations:
         self._found[place] = None
         return None
 
+    def remember(self, box: JointBox, found: list[Array]) -> None:
+        """Let `random` start from configurations of the locus in the box that were found elsewhere, where it needs least
+        squares; without any, it does not try these.
+        """
+        self._found[(*box.lower, *box.upper)] = found or None
+
     @cached_property
     def _found(self) -> dict[tuple[float, ...], list[Array] | None]:
         """What least squares have found in each box; None if nothing."""
@@ -137,7 +144,15 @@ class Configurations:
             return np.array([*(g(q) / g.size for g in self._implicit), *beyond[replaced]])
 
         inside = np.clip(start[free], lower + 1e-12, np.maximum(upper - 1e-12, lower + 1e-12))
-        x = least_squares(distance, inside, bounds=(lower, upper + 1e-11), xtol=1e-15, ftol=1e-15, gtol=1e-15).x
+        x = least_squares(
+            distance,
+            inside,
+            bounds=(lower, upper + 1e-11),
+            xtol=1e-15,
+            ftol=1e-15,
+            gtol=1e-15,
+            max_nfev=MOST_EVALUATIONS,
+        ).x
         if np.abs(distance(x)).max(initial=0.0) > ON_THE_LOCUS:
             return None
         return into(box, self._angles, at(x))
