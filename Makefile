@@ -40,7 +40,8 @@ $(INSTALLED): pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev]'
 	touch $@
 
-fuzz: $(INSTALLED)  ## 100 000 mutants of robot files, in child processes
+fuzz: $(INSTALLED)  ## 300 arms drawn at random, and 100 000 mutants of robot files, in child processes
+	$(BIN)/python tests/arms_at_random.py --count 300
 	$(BIN)/python tests/mutations.py --count 100000 --seed 1
 
 bench: $(PEERS)  ## benchmarks beside the peers, some ten minutes; writes benchmarks/results

@@ -1,4 +1,4 @@
-"""Singular sets and formulas of unusual arms: within their time, with numbers of any size, and with names of any kind."""
+"""Singular sets and formulas of unusual arms: in their time, with numbers of any size, with names of any kind."""
 
 import threading
 import time
@@ -15,8 +15,8 @@ from singular_checks import rank, usual_sigma
 from robotics1 import (
     FormulaError,
     PointingTask,
-    PositionTask,
     PoseTask,
+    PositionTask,
     find_singularities,
     formulas,
     load_robot,
@@ -106,7 +106,9 @@ def test_the_skew_arm_whose_coefficients_have_hundreds_of_digits_has_an_answer(t
 # --- names and mimicking joints
 
 
-@pytest.mark.parametrize("name", ["sin", "cos", "array", "sqrt", "numpy", "E", "I", "S", "x", "x0", "qdot1", "t0", "exp"])
+@pytest.mark.parametrize(
+    "name", ["sin", "cos", "array", "sqrt", "numpy", "E", "I", "S", "x", "x0", "qdot1", "t0", "exp"]
+)
 def test_a_length_of_any_name_gives_the_determinant_of_the_shoulder(name):
     """det J = −a b sin q3 (L + a cos q2 + b cos(q2 + q3))."""
     rows = [("R", name, pi / 2, 0, 0), ("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0)]

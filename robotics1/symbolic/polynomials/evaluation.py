@@ -70,7 +70,7 @@ class Evaluated:
     @property
     def amplitudes(self) -> Array:
         """The terms at q = 0 (prismatic joints at one), (k,) complex."""
-        return self._table[0]
+        return np.asarray(self._table[0])
 
     @cached_property
     def size(self) -> float:

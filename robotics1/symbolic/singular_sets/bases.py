@@ -7,11 +7,12 @@ of the null space that have as many zeros as can be, so that they stay independe
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import combinations, islice
 
 import numpy as np
 import sympy
+from flint import fmpq_mpoly
 
 from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.evaluation import Evaluated
@@ -21,6 +22,7 @@ from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.singular_sets.configurations import Configurations
 from robotics1.symbolic.singular_sets.elimination import Row, primitive_row
+from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.writing.recognition import recognised
 from robotics1.symbolic.writing.sums_of_angles import Groups, written
 
@@ -128,22 +130,20 @@ def independent_vectors(
     return basis
 
 
-def sums_of(columns: Sequence[Sequence[Laurent]], reduced: Configurations) -> Iterator[BasisVector]:
-    """Yield columns, their sums and their differences, on a piece."""
-    F = reduced.locus.frequencies
+def sums_of(columns: Sequence[Sequence[Laurent]], locus: Locus) -> Iterator[BasisVector]:
+    """Yield columns, their sums and their differences, on a locus."""
     for a in columns:
-        yield from _vectors(F, a)
+        yield from _vectors(a, locus)
     for a, b in combinations(columns, 2):
-        for sign in (1, -1):
-            yield from _vectors(
-                F, [reduced.locus.reduced(x + y if sign > 0 else x - y) for x, y in zip(a, b, strict=True)]
-            )
+        yield from _vectors([x + y for x, y in zip(a, b, strict=True)], locus)
+        yield from _vectors([x - y for x, y in zip(a, b, strict=True)], locus)
 
 
-def _vectors(F: Frequencies, entries: Sequence[Laurent]) -> Iterator[BasisVector]:
+def _vectors(entries: Sequence[Laurent], locus: Locus) -> Iterator[BasisVector]:
     check_time()
-    if any(entries):
-        yield BasisVector(F, primitive_row(entries))
+    reduced = [locus.reduced(entry) for entry in entries]
+    if any(reduced):
+        yield BasisVector(locus.frequencies, primitive_row(reduced, locus))
 
 
 def vanishing_minors(vectors: Sequence[BasisVector]) -> list[Laurent]:
@@ -159,7 +159,7 @@ def vanishing_minors(vectors: Sequence[BasisVector]) -> list[Laurent]:
     return found
 
 
-def _determinant(A: list[Row]):  # type: ignore[no-untyped-def]
+def _determinant(A: list[Row]) -> fmpq_mpoly:
     """Return the determinant of a small matrix, expanded along its first row."""
     if len(A) == 1:
         return A[0][0]
@@ -174,8 +174,6 @@ def _determinant(A: list[Row]):  # type: ignore[no-untyped-def]
 
 def scaled(vector: list[sympy.Expr]) -> list[sympy.Expr]:
     """Return the vector without the number that its entries share."""
-    from functools import reduce
-
     parts = [entry.as_content_primitive() for entry in recognised(vector)]
     common = reduce(sympy.gcd, [number for number, part in parts if part != 0])
     first = next(entry for entry in vector if entry != 0)

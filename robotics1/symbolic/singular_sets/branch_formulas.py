@@ -184,12 +184,12 @@ class BranchFormulas:
     @cached_property
     def _range(self) -> list[BasisVector]:
         self._check_that_rows_lead_back()
-        reduced = self.configurations.locus.reduced
+        locus = self.configurations.locus
 
         def found(points: SpecialPoints) -> list[BasisVector]:
             first = self._vectors(self._echelon(self.rows.M.T).row_space, self.rows.velocity)
-            columns = [[reduced(f) for f in self.rows.velocity(column)] for column in self.rows.M.T]
-            return independent_vectors(first, sums_of(columns, self.configurations), points)
+            columns = [list(self.rows.velocity(column)) for column in self.rows.M.T]
+            return independent_vectors(first, sums_of(columns, locus), points)
 
         return self._in_time(found)
 
@@ -239,7 +239,7 @@ class BranchFormulas:
         """Return vectors in the task's own axes, each without common divisor."""
         at = self.configurations.locus
         led = [[at.reduced(f) for f in lead_back(vector)] for vector in vectors]
-        return [BasisVector(at.frequencies, primitive_row(vector)) for vector in led]
+        return [BasisVector(at.frequencies, primitive_row(vector, at)) for vector in led]
 
     def _written(self, vectors: list[BasisVector], m: int) -> sympy.Matrix:
         """Return vectors as the columns of a matrix, each without common number and with a positive first entry."""

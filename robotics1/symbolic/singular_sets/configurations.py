@@ -111,8 +111,8 @@ class Configurations:
         return None
 
     def remember(self, box: JointBox, found: list[Array]) -> None:
-        """Let `random` start from configurations of the locus in the box that were found elsewhere, where it needs least
-        squares; without any, it does not try these.
+        """Let `random` start its least squares from configurations of the locus in the box that were found elsewhere;
+        without any, it does not try these.
         """
         self._found[(*box.lower, *box.upper)] = found or None
 

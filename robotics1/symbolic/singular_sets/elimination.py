@@ -118,9 +118,25 @@ def _relation(F: Frequencies, row: Row, parameters: Mapping[sympy.Symbol, float]
     return vanishing_lengths(from_numerator(F, alone, (0,) * len(F.angles)), parameters)
 
 
-def primitive_row(vector: Sequence[Laurent]) -> Row:
-    """Return the numerators of a vector without the greatest common divisor of its entries."""
-    return primitive(_over_common_denominator(vector))
+def primitive_row(vector: Sequence[Laurent], locus: Locus) -> Row:
+    """Return the numerators of a vector on a locus without the greatest common divisor of its entries; the shorter of
+    those that stand there and of their remainders after division by the equations of the locus.
+    """
+    row = _over_common_denominator(vector)
+    rest = row
+    for part in locus.implicit:
+        if not part.numerator.is_constant():
+            rest = [_remainder(entry, part.numerator) for entry in rest]
+    candidates = [primitive(row)]
+    if rest is not row and any(not entry.is_zero() for entry in rest):
+        candidates.append(primitive(rest))
+    return min(candidates, key=lambda entries: sum(map(len, entries)))
+
+
+def _remainder(entry: fmpq_mpoly, equation: fmpq_mpoly) -> fmpq_mpoly:
+    check_time()
+    check_time_to_divide(entry, equation)
+    return entry % equation
 
 
 def in_whole_angles(F: Frequencies, row: Row) -> Matrix:
