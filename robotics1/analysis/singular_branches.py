@@ -12,6 +12,7 @@ from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit, check_time
 
+AT_ONCE = 1000  # starts that are drawn together
 ENOUGH = 50  # samples of a branch
 SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one
 STRIDE = 0.1  # of a walk on the set, in units
@@ -56,8 +57,9 @@ def _sheets(points: SingularPoints, count: int, rng: np.random.Generator) -> lis
     """Return the sheets that the starts lead to before the time is over."""
     sheets: list[Sheet] = []
     try:
-        for start in points.box.random(rng, count):
-            _add_start(points, start, sheets, rng)
+        for first in range(0, count, AT_ONCE):
+            for start in points.box.random(rng, min(AT_ONCE, count - first)):
+                _add_start(points, start, sheets, rng)
     except OutOfTime:
         pass  # what was found stands
     return sheets

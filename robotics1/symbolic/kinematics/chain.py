@@ -173,7 +173,7 @@ class Chain:
         ring = self.frequencies.ring
         total = ring.zero
         for monomial, coefficient in number.items():
-            term = ring(gaussian(exact_length(coefficient)))
+            term = ring(gaussian(exact_length(coefficient, self.robot.reach)))
             for name in monomial:
                 term *= ring(sympy.Symbol(name, real=True))
             total += term

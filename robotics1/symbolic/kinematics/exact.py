@@ -12,10 +12,12 @@ FINE = 10**8  # largest denominator of a half-angle tangent that stands for an a
 SHORT = 1000  # a length within 1e-12 of a fraction with a denominator up to this is that fraction
 
 
-def exact_length(value: float) -> Fraction:
-    """Return a length [m] as a short fraction where it is one, else as its decimal digits."""
+def exact_length(value: float, size: float = 1.0) -> Fraction:
+    """Return a length [m] as a short fraction where it is one, else as its decimal digits; what is rounding beside the
+    size of the arm [m], or beside 1 m, is left out.
+    """
     short = Fraction(value).limit_denominator(SHORT)
-    return short if abs(float(short) - value) <= 1e-12 else Fraction(repr(float(value)))
+    return short if abs(float(short) - value) <= 1e-12 * min(1.0, size) else Fraction(repr(float(value)))
 
 
 def exact_turn(angle: float, tolerance: float = CLEAN) -> int | None:

@@ -25,6 +25,8 @@ def singular_loci(M: Matrix, rank: int, where: Locus, cases: CaseDistinction) ->
         OutOfTime: the time is over.
     """
     M = np.array([row for row in ([where.reduced(entry) for entry in row] for row in M) if any(row)], dtype=object)
+    if len(M) < rank:
+        return iter([where])  # J has fewer rows than the rank that is looked for: all of the locus
     M = M[:, [j for j in range(M.shape[1]) if any(M[:, j])]]
     return cases.common_zeros(list(minors_of_order(M, rank, cases.limit)), where)
 
