@@ -14,6 +14,8 @@ from robotics1.inputs import Array, counting_number, per_joint, real_array, real
 from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
 PRECISION = 1e-12  # of the integration, of the largest value of each joint
+FASTEST = 1e9  # gain times duration: a faster loop follows at once, and cannot be integrated
+LARGEST = 1e150  # rad or m: squares of such errors are finite
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,13 +62,15 @@ def simulate_tracking(
         samples: the number of times that are returned.
 
     Raises:
-        InputError: no trajectory of joints, a negative gain or limit, or a wrong shape.
+        InputError: no trajectory of joints, a negative gain or limit, a gain too large for the duration, or a wrong
+            shape.
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1, with joint errors.
     """
     n, ends = number_of_joints("trajectory", trajectory), smooth_ends(trajectory)
     q0 = real_array("q0", q0, (n,), "one number for each joint")
     k = _non_negative("gain", gain, n)
+    _refuse_what_is_too_large(k, ends[-1], q0)
     limits = _limits(rate_limits, n)
     t = np.linspace(0.0, ends[-1], counting_number("samples", samples, least=2))
 
@@ -142,8 +146,8 @@ def smallest_gain(
     wanted = real_number("final_error", final_error, positive=True)
     n = number_of_joints("trajectory", trajectory)
     q0 = real_array("q0", q0, (n,), "one number for each joint")
-    start = float(np.linalg.norm(trajectory(0.0) - q0))
-    k = max(0.0, float(np.log(start / wanted)) / trajectory.duration) if start > 0 else 0.0
+    start = float(np.hypot.reduce(trajectory(0.0) - q0))
+    k = max(0.0, float(np.log(start) - np.log(wanted)) / trajectory.duration) if start > 0 else 0.0
     run = simulate_tracking(trajectory, q0, k, rate_limits=rate_limits)
     if not run.saturated.any():
         verdict = GainVerdict.FEEDBACK
@@ -152,6 +156,17 @@ def smallest_gain(
     else:
         verdict = GainVerdict.REPLAN
     return GainChoice(np.full(n, k), verdict, run)
+
+
+def _refuse_what_is_too_large(k: Array, duration: float, q0: Array) -> None:
+    """Raise InputError where the loop is too fast, or the start too far, for numbers."""
+    fastest = float(k.max(initial=0.0))
+    if fastest > FASTEST / duration:
+        raise InputError(
+            f"gain must be at most {FASTEST / duration:g} for a motion of {duration:g} s; it is {fastest:g}"
+        )
+    if (np.abs(q0) > LARGEST).any():
+        raise InputError(f"q0 must be at most {LARGEST:g}; it is {q0.tolist()}")
 
 
 def _limits(rate_limits: npt.ArrayLike | None, n: int) -> Array:

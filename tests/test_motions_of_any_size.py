@@ -35,7 +35,7 @@ CALLS = {
 
 
 @pytest.mark.parametrize("name", CALLS)
-@settings(max_examples=30)
+@settings(max_examples=15)
 @given(a=number, b=number, c=number, d=number)
 def test_numbers_of_any_size_give_a_finite_answer_or_a_typed_error(name, a, b, c, d):
     with warnings.catch_warnings():

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 from rich.console import Console
-from rich.markup import escape
 
 from robotics1.cli.arguments import parse_vector
 from robotics1.cli.output import in_degrees, joint_names, say_outside_limits, write_json
@@ -75,7 +74,7 @@ def print_solutions(
     if len(found) > SHOWN:
         console.print(f"and {len(found) - SHOWN} more")
     if found.free_joints:
-        names = escape(", ".join(found.free_joints))
+        names = ", ".join(found.free_joints)
         console.print(f"{names}: anywhere in the limits, since the task does not move", highlight=False)
     return True
 

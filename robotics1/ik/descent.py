@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.differentiation import configuration_derivative
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
-from robotics1.kinematics import configuration_derivative
 from robotics1.tasks.function import FunctionTask
 
 REACHED = 1e-9  # |e| of a solution, lengths relative to the arm

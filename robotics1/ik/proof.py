@@ -1,11 +1,11 @@
 """What proves that no q inside the limits reaches a target."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from time import perf_counter
 
 import numpy as np
 
+from robotics1.caching import cached_property
 from robotics1.ik.descent import REACHED
 from robotics1.ik.pose_problem import PoseProblem, pose_problem
 from robotics1.ik.reach import ReachBound, reach_bound

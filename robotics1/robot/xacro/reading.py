@@ -3,10 +3,10 @@
 import os
 import re
 from collections.abc import Iterable
-from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from robotics1.caching import cached_property
 from robotics1.robot.markup import LARGEST_FILE
 from robotics1.robot.meshes import PACKAGE
 from robotics1.robot.packages import find_package, own_package

@@ -7,13 +7,14 @@ of the null space that have as many zeros as can be, so that they stay independe
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import reduce
 from itertools import combinations, islice
 
 import numpy as np
 import sympy
 from flint import fmpq_mpoly
 
+from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import Part

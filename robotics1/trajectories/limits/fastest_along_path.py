@@ -65,7 +65,7 @@ def fastest_along(path: Path, limits: MotionLimits, *, grid: int = 200) -> PathT
     """
     bounds = _bounds(path, limits)
     count = counting_number("grid", grid, least=10)
-    s = np.linspace(0.0, path.end, count + 1)
+    s: Array = np.linspace(0.0, path.end, count + 1)
     _refuse_corners(path, s)
     s = _with_breaks(s, path)
     speed = _speeds(path, bounds, s)
@@ -162,7 +162,7 @@ def _speeds(path: Path, bounds: dict[str, Array], s: Array) -> Array:
         ]
         _, speed, _ = TOPPRA(constraints, Geometry(unit), gridpoints=s / end).compute_parameterization(0.0, 0.0)
         if speed is not None and np.isfinite(speed).all() and ((speed[1:] + speed[:-1]) > 0).all():
-            return np.asarray(speed) * end / unit
+            return np.asarray(np.asarray(speed) * end / unit)
     raise NotConverged("toppra finds no law along this path; try a finer grid", speed)
 
 
