@@ -63,7 +63,7 @@ def test_a_universal_robot_of_no_type_is_refused_by_the_file_that_is_missing():
 
 def test_words_stay_when_lengths_change():
     robot = load_robot(UR, parameters={"ur_type": "ur10e", "tf_prefix": "left_", "safety_limits": True})
-    other = robot.variant({"safety_pos_margin": 0.25})
+    other = robot.with_parameters({"safety_pos_margin": 0.25})
     assert other.joint_names == robot.joint_names
     assert robot.upper - other.upper == pytest.approx([0.1] * 3)
     assert dict(other.parameters) == {"safety_pos_margin": 0.25}
@@ -140,7 +140,7 @@ def test_relative_packages_stay_where_they_were(monkeypatch, tmp_path):
     monkeypatch.chdir(SRC.parent)
     robot = load_robot(Path("src") / UR.relative_to(SRC), parameters={"ur_type": "ur5e"}, packages=["src"])
     monkeypatch.chdir(tmp_path)
-    assert robot.variant({"safety_pos_margin": 0.1}).nq == 3
+    assert robot.with_parameters({"safety_pos_margin": 0.1}).nq == 3
 
 
 def test_a_count_that_is_given_as_a_word_is_no_length():

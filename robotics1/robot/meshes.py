@@ -18,9 +18,10 @@ from collections.abc import Iterable
 from pathlib import Path
 from urllib.parse import unquote
 
-PACKAGE, FILE = "package://", "file://"
+from robotics1.robot.packages import MANIFEST, PACKAGE, Packages, absolute, exists
+
+FILE = "file://"
 SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:(?!\\)")  # of two letters or more: C: is a drive
-MANIFEST = "package.xml"
 PARTS_OF_A_PACKAGE = ("urdf", "xacro", "robot", "robots", "model", "models", "description", "descriptions")
 MESH_FOLDERS = ("meshes", "mesh")
 
@@ -30,14 +31,14 @@ def find_meshes(root: ET.Element, path: Path, packages: Iterable[Path], *, trust
 
     `trusted` allows every file of this computer.
     """
-    folders = list(packages)
+    known = Packages(path, packages)
     places: dict[str, Path | str] = {}
     for link in root.findall("link"):
         for shape in [*link.findall("visual"), *link.findall("collision")]:
             for mesh in shape.iter("mesh"):
                 name = mesh.get("filename", "")
                 if name not in places:
-                    places[name] = _place(name, path, folders, trusted=trusted)
+                    places[name] = _place(name, known, trusted=trusted)
                 if isinstance(places[name], str):
                     link.remove(shape)
                     break
@@ -45,47 +46,25 @@ def find_meshes(root: ET.Element, path: Path, packages: Iterable[Path], *, trust
     return [place for place in places.values() if isinstance(place, str)]
 
 
-def find_file(name: str, path: Path, packages: Iterable[Path], *, trusted: bool = False) -> Path | None:
-    """Return the file of a name such as a mesh has, or None where there is none or it may not be named.
+def _place(name: str, known: Packages, *, trusted: bool) -> Path | str:
+    """Return the file of a name, or the sentence that says why there is none.
 
-    `package://pkg/rest` is looked for in the given folders and in those above the robot's file, where a folder is
-    the package itself or holds it; any other name is relative to the robot's file.
+    `package://pkg/rest` is looked for in the packages; any other name is relative to the robot's file.
     """
-    place = _place(name, path, list(packages), trusted=trusted)
-    return place if isinstance(place, Path) else None
-
-
-def find_package(package: str, path: Path, packages: Iterable[Path], holding: str = "") -> Path | None:
-    """Return the folder of a package that holds a file or folder, or None.
-
-    The root of the file system, what lies directly in it, and the user's home are no packages, and hold none.
-    """
-    if package in ("", ".", "..") or Path(package).name != package:
-        return None
-    given = list(packages)
-    for folder in [*given, *(folder for folder in _absolute(path).parents if not _is_everything(folder))]:
-        for candidate in (folder / package, folder):
-            if candidate.name == package and _exists(candidate / holding):
-                return candidate
-    return None
-
-
-def _place(name: str, path: Path, packages: list[Path], *, trusted: bool) -> Path | str:
-    """Return the file of a name, or the sentence that says why there is none."""
-    allowed = [] if trusted else _allowed_folders(path, packages)
+    allowed = [] if trusted else _allowed_folders(known)
     if name.startswith(PACKAGE):
         package, _, rest = name.removeprefix(PACKAGE).partition("/")
-        folder = find_package(package, path, packages, holding=rest)
+        folder = known.find(package, holding=rest)
         file = None if folder is None else folder / rest
-        allowed += [] if folder is None else [_absolute(folder)]
+        allowed += [] if folder is None else [absolute(folder)]
     elif SCHEME.match(name) and not name.startswith(FILE):
         return f"mesh {name!r} was left out: only files, and {PACKAGE} of this computer, are read"
     else:
-        file = path.parent / (unquote(name.removeprefix(FILE)) if name.startswith(FILE) else name)
-    if file is None or not _exists(file, as_file=True):
+        file = known.path.parent / (unquote(name.removeprefix(FILE)) if name.startswith(FILE) else name)
+    if file is None or not exists(file, as_file=True):
         return f"mesh {name!r} was not found"
-    file = _absolute(file)
-    if not (trusted or any(map(file.is_relative_to, allowed)) or _in_known_package(file, path, packages)):
+    file = absolute(file)
+    if not (trusted or any(map(file.is_relative_to, allowed)) or _in_known_package(file, known)):
         return (
             f"mesh {name!r} was left out: it lies outside the folder of the robot's file and its package; "
             f"give its folder as packages=[...], or load the file with trusted=True"
@@ -93,42 +72,30 @@ def _place(name: str, path: Path, packages: list[Path], *, trusted: bool) -> Pat
     return file
 
 
-def _allowed_folders(path: Path, packages: list[Path]) -> list[Path]:
+def _allowed_folders(known: Packages) -> list[Path]:
     """Return the folders in which a file may name others; where it is a link, also those of what it leads to."""
-    folders = [_absolute(package) for package in packages]
-    for file in {path.absolute(), _absolute(path)}:
-        own, above = _absolute(file.parent), list(_absolute(file.parent).parents)
+    path, folders = known.path, [*known.folders]
+    for file in {path.absolute(), absolute(path)}:
+        own, above = absolute(file.parent), list(absolute(file.parent).parents)
         folders.append(own)
-        manifest = next((folder for folder in (own, *above) if _exists(folder / MANIFEST)), None)
+        manifest = next((folder for folder in (own, *above) if exists(folder / MANIFEST)), None)
         if manifest is not None:
             folders.append(manifest)
         elif own.name in PARTS_OF_A_PACKAGE:
             folders.append(own.parent)
         folders += [folder / name for folder in above[:2] for name in MESH_FOLDERS]
-    return [folder for folder in folders if not _is_everything(folder) or folder in (path.absolute().parent, *packages)]
+    return [
+        folder for folder in folders if not _is_everything(folder) or folder in (path.absolute().parent, *known.folders)
+    ]
 
 
-def _in_known_package(file: Path, path: Path, packages: list[Path]) -> bool:
+def _in_known_package(file: Path, known: Packages) -> bool:
     """Whether a file lies in a package that `package://` finds, as the paths do that xacro makes of $(find pkg)."""
-    manifest = next((folder for folder in file.parents if _exists(folder / MANIFEST)), None)
-    found = None if manifest is None else find_package(manifest.name, path, packages)
-    return found is not None and _absolute(found) == manifest
+    manifest = next((folder for folder in file.parents if exists(folder / MANIFEST)), None)
+    found = None if manifest is None else known.find(manifest.name)
+    return found is not None and absolute(found) == manifest
 
 
 def _is_everything(folder: Path) -> bool:
     """Whether a folder holds more than a package: the root, what lies directly in it, the user's home."""
     return len(folder.parts) <= 2 or Path("~").expanduser().is_relative_to(folder)
-
-
-def _absolute(path: Path) -> Path:
-    try:
-        return path.resolve()
-    except (OSError, RuntimeError, ValueError):  # RuntimeError: links in a circle
-        return path.absolute()
-
-
-def _exists(path: Path, *, as_file: bool = False) -> bool:
-    try:
-        return path.is_file() if as_file else path.exists()
-    except (OSError, ValueError):  # a name that is too long, or a folder that may not be read
-        return False

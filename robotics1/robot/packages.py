@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path
 
+PACKAGE = "package://"
 MANIFEST = "package.xml"
 NAME = re.compile(r"[A-Za-z][\w-]*")
 LONGEST = 100_000  # characters of a package.xml, in which its name stands near the beginning
@@ -12,36 +13,48 @@ DEEPEST = 3  # folders below a given one, in which a package is
 NEAR = 3  # folders above the file, in which a package may lack its package.xml
 
 
-def find_package(package: str, path: Path, packages: Iterable[Path], holding: str = "") -> Path | None:
-    """Return the folder of a package that holds a file or folder, or None.
+class Packages:
+    """The packages that a robot's file may name.
 
-    A package is in one of the given folders, or is that folder; else it is a folder above the robot's file, or lies
-    beside one. It has the package's name as its own, or in its package.xml. Around the file it must have a
-    package.xml, unless it is near and not in a home or a system's folder: whoever wrote the file chose the name.
+    Args:
+        path: the robot's file.
+        folders: the folders that the caller gives.
     """
-    if not NAME.fullmatch(package):
-        return None
-    given = [folder.resolve() for folder in packages]
-    for folder in given:
-        for candidate in chain((folder / package, folder), _inside(folder)):
-            if _is_it(candidate, package) and (candidate / holding).exists():
-                return candidate
-    for height, folder in enumerate(path.resolve().parents):
-        for candidate in (folder / package, folder):
+
+    def __init__(self, path: Path, folders: Iterable[Path]):
+        self.path = path
+        self.folders = [absolute(folder) for folder in folders]
+        self._inside: dict[Path, list[Path]] = {}
+
+    def find(self, package: str, holding: str = "") -> Path | None:
+        """Return the folder of a package that holds a file or folder, or None.
+
+        A package is in one of the given folders, or is that folder; else it is a folder above the robot's file, or
+        lies beside one. It has the package's name as its own, or in its package.xml. Around the file it must have a
+        package.xml, unless it is near and not in a home or a system's folder: whoever wrote the file chose the name.
+        """
+        if not NAME.fullmatch(package):
+            return None
+        candidates = chain(self._given(package), self._around(package))
+        return next((c for c in candidates if _is_it(c, package) and exists(c / holding)), None)
+
+    def _given(self, package: str) -> Iterator[Path]:
+        for folder in self.folders:
+            yield from (folder / package, folder)
+            if folder not in self._inside:
+                self._inside[folder] = list(_inside(folder))
+            yield from self._inside[folder]
+
+    def _around(self, package: str) -> Iterator[Path]:
+        for height, folder in enumerate(absolute(self.path).parents):
             near = height < NEAR and not _is_private(folder)
-            if (
-                (near or (candidate / MANIFEST).is_file())
-                and _is_it(candidate, package)
-                and (candidate / holding).exists()
-            ):
-                return candidate
-    return None
+            yield from (c for c in (folder / package, folder) if near or exists(c / MANIFEST))
 
 
 def own_package(path: Path) -> Path | None:
     """Return the folder of the package in which a file is, or None: the nearest one above it with a package.xml."""
-    for folder in path.resolve().parents:
-        if (folder / MANIFEST).is_file() and not _is_private(folder):
+    for folder in absolute(path).parents:
+        if exists(folder / MANIFEST) and not _is_private(folder):
             return folder
     return None
 
@@ -65,6 +78,22 @@ def _name(folder: Path) -> str | None:
     except OSError:
         return None
     return found and found[1]
+
+
+def absolute(path: Path) -> Path:
+    """Return a path with all links followed, where they do not go in a circle."""
+    try:
+        return path.resolve()
+    except (OSError, RuntimeError, ValueError):
+        return path.absolute()
+
+
+def exists(path: Path, *, as_file: bool = False) -> bool:
+    """Return whether there is such a file or folder; a name that is too long, or hidden from us, is none."""
+    try:
+        return path.is_file() if as_file else path.exists()
+    except (OSError, ValueError):
+        return False
 
 
 def _is_private(folder: Path) -> bool:

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from robotics1.caching import cached_property
+from robotics1.robot.encoding import decoded
 from robotics1.robot.markup import LARGEST_FILE
-from robotics1.robot.meshes import PACKAGE
-from robotics1.robot.packages import find_package, own_package
+from robotics1.robot.packages import PACKAGE, Packages, own_package
 from robotics1.robot.xacro.budget import Budget, Refused
 from robotics1.robot.xacro.yaml_values import yaml_values
 
@@ -29,7 +29,7 @@ class Files:
 
     def __init__(self, path: Path, packages: Iterable[Path], trusted: bool, budget: Budget):
         self._path = path
-        self._packages = [folder.resolve() for folder in packages]
+        self._packages = Packages(path, packages)
         self._trusted = trusted
         self._budget = budget
         self._found: dict[str, Path] = {}
@@ -38,7 +38,7 @@ class Files:
     def _folders(self) -> list[Path]:
         own = own_package(self._path)
         beside = (self._path.parent.resolve(), self._path.resolve().parent)  # of a link, and of what it leads to
-        return [*beside, *([] if own is None else [own]), *self._packages]
+        return [*beside, *([] if own is None else [own]), *self._packages.folders]
 
     def need_trust(self, what: str) -> None:
         """Raise if the file is not trusted.
@@ -56,7 +56,7 @@ class Files:
             Refused: it is in none of the folders.
         """
         if package not in self._found:
-            folder = find_package(package, self._path, self._packages)
+            folder = self._packages.find(package)
             if folder is None:
                 raise Refused(
                     f"package {package!r} is in none of the folders given as packages, nor around the file; "
@@ -93,7 +93,7 @@ class Files:
         if not file.is_file():
             raise Refused(f"{name!r} is no file, but a folder or a device")
         self._budget.spend("characters", file.stat().st_size)
-        return file.read_text(encoding="utf-8", errors="replace")[:LARGEST_FILE]
+        return decoded(file.read_bytes(), file)[:LARGEST_FILE]
 
     def yaml(self, name: str, beside: Path, evaluate: Any) -> Any:
         """Return what a YAML file holds.
