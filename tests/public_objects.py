@@ -200,11 +200,15 @@ INSTANCES = {
     "PoseTask": lambda: [r1.PoseTask(), r1.PoseTask("XYZ", frame="tool")],
     "PositionTask": lambda: [r1.PositionTask(), r1.PositionTask("xz", frame="tool", reference="tool")],
     "ProfileLaw": lambda: [laws()[0].laws[0], r1.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0)],
+    "RankStatus": lambda: list(r1.RankStatus),
     "RateVerdict": lambda: list(r1.RateVerdict),
     "RefinedGroup": lambda: list(scan().refined.groups),
     "Refinement": lambda: [scan().refined],
     "Rendezvous": lambda: [meeting()],
     "Resolution": lambda: [r1.Resolution(), r1.Resolution(weights=[1, 2], damping=0.1)],
+    "RoundedConfiguration": lambda: [
+        r1.singularity_within_rounding(arm("planar_2r"), PLANE, q) for q in ([0.3, 3.1416], [0.3, 1.25])
+    ],
     "Robot": lambda: list(robots().values()),
     "SingularAngle": lambda: list(r1.euler_formulas("ZYZ").singular),
     "SingularBranch": lambda: [branch for found in singular_sets() for branch in found.branches],

@@ -5,14 +5,18 @@ from math import pi
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import robotics1 as r1
 
 LENGTHS = st.sampled_from([0.0, 0.3, -0.4]) | st.floats(-1, 1).map(lambda x: round(x, 3) + 0.0)
-TURNS = st.sampled_from([0.0, pi / 2, -pi / 2, pi, pi / 4, -3 * pi / 4, pi / 6]) | st.floats(-3.1, 3.1)
-RIGHT = st.sampled_from([0.0, pi / 2, -pi / 2, pi / 4, -pi / 3]) | st.floats(-1.5, 1.5)  # |θ| ≤ π/2
+TURNS = st.sampled_from([0.0, pi / 2, -pi / 2, pi, pi / 4, -3 * pi / 4, pi / 6]) | st.floats(-3.1, 3.1).map(
+    lambda x: round(x, 3)
+)
+RIGHT = st.sampled_from([0.0, pi / 2, -pi / 2, pi / 4, -pi / 3]) | st.floats(-1.5, 1.5).map(
+    lambda x: round(x, 3)
+)  # |θ| ≤ π/2
 KIND = st.sampled_from("RP")
 CONVENTIONS = st.sampled_from(["standard", "modified"])
 ROW = st.tuples(KIND, LENGTHS, TURNS, LENGTHS, TURNS)
@@ -40,6 +44,7 @@ def matrix(T):
 @given(st.lists(CANONICAL, max_size=5), ROW, CONVENTIONS, PLACEMENTS)
 @settings(max_examples=60)
 def test_rows_come_back_as_they_were_where_theta_is_at_most_a_right_angle_before_the_last(rows, last, convention, tool):
+    assume(tool is None or abs(tool.rotation[0, 0] - 1) > 1e-6)  # a screw along x belongs to the last row
     rows = [*rows, last]
     table = table_of(rows, convention=convention, tool_placement=tool)
     same_rows(table.rows, rows)

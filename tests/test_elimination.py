@@ -8,7 +8,7 @@ from test_locus import BOX, loci
 
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.singular_sets.configurations import Configurations
-from robotics1.symbolic.singular_sets.elimination import echelon_form, without_divisor
+from robotics1.symbolic.singular_sets.elimination import echelon_form, in_whole_angles, primitive_row
 from robotics1.symbolic.singular_sets.locus import Locus
 
 PLANAR = [
@@ -117,7 +117,7 @@ def test_on_the_shoulder_only_the_first_joint_does_not_move_the_anthropomorphic_
     ids=str,
 )
 def test_a_vector_without_its_divisor_is_parallel_to_it_and_shorter(vector, bare):
-    found = without_divisor([poly(entry) for entry in vector])
+    found = in_whole_angles(F, primitive_row([poly(entry) for entry in vector], Locus(F)))
     wanted = [poly(entry) for entry in bare]
     ratios = [f.terms[max(f.terms)] for f in (found[0], wanted[0])]
     assert all(equal(f * F.constant(ratios[1]), g * F.constant(ratios[0])) for f, g in zip(found, wanted, strict=True))

@@ -122,10 +122,9 @@ def test_lengths_that_would_be_spelled_alike_stay_apart():
     assert function([0.0], a_b=4.0) == 423.0
 
 
-@pytest.mark.parametrize("name", ["q1", "qdot1"])
-def test_a_length_named_like_a_joint_is_refused_by_name(name, tmp_path):
-    robot = r1.load_robot(one_joint_file(tmp_path, name, name))
-    with pytest.raises(r1.FormulaError, match=f"parameter '{name}', which in formulas is a joint"):
+def test_a_length_named_like_a_joint_is_refused_by_name(tmp_path):
+    robot = r1.load_robot(one_joint_file(tmp_path, "q1", "q1"))
+    with pytest.raises(r1.FormulaError, match="parameter 'q1', which in formulas is a joint"):
         r1.formulas(robot, XY)
 
 

@@ -318,7 +318,7 @@ MISUSE = [
     (lambda: r1.PathTrajectory(PATHS["line"], law_to(4, start=-0.5)), "it goes from -0.5 to 4"),
     (lambda: r1.PathTrajectory(PATHS["line"], r1.cubic([0], [4.9], 1.0, v1=-9.0).joint(0)), "stay on the path"),
     (lambda: r1.PathTrajectory(3, law_to(1)), "path must be a path"),
-    (lambda: r1.PathTrajectory(PATHS["line"], lambda t: t), "law must be a timing law"),
+    (lambda: r1.PathTrajectory(PATHS["line"], lambda t: t), "law must be a motion"),
     (lambda: MOTIONS["line"](2.1), r"t must be in \[0, 2\]"),
     (lambda: MOTIONS["line"].velocity(-0.1), r"t must be in \[0, 2\]"),
     (lambda: MOTIONS["line"].velocity(np.nan), "t must be finite"),

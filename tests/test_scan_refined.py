@@ -229,11 +229,14 @@ def test_joints_of_several_degrees_of_freedom_are_refused(kind, tmp_path):
         scan_singularities(load_robot(path), POSE, samples=10)
 
 
-def test_a_robot_without_joints_and_a_task_that_nothing_moves_are_refused(tmp_path):
+def test_a_robot_without_joints_has_one_configuration_and_full_rank_there(tmp_path):
     path = tmp_path / "arm.urdf"
     path.write_text(KINDS["fixed"][0], encoding="utf-8")
-    with pytest.raises(TaskError, match="no joint moves the task at all"):
-        scan_singularities(load_robot(path), POSE, samples=10)
+    scan = scan_singularities(load_robot(path), POSE, samples=10)
+    assert (scan.count, scan.rank, scan.worst.shape) == (1, 0, (1, 0))
+
+
+def test_a_task_that_nothing_moves_is_refused():
     with pytest.raises(TaskError, match="no joint moves the task at all"):
         scan_singularities(arm("planar_2r"), PositionTask("z"), samples=10)
 

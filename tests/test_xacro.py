@@ -320,9 +320,10 @@ date: 2001-02-03
     ],
 )
 def test_a_yaml_file_of_the_robots_folder_is_read_without_trust(load, expression, value):
-    tail = f'<gazebo value="${{{expression}}}"/>'
+    ends = f'<parent link="tool"/><child link="${{{expression}}}"/>'
+    tail = f'<link name="${{{expression}}}"/><joint name="j" type="fixed">{ends}</joint>'
     robot = load(files={"robots/far.yaml": YAML}, name="robots/arm.xacro", tail=tail)
-    assert f'value="{value}"' in robot.urdf
+    assert str(value) in robot.frame_names
 
 
 @pytest.mark.parametrize(

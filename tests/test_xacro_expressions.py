@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from robotics1 import RobotFileError, load_robot
 
 ARM = """<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">{head}
-<link name="base"/><gazebo value="{value}"/></robot>"""
+<link name="base"/><link name="tip"/>
+<joint name="[{value}]" type="fixed"><parent link="base"/><child link="tip"/></joint></robot>"""
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +23,7 @@ def written(tmp_path_factory):
         escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
         path.write_text(ARM.format(head=head, value=escaped), encoding="utf-8")
         urdf = load_robot(path, parameters=parameters).urdf
-        found = urdf.partition('<gazebo value="')[2].partition('"')[0]
+        found = urdf.partition('<joint name="[')[2].partition(']" type="')[0]
         return found.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
 
     return value

@@ -110,7 +110,7 @@ def iterate_ik(
         damping: λ of "damped", 0.1 by default.
 
     Raises:
-        TaskError: "newton" on a task with m ≠ n rows, axes that move with the robot, or a robot without joints.
+        TaskError: "newton" on a task with m ≠ n rows, or axes that move with the robot.
         InputError: an argument has the wrong shape or value.
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.
@@ -154,8 +154,6 @@ def _step(
     one_of("method", method, METHODS)
     if robot.nq != robot.nv:
         raise TaskError(f"robot {robot.name!r} has joints with several degrees of freedom, so q + Δq is not defined")
-    if robot.nv == 0:
-        raise TaskError(f"nothing moves this task: robot {robot.name!r} has no joint")
     if method == "newton" and task.rows != robot.nv:
         raise TaskError(
             f"newton needs as many task rows as joints; here there are {task.rows} rows and {robot.nv} joints: "
