@@ -18,6 +18,12 @@ ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside t
 NOTHING_MOVES = "no joint moves the task at all: its Jacobian is zero everywhere"
 MOVES = 1e-12  # σ₁ of a Jacobian without units that is not rounding
 LONGEST_STEP = 0.5  # of one iteration, in the box's units
+INDEPENDENT = 1e-10  # of a singular value of the linearised block, beside its largest; differences are exact to 1e-13
+EXACT = 1e-9  # of a step, in the box's units: near a zero of order m, σ is 1e-15 already at 1e-15^(1/m)
+SHRINKS = (0.4, 0.9)  # ratios of two steps towards a zero of order 2 to 10, or nearly so
+STRAIGHT = 0.98  # cosine between these steps
+OF_ORDER_3 = 0.6  # a ratio that is larger: 2/3 and more
+ASIDE = 1e-3  # from which the steps towards such a zero are exact enough, in the box's units
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,20 +84,52 @@ class SingularPoints:
 
     def _projected(self, q: Array, iterations: int) -> Array | None:
         best, best_gap = q, np.inf
+        before, multiple = None, None
         for _ in range(iterations):
             check_time()
             gap = self.gap(q)
             if gap < best_gap:
                 best, best_gap = q, gap
-            if gap < 1e-15 or (best_gap < ON_THE_SET and gap > best_gap):
+            step = self._newton_step(q)
+            longest = float(np.abs(step).max())
+            if (gap < 1e-15 and longest < EXACT) or (best_gap < ON_THE_SET and gap > best_gap):
                 break  # exact, or at the level of rounding
-            A, b = self.linearised(q)
-            step = np.linalg.lstsq(A, -b, rcond=1e-7)[0]
-            step *= min(1.0, LONGEST_STEP / max(np.abs(step).max(), 1e-300))
-            q = self.box.nearest(q + self.box.unit * step)
-        return best if best_gap <= ON_THE_SET else None
+            step *= min(1.0, LONGEST_STEP / max(longest, 1e-300))
+            ahead = self.box.nearest(q + self.box.unit * step)
+            ratio = _shrinking(before, step)
+            before = step
+            if ratio is not None:
+                further = self.box.nearest(q + self.box.unit * step / (1 - ratio))
+                multiple = step if ratio > OF_ORDER_3 else multiple
+                if self.gap(further) < self.gap(ahead):
+                    ahead, before = further, None
+            q = ahead
+        if best_gap > ON_THE_SET:
+            return None
+        return best if multiple is None else self._polished(best, multiple)
 
-    def tangent(self, q: Array, rng: np.random.Generator, radius: float = 1e-4) -> Array:
+    def _newton_step(self, q: Array) -> Array:
+        A, b = self.linearised(q)
+        return np.asarray(np.linalg.lstsq(A, -b, rcond=INDEPENDENT)[0])
+
+    def _polished(self, q: Array, direction: Array) -> Array:
+        """Return a zero of order m ≥ 3 to about 1e-7, q being near it: there σ is rounding, so that the steps are
+        taken from a little aside, and followed to where they lead.
+        """
+        at = self.box.nearest(q - ASIDE * self.box.unit * direction / np.linalg.norm(direction))
+        before = None
+        for _ in range(3):
+            step = self._newton_step(at)
+            ratio = _shrinking(before, step)
+            if ratio is None:
+                at, before = self.box.nearest(at + self.box.unit * step), step
+            else:
+                found = self.box.nearest(at + self.box.unit * step / (1 - ratio))
+                near = np.abs(self.box.difference(found, q)).max() < 0.1 * ASIDE
+                return found if near and self.gap(found) <= ON_THE_SET else q
+        return q
+
+    def tangent(self, q: Array, rng: np.random.Generator, radius: float = 3e-3) -> Array:
         """Return an orthonormal basis (n, d) of the set's tangent space at q, in the box's units.
 
         Small random displacements, projected back on the set, stay in the tangent space up to radius².
@@ -118,6 +156,18 @@ class SingularPoints:
         dJ = configuration_derivative(self._in_time, self.robot, q) * self.box.unit
         A = np.einsum("ia,ijk,jb->abk", U2, dJ, V2).reshape(-1, self.robot.nv)
         return A, block.ravel()
+
+
+def _shrinking(before: Array | None, step: Array) -> float | None:
+    """Return the ratio of two steps that shrink as they do towards a zero of order m ≥ 2, by 1 − 1/m each time: the
+    zero is then at step / (1 − ratio). None of other steps.
+    """
+    size = float(np.linalg.norm(step))
+    if before is None or size == 0:
+        return None
+    last = float(np.linalg.norm(before))
+    straight = float(step @ before) >= STRAIGHT * size * last
+    return size / last if straight and SHRINKS[0] <= size / last <= SHRINKS[1] else None
 
 
 def singular_points(robot: Robot, task: Task, box: JointBox, rng: np.random.Generator) -> SingularPoints:

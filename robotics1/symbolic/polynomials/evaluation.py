@@ -1,6 +1,6 @@
 """Numbers from trigonometric polynomials."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +12,10 @@ from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent
 from robotics1.symbolic.polynomials.scaled import in_doubles, scaled
+
+
+VANISHES = 1e-12  # of a polynomial, beside its largest coefficient
+MOST_MULTIPLE = 4  # order of a zero that is found to rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +96,11 @@ class Evaluated:
         return np.asarray(slopes)
 
     def zeros_in(self, i: int, q: Array) -> list[float]:
-        """Return the values of joint i at which f vanishes, the other joints being as in q; double zeros too."""
+        """Return the values of joint i at which f vanishes, the other joints being as in q; multiple zeros too.
+
+        A zero of order m is a simple one of the (m − 1)-th derivative, and is found there to rounding; rounding of the
+        coefficients leaves m values of f itself around it, or none.
+        """
         amplitudes, multiples, powers = self._table
         at = q.copy()
         at[i] = 0.0
@@ -105,19 +113,14 @@ class Evaluated:
         np.add.at(c, (degrees - lowest).astype(int), weights)
         if np.abs(c).max(initial=0.0) <= 1e-13 * max(self.size, 1e-300):
             return []
-        roots = np.concatenate([np.roots(p[::-1]) for p in (c, np.polynomial.polynomial.polyder(c)) if len(p) > 1])
-        if turns:
-            angles = [float(np.angle(z)) / self.unit for z in roots if abs(abs(z) - 1) < 1e-6]
-            values = [float(np.angle(np.exp(1j * angle))) for angle in angles]  # up to whole turns
-        else:
-            values = [float(z.real) for z in roots if abs(z.imag) < 1e-6 * max(1.0, abs(z))]
-        found: list[float] = []
-        for x in values:
-            at[i] = x
-            apart = [abs(np.exp(1j * x) - np.exp(1j * y)) if turns else abs(x - y) for y in found]
-            if abs(self(at)) <= 1e-12 * np.abs(c).max() and min(apart, default=1.0) > 1e-6:
-                found.append(x)
-        return found
+        found: list[tuple[float, float]] = []
+        for value, within in _candidates(c, turns, self.unit):
+            at[i] = value
+            apart = [abs(np.exp(1j * value) - np.exp(1j * y)) if turns else abs(value - y) for y, _ in found]
+            known = any(gap <= max(reach, within) for gap, (_, reach) in zip(apart, found, strict=True))
+            if abs(self(at)) <= VANISHES * np.abs(c).max() and not known:
+                found.append((value, within))
+        return [value for value, _ in found]
 
     def _waves(self, q: Array) -> Array:
         amplitudes, multiples, powers = self._table
@@ -125,6 +128,19 @@ class Evaluated:
             return np.zeros(1)
         waves = amplitudes * np.exp(1j * multiples @ q)
         return np.asarray(waves * np.prod(q**powers, axis=1) if powers.any() else waves)
+
+
+def _candidates(c: Array, turns: bool, unit: float) -> Iterator[tuple[float, float]]:
+    """Yield where a polynomial or one of its derivatives vanishes, the highest first: the value of the joint, and how
+    far from it the polynomial itself is zero to rounding.
+    """
+    for order in range(min(MOST_MULTIPLE, len(c) - 1), 0, -1):
+        within = max(VANISHES ** (1 / order), 1e-6)
+        for z in np.roots(np.polynomial.polynomial.polyder(c, order - 1)[::-1]):
+            if turns and abs(abs(z) - 1) < 1e-6:
+                yield float(np.angle(np.exp(1j * float(np.angle(z)) / unit))), within  # up to whole turns
+            elif not turns and abs(z.imag) < 1e-6 * max(1.0, abs(z)):
+                yield float(z.real), within
 
 
 def evaluated_part(part: Part, parameters: Mapping[sympy.Symbol, float]) -> Evaluated:
