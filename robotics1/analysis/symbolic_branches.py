@@ -20,8 +20,9 @@ from robotics1.symbolic.kinematics.convenient_axes import Convenient
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 from robotics1.symbolic.singular_sets.configurations import Configurations
+from robotics1.symbolic.singular_sets.degenerate import POINTS
 from robotics1.symbolic.singular_sets.locus import Locus
-from robotics1.symbolic.singular_sets.singular_loci import POINTS, largest_pieces, singular_loci
+from robotics1.symbolic.singular_sets.singular_loci import largest_pieces, singular_loci
 from robotics1.symbolic.singular_sets.solving import CaseDistinction
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.symbolic.tasks.reading import Reading

@@ -13,7 +13,6 @@ from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent
 from robotics1.symbolic.polynomials.scaled import in_doubles, scaled
 
-
 VANISHES = 1e-12  # of a polynomial, beside its largest coefficient
 MOST_MULTIPLE = 4  # order of a zero that is found to rounding
 
@@ -70,6 +69,12 @@ class Evaluated:
     def __call__(self, q: Array) -> float:
         """Return f(q)."""
         return float(np.sum(self._waves(q)).real)
+
+    def at_many(self, q: Array) -> Array:
+        """Return f at each row of q (k, n), (k,)."""
+        amplitudes, multiples, powers = self._table
+        waves = np.exp(1j * q @ multiples.T) * np.prod(q[:, None, :] ** powers, axis=2)
+        return np.asarray((waves @ amplitudes).real)
 
     @property
     def amplitudes(self) -> Array:

@@ -7,7 +7,7 @@ f = Σₖ cₖ exp(i k·φ),  k ∈ ℤⁿ,
 with coefficients cₖ that are polynomials in the lengths over ℚ(i). The form is unique, so f = 0 is seen at once.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -134,6 +134,22 @@ class Laurent:
         places = _root_places(self.frequencies.ring)
         return any(m[place] for c in self.terms.values() for m in c.itermonoms() for place in places)
 
+    @property
+    def largest(self) -> float:
+        """The largest modulus of a number in a coefficient."""
+        return max((abs(x) for c in self.terms.values() for x in _in_numbers(c).values()), default=0.0)
+
+    def without_rounding(self, least: float) -> "Laurent":
+        """Return f without the coefficients whose modulus is at most `least`, √2 and √3 being numbers."""
+        terms = {}
+        places = _root_places(self.frequencies.ring)
+        for k, c in self.terms.items():
+            small = {m for m, x in _in_numbers(c).items() if abs(x) <= least}
+            kept = {m: a for m, a in c.terms() if _without_roots(m, places) not in small}
+            if kept:
+                terms[k] = self.frequencies.ring.from_dict(kept)
+        return Laurent(self.frequencies, terms)
+
     def derivative(self, symbol: sympy.Symbol) -> "Laurent":
         """Return ∂f/∂symbol, for an angle or a generator of the ring."""
         if symbol in self.frequencies.angles:
@@ -156,6 +172,23 @@ def _laurent(F: Frequencies, numbers: dict[Exponents, dict[Exponents, tuple[int,
         return QQ_I(QQ(a, b), QQ(c, d))
 
     return Laurent(F, {k: F.ring.from_dict({m: element(*n) for m, n in c.items()}) for k, c in numbers.items()})
+
+
+def _in_numbers(c: PolyElement) -> dict[Exponents, complex]:
+    """Return the coefficients of a polynomial in the lengths, √2 and √3 being numbers."""
+    places = _root_places(c.ring)
+    found: dict[Exponents, complex] = {}
+    for m, a in c.terms():
+        x = complex(float(a.x), float(a.y))
+        for place in places:
+            x *= ROOTS[str(c.ring.symbols[place])] ** (m[place] / 2)
+        key = _without_roots(m, places)
+        found[key] = found.get(key, 0.0) + x
+    return found
+
+
+def _without_roots(m: Exponents, places: Collection[int]) -> Exponents:
+    return tuple(0 if i in places else e for i, e in enumerate(m))
 
 
 def _integers(a: Any) -> tuple[int, int, int, int]:

@@ -66,7 +66,8 @@ class Configurations:
         Raises:
             OutOfTime: the time of a limit that is kept is over.
         """
-        for start in box.random(rng, TRIES if len(self._implicit) < 2 else TRIES // 5):
+        rare = len(self._implicit) > 1 or self._found.get((*box.lower, *box.upper))
+        for start in box.random(rng, TRIES // 5 if rare else TRIES):
             check_time()
             solved = self._solved(self._with_pinned(start), rng)
             inside = None if solved is None else into(box, self._angles, self._completed(solved))
@@ -169,11 +170,11 @@ class Configurations:
             q[i] = _angle(f.complex(q)) if is_angle else f(q)
         return q
 
-    def contains(self, q: Array) -> bool:
-        """Return whether q is on the locus."""
+    def contains(self, q: Array, tolerance: float = HOLDS) -> bool:
+        """Return whether q is on the locus: its equations hold to the tolerance, beside the sum of their terms."""
         equations = [Evaluated(equation, self.parameters) for equation in self.locus.equations]
         pinned = all(abs(np.exp(1j * (q[i] - value)) - 1) < 1e-6 for i, value in self.pinned.items())
-        return pinned and all(abs(f(q)) <= HOLDS * f.size for f in equations)
+        return pinned and all(abs(f(q)) <= tolerance * f.size for f in equations)
 
     @property
     def constant(self) -> tuple[int, ...]:
@@ -189,6 +190,24 @@ class Configurations:
         gradients = np.array([g.gradient(q)[moving] / max(g.size, 1e-300) for g in self._implicit])
         tied = int(np.linalg.matrix_rank(gradients, tol=1e-9)) if len(gradients) else 0
         return len(moving) - tied
+
+    @property
+    def is_regular(self) -> bool:
+        """Whether no equation ties two joints together."""
+        return all(len(part.symbols & set(self.locus.frequencies.q)) < 2 for part in self.locus.implicit)
+
+    def is_degenerate(self, q: Array, small: float) -> bool:
+        """Return whether the gradients of the implicit equations at q are dependent, to `small`."""
+        gradients = np.array([g.gradient(q) / g.size for g in self._implicit if g.size])
+        if len(gradients) > gradients.shape[1]:
+            return True
+        return bool(np.linalg.svd(gradients, compute_uv=False)[-1] <= small)
+
+    def near(self, box: JointBox, start: Array) -> Array | None:
+        """Return the configuration in the box that Newton's method or least squares lead to, or None."""
+        q = self._newton(start.copy()) if len(self._implicit) > 1 else None
+        inside = None if q is None else into(box, self._angles, self._completed(q))
+        return self._nearest(box, start) if inside is None else inside
 
     def _solved(self, q: Array, rng: np.random.Generator) -> Array | None:
         """Return q with the implicit equations solved, for one joint or by Newton's method."""

@@ -9,6 +9,8 @@ from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.singular_sets.zeros import Zero
 
+ROUNDING = 1e-14  # of a coefficient, beside the largest
+
 
 @dataclass(frozen=True, eq=False)
 class Locus:
@@ -18,11 +20,14 @@ class Locus:
         frequencies: of the polynomials.
         substitutions: joint = value; no value holds a joint that has been replaced.
         zeros: what was set to zero, one thing after the other; the implicit equations with the joints replaced.
+        in_numbers: whether joints were given values that were found in numbers, so that what is rounding beside the
+            largest coefficient is zero.
     """
 
     frequencies: Frequencies
     substitutions: tuple[Substitution, ...] = ()
     zeros: tuple[Zero, ...] = ()
+    in_numbers: bool = False
 
     @cached_property
     def implicit(self) -> tuple[Part, ...]:
@@ -45,8 +50,11 @@ class Locus:
 
         On an irreducible hypersurface a polynomial vanishes only if it is a multiple of the hypersurface's own.
         """
+        largest = f.largest if self.in_numbers else 0.0
         for substitution in self.substitutions:
             f = substitution(f)
+        if self.in_numbers:
+            f = f.without_rounding(ROUNDING * largest)
         return self.frequencies.constant(0) if any(part.divides(f) for part in self.implicit) else f
 
     def where(self, zero: Zero) -> "tuple[Locus, list[Laurent]]":
@@ -61,6 +69,10 @@ class Locus:
         kept = tuple(old for old in self.zeros if old not in changed)
         reopened = [old.part.whole for old in changed if old.part is not None]
         return replace(self, substitutions=(*values, new), zeros=(*kept, zero)), reopened
+
+    def rounded(self) -> "Locus":
+        """Return the locus, on which coefficients that are rounding are zero."""
+        return replace(self, in_numbers=True)
 
     @cached_property
     def joints(self) -> tuple[int, ...]:

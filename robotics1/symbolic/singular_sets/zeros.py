@@ -94,7 +94,7 @@ def _values(part: Part, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
         return []
     f = part.in_angles
     if len(f.symbols) == 1 and f.angles:
-        return _values_of_one_angle(f)
+        return _values_of_oneangle_zero(f)
     return _value_of_length(part, parameters)
 
 
@@ -111,7 +111,7 @@ def _values_of_two_terms(half: Laurent) -> list[Zero]:
         return []
     others = F.exponential({F.angles[i]: -n // k[j] for i, n in enumerate(k) if i != j})
     turns = _turns(F.constant(c), m)
-    return [_angle(F.angles[j], (turn if k[j] > 0 else turn.conjugate) * others) for turn in turns]
+    return [angle_zero(F.angles[j], (turn if k[j] > 0 else turn.conjugate) * others) for turn in turns]
 
 
 def _turns(c: Laurent, m: int) -> list[Laurent]:
@@ -131,7 +131,7 @@ def _turns(c: Laurent, m: int) -> list[Laurent]:
     return found if len(found) == m else []
 
 
-def _values_of_one_angle(f: Laurent) -> list[Zero]:
+def _values_of_oneangle_zero(f: Laurent) -> list[Zero]:
     """Solve a polynomial in one joint's angle, without lengths, if all zeros are multiples of π/12."""
     F = f.frequencies
     (symbol,) = f.symbols
@@ -141,7 +141,7 @@ def _values_of_one_angle(f: Laurent) -> list[Zero]:
     turns = [exact_turn(value) for value in numbers]
     if any(k is None for k in turns):
         return []
-    found = [_angle(symbol, F.turn(k)) for k in turns if k is not None]
+    found = [angle_zero(symbol, F.turn(k)) for k in turns if k is not None]
     left = [zero.substitution(f) for zero in found if zero.substitution is not None]
     rounding = ROUNDED * Evaluated(f, {}).size
     return found if all(Evaluated(rest, {}).size <= rounding for rest in left) else []
@@ -171,7 +171,7 @@ def value_of_length(f: Laurent) -> Substitution | None:
     return None
 
 
-def _angle(symbol: sympy.Symbol, turn: Laurent) -> Zero:
+def angle_zero(symbol: sympy.Symbol, turn: Laurent) -> Zero:
     """Return the zero φ = α with exp(i α) = turn, as 2 − 2 cos(φ − α) = 0."""
     F = turn.frequencies
     difference = F.exponential({symbol: 1}) * turn.conjugate
