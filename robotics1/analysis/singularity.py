@@ -55,8 +55,9 @@ def find_singularities(
             limits.
         samples: the number of starts of the numeric method.
         seed: of the random numbers.
-        time_limit: of both methods together [s]: five sixths of it are the exact answer's, and what is left is the
-            numeric search's. What is asked of the answer later, such as `intersections`, has that time once more.
+        time_limit: of both methods together [s]: 85 % of it are the exact answer's, three quarters for its equations,
+            and what is left is the numeric search's. What is asked of the answer later, such as `intersections`, has
+            that time once more.
 
     Raises:
         InputError: an unlimited prismatic joint without a box, or a bad option.

@@ -51,7 +51,8 @@ def finer(
     if single:
         return [(found, at) for found, at in single if at]
     whole = [(piece, points)] if points else []
-    if depth == DEEPEST or piece.is_regular or not all(piece.is_degenerate(q, TOUCHES) for q in points):
+    seen = points or len(piece.locus.implicit) == 1  # with several, a search that finds nothing is believed
+    if not seen or depth == DEEPEST or piece.is_regular or not all(piece.is_degenerate(q, TOUCHES) for q in points):
         return whole
     smaller: list[Drawn] = []
     for locus in cases.common_zeros(_dependence(piece.locus), piece.locus):

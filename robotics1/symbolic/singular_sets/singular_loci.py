@@ -44,14 +44,16 @@ def largest_pieces(
     real = []
     complete = True
     try:
-        for piece in (piece for locus in loci for piece in with_single_values(locus, cases)):
+        pieces = [piece for locus in loci for piece in with_single_values(locus, cases)]
+        for piece in sorted(pieces, key=lambda piece: len(piece.locus.implicit)):
             cases.limit.check()
             if piece.key not in drawn:
                 drawn[piece.key] = points_of(piece, box, rng)
             points = drawn[piece.key]
-            found = finer(piece, points, cases, box, rng)
+            inside = points and any(all(map(other.contains, points)) for other, _ in real)
+            found = [] if inside else finer(piece, points, cases, box, rng)
             real += found
-            if not found and len(piece.locus.implicit) == 1:
+            if not points and not found and len(piece.locus.implicit) == 1:
                 cases.excluded.extend(zero for zero in piece.locus.zeros if zero.part is not None)
     except OutOfTime:
         complete = False
