@@ -10,7 +10,7 @@ from robotics1.symbolic.polynomials.determinants import minors_of_order
 from robotics1.symbolic.polynomials.laurent import Matrix
 from robotics1.symbolic.polynomials.time_limit import OutOfTime
 from robotics1.symbolic.singular_sets.configurations import Configurations
-from robotics1.symbolic.singular_sets.degenerate import finer, points_of, with_single_values
+from robotics1.symbolic.singular_sets.degenerate import Drawn, finer, points_of, with_single_values
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.solving import CaseDistinction
 
@@ -41,7 +41,7 @@ def largest_pieces(
     `known` keeps configurations of each piece, for calls that meet the same pieces in the same box again.
     """
     drawn = {} if known is None else known
-    real = []
+    real: list[Drawn] = []
     complete = True
     try:
         pieces = [piece for locus in loci for piece in with_single_values(locus, cases)]
