@@ -165,10 +165,6 @@ def check_numbers(arm, robot, rng):
     return wrong
 
 
-def has_formulas(arm):
-    return all(joint.multiplier.is_integer() for joint in arm.joints)
-
-
 def check_formulas(arm, robot, rng):
     found = r1.formulas(robot, r1.PositionTask())
     f = sympy.lambdify(found.q, found.value.row_join(found.jacobian), "numpy")
@@ -227,8 +223,7 @@ def refined(arm, rows, q, k, usual):
 def on_some(found, robot, q):
     """Whether a configuration is beside a branch: on it once its joints are moved there, by at most 1e-5."""
     around = [q, *(np.where(np.abs(q - grid) < 1e-5, grid, q) for grid in (np.pi / 4 * np.round(4 * q / np.pi),))]
-    turned_in = [np.where(robot.revolute, np.angle(np.exp(1j * x)), x) for x in around]
-    return any(branch.contains(x) for branch in found.branches for x in turned_in)
+    return any(branch.contains(x) for branch in found.branches for x in around)
 
 
 def check_ik(arm, robot, task, rng):
@@ -265,7 +260,7 @@ def errors_of(number, folder, *, seconds=1.5, sets=1, longest=6):
     robot = r1.load_robot(path)
     rng = np.random.default_rng([number, 13])
     found = check_numbers(arm, robot, rng)
-    if has_formulas(arm) and len(arm.joints) <= longest:
+    if len(arm.joints) <= longest:
         found |= check_formulas(arm, robot, rng)
     task = task_of(arm, rng)
     if len(arm.columns) <= 4 and number % sets == 0:

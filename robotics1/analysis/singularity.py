@@ -15,6 +15,7 @@ from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.tasks.task import Task
+from robotics1.tasks.turns import turns_of
 
 if TYPE_CHECKING:
     from robotics1.analysis.symbolic_branches import Found, SymbolicSearch
@@ -70,7 +71,8 @@ def find_singularities(
     seed = counting_number("seed", seed)
     limit = TimeLimit(real_number("time_limit", time_limit, positive=True))
     task.check(robot)
-    where = joint_box(robot, box, unlimited=None if method == "numeric" else 2.0)
+    turns = turns_of(robot, task)
+    where = joint_box(robot, box, unlimited=None if method == "numeric" else 2.0, turns=turns)
     if robot.nv == 0:
         return _without_joints(robot, task, method)
     if method == "numeric":
@@ -80,7 +82,7 @@ def find_singularities(
     except FormulaError as error:
         if method == "symbolic":
             raise
-        found = _numeric(robot, task, joint_box(robot, box), count, seed, limit)
+        found = _numeric(robot, task, joint_box(robot, box, turns=turns), count, seed, limit)
         return replace(found, note=f"There are no formulas: {error}.")
 
 

@@ -3,10 +3,13 @@
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from robotics1.analysis.spaces import echelon
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
+from robotics1.tasks.turns import turns_of
 
 if TYPE_CHECKING:
     from robotics1.analysis.singular_set import SingularBranch, SingularSet
@@ -31,7 +34,7 @@ def set_sentences(found: "SingularSet") -> str:
         never = "There is no singular configuration" if found.complete else "No singular configuration was found"
         none = f"{never}{' inside the joint limits' if found.outside else ''}."
         return "\n".join([*lines, none, *_almost_everywhere(found), *_besides(found)])
-    lines += _names(found)
+    lines += [*_names(found), *_turns(found)]
     if found.free_joints:
         verb = "matters" if len(found.free_joints) == 1 else "matter"
         free = _called(found.free_joints, found.robot, symbols=found.search is not None)
@@ -61,6 +64,26 @@ def _names(found: "SingularSet") -> list[str]:
     if found.search is None or list(names) == symbols:
         return []
     return [f"Here {', '.join(f'{q} is {name}' for q, name in zip(symbols, names, strict=True))}."]
+
+
+def _turns(found: "SingularSet") -> list[str]:
+    """Say how far the values of a joint without limits go, where others turn by fractions of its angle."""
+    robot, said = found.robot, []
+    for i, number in enumerate(turns_of(robot, found.task) if robot.nq == robot.nv else ()):
+        if number == 1 or np.isfinite([robot.lower[i], robot.upper[i]]).any():
+            continue
+        (name,) = _called([robot.joint_names[i]], robot, symbols=found.search is not None)
+        if np.isfinite(number):
+            said.append(
+                f"The joints that follow {name} are back after {number:g} turns of it: its values count modulo "
+                f"{joint_value(number * 2 * np.pi)}."
+            )
+        else:
+            said.append(
+                f"No number of turns of {name} brings the joints that follow it back: without a box, two turns "
+                "to both sides are searched."
+            )
+    return said
 
 
 def _symbols(names: Sequence[str]) -> list[str]:

@@ -13,7 +13,7 @@ from robotics1.analysis.singular_set import SingularBranch
 from robotics1.analysis.spaces import subspaces
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
-from robotics1.robot.box import JointBox
+from robotics1.robot.box import TURN, JointBox
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.cleaning import cleaned
 from robotics1.symbolic.kinematics.convenient_axes import Convenient
@@ -272,11 +272,13 @@ def symbolic_search(
     parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
     _verify_rows(rows, points, parameters, rng)
     far = 2 * robot.reach
+    turns = np.array(found.chain.turns, dtype=float)
     anywhere = JointBox(
-        lower=np.where(robot.revolute, -np.pi, np.minimum(-far, box.lower)),
-        upper=np.where(robot.revolute, np.pi, np.maximum(far, box.upper)),
+        lower=np.where(robot.revolute, -np.pi * turns, np.minimum(-far, box.lower)),
+        upper=np.where(robot.revolute, np.pi * turns, np.maximum(far, box.upper)),
         circular=robot.revolute,
         unit=box.unit,
+        period=TURN * turns,
     )
     return SymbolicSearch(points, rows, found.groups, CaseDistinction(parameters, limit), anywhere, found.cleaned)
 

@@ -15,11 +15,11 @@ TURN = 2 * np.pi
 
 @dataclass(frozen=True, eq=False)
 class JointBox:
-    """lower ≤ q ≤ upper; a revolute joint that can make a whole turn is a circle, told by the turn below upper.
+    """lower ≤ q ≤ upper; a revolute joint that can turn by a whole period is a circle, told by the one below upper.
 
     Attributes:
-        lower, upper: (n,) [rad or m]; of circles −π and π, or the turn next to it inside the limits.
-        circular: (n,) True where q and q + 2π are the same place.
+        lower, upper: (n,) [rad or m]; of circles −π and π, or half a period, or what is next to it inside the limits.
+        circular: (n,) True where q and q + period are the same place.
         unit: (n,) what counts as one in distances: 1 rad, or the arm's reach [m].
         period: (n,) what a circle is long [rad]: 2π, or as many turns as bring a follower back too.
     """
@@ -59,7 +59,11 @@ class JointBox:
 
 
 def joint_box(
-    robot: Robot, box: Mapping[str, tuple[float, float]] | None = None, *, unlimited: float | None = None
+    robot: Robot,
+    box: Mapping[str, tuple[float, float]] | None = None,
+    *,
+    unlimited: float | None = None,
+    turns: npt.ArrayLike = 1.0,
 ) -> JointBox:
     """Return the box of the robot's limits, narrowed by `box`: joint name → (lower, upper) [rad or m].
 
@@ -67,6 +71,8 @@ def joint_box(
         robot: an arm of revolute and prismatic joints.
         box: joint name → (lower, upper).
         unlimited: how far a prismatic joint without limits goes to both sides, in reaches; None refuses it.
+        turns: (n,) how many turns of a joint are a circle: more than one where a follower turns by a fraction of its
+            angle. A joint that no turns bring back, ∞, without limits, is searched for two turns to both sides.
 
     Raises:
         UnknownNameError: no such joint.
@@ -82,12 +88,16 @@ def joint_box(
     if unlimited is not None:
         lower = np.where(robot.revolute | np.isfinite(lower), lower, -unlimited * robot.reach)
         upper = np.where(robot.revolute | np.isfinite(upper), upper, unlimited * robot.reach)
-    circular = robot.revolute & (upper - lower >= TURN - 1e-9)
+    never = robot.revolute & ~np.isfinite(turns)
+    lower = np.where(never & ~np.isfinite(lower), np.minimum(-2 * TURN, upper - 4 * TURN), lower)
+    upper = np.where(never & ~np.isfinite(upper), np.maximum(2 * TURN, lower + 4 * TURN), upper)
+    period = TURN * np.where(robot.revolute & ~never, turns, 1.0)
+    circular = robot.revolute & ~never & (upper - lower >= period - 1e-9)
     turned = circular & ~given
-    lower[turned] = np.maximum(lower, np.minimum(-np.pi, upper - TURN))[turned]
-    upper[turned] = lower[turned] + TURN
+    lower[turned] = np.maximum(lower, np.minimum(-period / 2, upper - period))[turned]
+    upper[turned] = (lower + period)[turned]
     refuse_open_ranges(robot, lower, upper)
-    return JointBox(lower, upper, circular, robot.units)
+    return JointBox(lower, upper, circular, robot.units, period)
 
 
 def refuse_open_ranges(robot: Robot, lower: Array, upper: Array) -> None:

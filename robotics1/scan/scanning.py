@@ -19,6 +19,7 @@ from robotics1.scan.refinement import refine as refine_worst
 from robotics1.scan.result import SingularityScan
 from robotics1.scan.samples import METHODS, Chunk, Samples, samples_of
 from robotics1.tasks.task import Task
+from robotics1.tasks.turns import turns_of
 
 if TYPE_CHECKING:
     from robotics1.scan.measurement import Measurement
@@ -72,7 +73,8 @@ def scan_singularities(
         executor: of concurrent.futures, to measure chunks in parallel: threads serve, since the kernels leave the
             interpreter free; so do processes, to which arrays only are sent.
         box: joint name → (lower, upper), narrower than the limits; a prismatic joint without limits needs it. A
-            revolute joint that can make a whole turn is a circle, (−π, π].
+            revolute joint that can make a whole turn is a circle, (−π, π]; as many turns as bring the joints that
+            follow it back, if these are more.
         length: the length that counts as one [m].
         progress: called after each chunk with the configurations done and their number.
 
@@ -91,7 +93,7 @@ def scan_singularities(
     length = real_number("length", length, positive=True)
     _check_callables(executor, progress)
     task.check(robot)
-    where = joint_box(robot, box)
+    where = joint_box(robot, box, turns=turns_of(robot, task))
     points = _singular_points(robot, task, where, seed)
     configurations = samples_of(method, where, samples, seed, _moving(points))
     from robotics1.scan.measurement import measurement_of

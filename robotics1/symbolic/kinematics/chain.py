@@ -14,6 +14,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.exact import FINE, exact_axis, exact_length, exact_turn
+from robotics1.symbolic.kinematics.followers import turns_of_leaders
 from robotics1.symbolic.kinematics.parameters import JointNumbers, Monomial, joints_to
 from robotics1.symbolic.polynomials.laurent import ROOTS, Frequencies, Laurent, Matrix, gaussian, reduced
 
@@ -30,6 +31,7 @@ class Chain:
         frame: the link at the end.
         joints: their numbers.
         base: another chain of the robot whose symbols are to be used.
+        turns: after how many turns of each joint its followers are back too, here and in chains with this base.
         rational: whether √2 and √3, of turns by π/4 or π/6 and of oblique axes, are left out: turns and axes are then
             rational to 1e-16, and polynomials fall into all their factors.
     """
@@ -38,6 +40,7 @@ class Chain:
     frame: str
     joints: tuple[JointNumbers, ...]
     base: "Chain | None" = None
+    turns: tuple[int, ...] = ()
     rational: bool = False
 
     @cached_property
@@ -56,7 +59,13 @@ class Chain:
         lengths = [q for q, turns in zip(self.q, self.robot.revolute, strict=True) if not turns]
         angles += [symbols[name] for name in symbols if name in used]
         lengths += [symbols[name] for name in symbols if name not in used]
-        return Frequencies(tuple(angles), PolyRing([*lengths, *map(sympy.Symbol, ROOTS)], QQ_I), self.q)
+        turns = dict(zip(self.q, self.turns, strict=True))
+        return Frequencies(
+            tuple(angles),
+            PolyRing([*lengths, *map(sympy.Symbol, ROOTS)], QQ_I),
+            self.q,
+            tuple(turns.get(angle, 1) for angle in angles),
+        )
 
     @cached_property
     def poses(self) -> list[Pose]:
@@ -189,14 +198,11 @@ class Chain:
 
     def _joint_turn(self, joint: JointNumbers) -> Laurent:
         i = self.robot.joint_names.index(joint.leader)
-        if abs(joint.multiplier - round(joint.multiplier)) > 1e-12 or not self.robot.revolute[i]:
-            raise FormulaError(f"joint {joint.name!r} turns by no whole multiple of the angle of {joint.leader!r}")
-        return self.frequencies.exponential({self.q[i]: round(joint.multiplier)}) * self._constant_turn(joint.offset)
+        multiple = round(joint.multiplier * self.frequencies.turns_of(self.q[i]))
+        return self.frequencies.exponential({self.q[i]: multiple}) * self._constant_turn(joint.offset)
 
     def _joint_length(self, joint: JointNumbers) -> Laurent:
         i = self.robot.joint_names.index(joint.leader)
-        if self.robot.revolute[i]:
-            raise FormulaError(f"joint {joint.name!r} slides by the angle of {joint.leader!r}")
         ring = self.frequencies.ring
         slope, offset = ring(_rational(joint.multiplier)), ring(_rational(joint.offset))
         return self.frequencies.constant(slope * ring(self.q[i]) + offset)
@@ -229,12 +235,12 @@ class Chain:
         return R
 
 
-def chain_to(robot: Robot, frame: str) -> Chain:
-    """Return the chain from the world to a link.
+def chain_to(robot: Robot, frame: str, *, beside: str | None = None) -> Chain:
+    """Return the chain from the world to a link, in symbols that the joints to the link `beside` can be told in too.
 
     Raises:
-        FormulaError: a joint on the way has several degrees of freedom, there are too many, or its numbers depend
-            on the parameters in no way that can be told.
+        FormulaError: a joint on the way has several degrees of freedom, there are too many, its numbers depend on the
+            parameters in no way that can be told, or it follows another by no fraction of its angle.
     """
     joints = joints_to(robot, frame)
     moving = [joint for joint in joints if joint.kind != "fixed"]
@@ -242,7 +248,13 @@ def chain_to(robot: Robot, frame: str) -> Chain:
         raise FormulaError(f"{len(moving)} joints lead to {frame!r}; formulas are written for at most {MOST_JOINTS}")
     if robot.nq != robot.nv:
         raise FormulaError(f"robot {robot.name!r} has joints with several degrees of freedom")
-    return Chain(robot, frame, joints)
+    links = (frame,) if beside is None else (frame, beside)
+    return Chain(
+        robot,
+        frame,
+        joints,
+        turns=turns_of_leaders(robot, links, [j for link in links for j in joints_to(robot, link)]),
+    )
 
 
 def cross(a: Matrix, b: Matrix) -> Matrix:

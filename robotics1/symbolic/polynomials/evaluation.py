@@ -54,7 +54,7 @@ class Evaluated:
                         value = value.times(self._number(symbol), int(e))
                 for symbol, e in zip(F.angles, k, strict=True):
                     if symbol in self.q:
-                        multiple[self.q.index(symbol)] = e * self.unit
+                        multiple[self.q.index(symbol)] = e * self.unit / F.turns_of(symbol)
                     elif e:
                         value = value.turned(e * self.unit * self.parameters[symbol])
                 amplitudes.append(value)
@@ -112,16 +112,17 @@ class Evaluated:
         others = np.prod(np.where(np.arange(len(q)) == i, 1.0, at**powers), axis=1)
         weights = amplitudes * np.exp(1j * multiples @ at) * others
         turns = bool(multiples[:, i].any())
-        degrees = multiples[:, i] / self.unit if turns else powers[:, i]
+        unit = self.unit / self.f.frequencies.turns_of(self.q[i])
+        degrees = np.rint(multiples[:, i] / unit) if turns else powers[:, i]
         lowest = int(degrees.min())
         c = np.zeros(int(degrees.max()) - lowest + 1, dtype=complex)
         np.add.at(c, (degrees - lowest).astype(int), weights)
         if np.abs(c).max(initial=0.0) <= 1e-13 * max(self.size, 1e-300):
             return []
         found: list[tuple[float, float]] = []
-        for value, within in _candidates(c, turns, self.unit):
-            at[i] = value
-            apart = [abs(np.exp(1j * value) - np.exp(1j * y)) if turns else abs(value - y) for y, _ in found]
+        for place, within in _candidates(c, turns, self.unit):
+            at[i] = value = self.unit / unit * place if turns else place
+            apart = [abs(np.exp(1j * (value - y) * unit / self.unit) - 1) if turns else abs(value - y) for y, _ in found]
             known = any(gap <= max(reach, within) for gap, (_, reach) in zip(apart, found, strict=True))
             if abs(self(at)) <= VANISHES * np.abs(c).max() and not known:
                 found.append((value, within))

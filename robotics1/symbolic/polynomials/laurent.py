@@ -5,9 +5,12 @@ A trigonometric polynomial is a Laurent polynomial in the exponentials zⱼ = ex
 f = Σₖ cₖ exp(i k·φ),  k ∈ ℤⁿ,
 
 with coefficients cₖ that are polynomials in the lengths over ℚ(i). The form is unique, so f = 0 is seen at once.
+
+A joint with followers that turn by fractions of its angle q has φ = q/d, with d the common denominator: all of them
+turn by whole multiples of φ.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -29,17 +32,29 @@ class Frequencies:
     """What the trigonometric polynomials of a chain are made of.
 
     Attributes:
-        angles: the symbols φ of the revolute joints and of angles that have names.
+        angles: the symbols of the revolute joints and of angles that have names: d φ.
         ring: ℚ(i)[prismatic joints, lengths, √2, √3].
         q: the symbols of the joints, among both.
+        turns: d, one for each angle: after so many turns of the joint its followers are back too; none where all are 1.
     """
 
     angles: tuple[sympy.Symbol, ...]
     ring: PolyRing
     q: tuple[sympy.Symbol, ...]
+    turns: tuple[int, ...] = ()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _frequencies, (self.angles, self.ring.symbols, self.q)  # SymPy's rings cannot be pickled
+        return _frequencies, (self.angles, self.ring.symbols, self.q, self.turns)  # SymPy's rings cannot be pickled
+
+    def turns_of(self, symbol: sympy.Symbol) -> int:
+        """Return d of an angle; 1 of a length."""
+        return self.turns[self.angles.index(symbol)] if self.turns and symbol in self.angles else 1
+
+    def angle(self, multiples: Sequence[int]) -> sympy.Expr:
+        """Return k·φ, of the symbols of the angles."""
+        return sympy.Add(
+            *(sympy.Rational(k, self.turns_of(s)) * s for k, s in zip(multiples, self.angles, strict=True))
+        )
 
     def constant(self, value: Any) -> "Laurent":
         """Return a coefficient as a polynomial without angles."""
@@ -47,7 +62,7 @@ class Frequencies:
         return Laurent(self, {self.zero: coefficient} if coefficient else {})
 
     def exponential(self, multiples: Mapping[sympy.Symbol, int]) -> "Laurent":
-        """Return exp(i k·φ)."""
+        """Return exp(i k·φ), of angle → k."""
         k = tuple(multiples.get(angle, 0) for angle in self.angles)
         return Laurent(self, {k: self.ring.one})
 
@@ -154,7 +169,7 @@ class Laurent:
         """Return ∂f/∂symbol, for an angle or a generator of the ring."""
         if symbol in self.frequencies.angles:
             j = self.frequencies.angles.index(symbol)
-            i = self.frequencies.ring(QQ_I(0, 1))
+            i = self.frequencies.ring(QQ_I(0, 1) / self.frequencies.turns_of(symbol))
             return Laurent(self.frequencies, {k: i * k[j] * c for k, c in self.terms.items() if k[j]})
         generator = self.frequencies.ring(symbol)
         terms = {k: c.diff(generator) for k, c in self.terms.items()}
@@ -162,9 +177,12 @@ class Laurent:
 
 
 def _frequencies(
-    angles: tuple[sympy.Symbol, ...], generators: tuple[sympy.Symbol, ...], q: tuple[sympy.Symbol, ...]
+    angles: tuple[sympy.Symbol, ...],
+    generators: tuple[sympy.Symbol, ...],
+    q: tuple[sympy.Symbol, ...],
+    turns: tuple[int, ...],
 ) -> Frequencies:
-    return Frequencies(angles, PolyRing(generators, QQ_I), q)
+    return Frequencies(angles, PolyRing(generators, QQ_I), q, turns)
 
 
 def _laurent(F: Frequencies, numbers: dict[Exponents, dict[Exponents, tuple[int, ...]]]) -> Laurent:

@@ -104,10 +104,10 @@ class BranchFormulas:
         if not substitution.is_angle:
             return sympy.Eq(symbol, written(value, self.groups))
         ((k, _),) = value.terms.items()
-        others = [n * phi for n, phi in zip(k, value.frequencies.angles, strict=True)]
-        added = [angle for n, angle in zip(k, others, strict=True) if n > 0]
-        taken = [angle for n, angle in zip(k, others, strict=True) if n < 0]
-        return sympy.Eq(symbol - sympy.Add(*taken), sympy.Add(*added) + angle_of_turn(value))
+        F = value.frequencies
+        turns = F.turns_of(symbol)
+        added, taken = F.angle([max(n, 0) for n in k]), F.angle([min(n, 0) for n in k])
+        return sympy.Eq(symbol - turns * taken, turns * (added + angle_of_turn(value)))
 
     def is_short(self, name: str) -> bool:
         """Whether a basis, "null", "range" or "left_null", is found at once and can be read."""

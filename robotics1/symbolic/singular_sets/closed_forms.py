@@ -30,8 +30,17 @@ def root_of(
     """Return the solution of part = 0 for its only joint that has the given value, or None if there is no short one.
 
     A cos φ + B sin φ + C = 0 has the solutions φ = atan2(B, A) ± acos(−C / √(A² + B²)), A cos φ/2 + B sin φ/2 = 0
-    has φ = 2 atan2(−A, B), and a ℓ + b = 0 has −b/a.
+    has φ = 2 atan2(−A, B), and a ℓ + b = 0 has −b/a. The joint is at φ, or at d φ if others follow it by fractions.
     """
+    turns = part.frequencies.turns_of(symbol)
+    root = _root_of(part, symbol, value / turns, parameters)
+    return None if root is None else turns * root
+
+
+def _root_of(
+    part: Part, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
+) -> sympy.Expr | None:
+    """Return the solution for φ, or for the length, as `root_of`."""
     F = part.frequencies
     if any(part.parity):
         return _from_half_angle(part.in_half_angles)

@@ -47,6 +47,17 @@ class Configurations:
         return np.array([symbol in F.angles for symbol in F.q])
 
     @cached_property
+    def _turns(self) -> Array:
+        """How many turns of each joint, (n,), bring everything back."""
+        F = self.locus.frequencies
+        return np.array([float(F.turns_of(symbol)) for symbol in F.q])
+
+    @property
+    def _period(self) -> Array:
+        """What may be added to each joint, (n,): whole turns of angles [rad]; nothing to slides."""
+        return np.where(self._angles, TURN * self._turns, 0.0)
+
+    @cached_property
     def _implicit(self) -> list[Evaluated]:
         return [evaluated_part(part, self.parameters) for part in self.locus.implicit]
 
@@ -70,7 +81,7 @@ class Configurations:
         for start in box.random(rng, TRIES // 5 if rare else TRIES):
             check_time()
             solved = self._solved(self._with_pinned(start), rng)
-            inside = None if solved is None else into(box, self._angles, self._completed(solved))
+            inside = None if solved is None else into(box, self._period, self._completed(solved))
             if inside is not None:
                 return inside
         if not self._implicit and len(self.constant) == len(self._values) + len(self.pinned):
@@ -84,9 +95,9 @@ class Configurations:
         n = len(self.locus.frequencies.q)
         for number in range(count + count // 2):
             check_time()
-            q = np.where(self._angles, rng.uniform(-np.pi, np.pi, n), rng.uniform(-1, 1, n))
+            q = np.where(self._angles, self._turns * rng.uniform(-np.pi, np.pi, n), rng.uniform(-1, 1, n))
             if number < count:
-                at = np.where(self._angles, rng.integers(-1, 3, n) * np.pi / 2, 0.0)
+                at = np.where(self._angles, self._turns * rng.integers(-1, 3, n) * np.pi / 2, 0.0)
                 q = np.where(rng.random(n) < 0.7, at, q)
             solved = self._solved(self._with_pinned(q), rng)
             yield None if solved is None else self._completed(solved)
@@ -130,7 +141,9 @@ class Configurations:
         free = [i for i in range(len(start)) if i not in replaced and i not in self.pinned]
         if not free:
             return None
-        lower, upper = (np.where(box.circular, far, bound)[free] for far, bound in ((-9, box.lower), (9, box.upper)))
+        far = 9 * self._turns
+        lower, upper = np.where(box.circular, (-far, far), (box.lower, box.upper))[:, free]
+        period = np.maximum(self._period, 1e-300)
 
         def at(x: Array) -> Array:
             q = start.copy()
@@ -140,7 +153,7 @@ class Configurations:
         def distance(x: Array) -> Array:
             check_time()
             q = at(x)
-            turned = np.where(self._angles, q - TURN * np.round((q - (box.lower + box.upper) / 2) / TURN), q)
+            turned = np.where(self._angles, q - period * np.round((q - (box.lower + box.upper) / 2) / period), q)
             beyond = np.maximum(box.lower - turned, 0) + np.maximum(turned - box.upper, 0)
             return np.array([*(g(q) / g.size for g in self._implicit), *beyond[replaced]])
 
@@ -156,7 +169,7 @@ class Configurations:
         ).x
         if np.abs(distance(x)).max(initial=0.0) > ON_THE_LOCUS:
             return None
-        return into(box, self._angles, at(x))
+        return into(box, self._period, at(x))
 
     def _with_pinned(self, start: Array) -> Array:
         q = start.copy()
@@ -167,13 +180,13 @@ class Configurations:
     def _completed(self, q: Array) -> Array:
         """Return q with the joints that have a value at it."""
         for i, is_angle, f in self._values:
-            q[i] = _angle(f.complex(q)) if is_angle else f(q)
+            q[i] = self._turns[i] * _angle(f.complex(q)) if is_angle else f(q)
         return q
 
     def contains(self, q: Array, tolerance: float = HOLDS) -> bool:
         """Return whether q is on the locus: its equations hold to the tolerance, beside the sum of their terms."""
         equations = [Evaluated(equation, self.parameters) for equation in self.locus.equations]
-        pinned = all(abs(np.exp(1j * (q[i] - value)) - 1) < 1e-6 for i, value in self.pinned.items())
+        pinned = all(abs(np.exp(1j * (q[i] - x) / self._turns[i]) - 1) < 1e-6 for i, x in self.pinned.items())
         return pinned and all(abs(f(q)) <= tolerance * f.size for f in equations)
 
     @property
@@ -246,11 +259,11 @@ def _angle(z: complex) -> float:
     return k * np.pi / 12 if abs(k * np.pi / 12 - angle) < 1e-14 else angle
 
 
-def into(box: JointBox, angles: npt.NDArray[np.bool_], q: Array) -> Array | None:
-    """Return q with whole turns taken off its angles so that it lies in the box, or None when it does not."""
+def into(box: JointBox, period: Array, q: Array) -> Array | None:
+    """Return q with whole periods, of joints that have one, taken off so that it lies in the box; None if it cannot."""
     turned = np.where(box.circular, box.nearest(q), q)
-    turns = np.ceil((box.lower - 1e-9 - turned) / TURN)
+    periods = np.ceil((box.lower - 1e-9 - turned) / np.where(period > 0, period, np.inf))
     outside = (turned < box.lower - 1e-9) | (turned > box.upper + 1e-9)
-    turned = turned + np.where(angles & ~box.circular & outside, turns * TURN, 0.0)
+    turned = turned + np.where(~box.circular & outside, periods * period, 0.0)
     outside = (turned < box.lower - 1e-9) | (turned > box.upper + 1e-9)
     return None if outside.any() else turned

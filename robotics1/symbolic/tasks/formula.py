@@ -10,7 +10,7 @@ from robotics1.inputs import text
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain, chain_to
 from robotics1.symbolic.kinematics.cleaning import cleaned
-from robotics1.symbolic.kinematics.frame_motion import Joints
+from robotics1.symbolic.kinematics.parameters import joints_to
 from robotics1.symbolic.kinematics.points import link_of, with_point
 from robotics1.symbolic.polynomials.laurent import ROOTS
 from robotics1.symbolic.tasks.reading import Reading
@@ -61,9 +61,11 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
 
 def _reading(robot: Robot, task: FrameTask | FunctionTask, places: tuple[int, ...]) -> Reading:
     """Return the task read in symbols."""
-    chain = chain_to(robot, link_of(robot, task.frame))
+    axes = _link_of_axes(robot, task)
+    chain = chain_to(robot, link_of(robot, task.frame), beside=axes)
     _check_names(robot, chain)
-    return Reading(chain, _joints_to_axes(chain, task), task_map(task, chain.q).chosen(list(places)))
+    joints = () if axes is None else joints_to(robot, axes)
+    return Reading(chain, joints, task_map(task, chain.q).chosen(list(places)))
 
 
 _kept_reading = lru_cache(maxsize=8)(_reading)  # find_singularities reads the same again
@@ -84,13 +86,10 @@ def _on(task: FrameTask | FunctionTask, frame: str) -> FrameTask | FunctionTask:
     return moved
 
 
-def _joints_to_axes(chain: Chain, task: FrameTask | FunctionTask) -> Joints:
-    """Return the joints to the link whose axes the task is told in; none for the world's."""
+def _link_of_axes(robot: Robot, task: FrameTask | FunctionTask) -> str | None:
+    """Return the link whose axes the task is told in; None for the world's."""
     reference = getattr(task, "reference", "world")
-    if reference == "world":
-        return ()
-    link = link_of(chain.robot, None if reference == "tool" else reference)
-    return chain.joints if link == chain.frame else chain_to(chain.robot, link).joints
+    return None if reference == "world" else link_of(robot, None if reference == "tool" else reference)
 
 
 def _check_names(robot: Robot, chain: Chain) -> None:

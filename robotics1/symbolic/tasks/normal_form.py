@@ -109,8 +109,8 @@ class NormalForm:
         F = self.composition.frequencies
         multiples, rest = {}, sympy.expand(angle)
         for symbol in F.angles:
-            multiples[symbol] = rest.coeff(symbol)
-            rest = rest - multiples[symbol] * symbol
+            multiple = rest.coeff(symbol)
+            multiples[symbol], rest = multiple * F.turns_of(symbol), rest - multiple * symbol
         twelfths = rest * 12 / sympy.pi
         if not twelfths.is_Integer or not all(multiple.is_Integer for multiple in multiples.values()):
             raise NotPolynomialError

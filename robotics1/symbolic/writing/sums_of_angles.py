@@ -77,7 +77,7 @@ def _shared_monomial(coefficients: list[PolyElement]) -> PolyElement:
 
 
 def _wave(wave: Wave, f: Laurent) -> sympy.Expr:
-    angle = sum(m * phi for m, phi in zip(wave.multiples, f.frequencies.angles, strict=True))
+    angle = f.frequencies.angle(wave.multiples)
     return sympy.sin(angle) if wave.sine else sympy.cos(angle)
 
 
