@@ -271,15 +271,11 @@ def symbolic_search(
         rows = _rows(replace(found.reading, chain=replace(found.reading.chain, rational=True)), in_world)
     parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
     _verify_rows(rows, points, parameters, rng)
-    far = 2 * robot.reach
     turns = np.array(found.chain.turns, dtype=float)
-    anywhere = JointBox(
-        lower=np.where(robot.revolute, -np.pi * turns, np.minimum(-far, box.lower)),
-        upper=np.where(robot.revolute, np.pi * turns, np.maximum(far, box.upper)),
-        circular=robot.revolute,
-        unit=box.unit,
-        period=TURN * turns,
-    )
+    far = np.where(robot.revolute, np.pi * turns, 2 * robot.reach)
+    lower = np.where(robot.revolute, -far, np.minimum(-far, box.lower))
+    upper = np.where(robot.revolute, far, np.maximum(far, box.upper))
+    anywhere = JointBox(lower, upper, robot.revolute, box.unit, TURN * turns)
     return SymbolicSearch(points, rows, found.groups, CaseDistinction(parameters, limit), anywhere, found.cleaned)
 
 
