@@ -1,16 +1,16 @@
 """The singular set as branches with formulas, complete wherever the time is enough."""
 
-from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
 import sympy
 
+from robotics1.analysis.exact_rows import exact_rows, verify_rows
 from robotics1.analysis.limits import NEAR, note_on_limits
 from robotics1.analysis.singular_points import NOTHING_MOVES, SingularPoints, singular_points
 from robotics1.analysis.singular_set import SingularBranch
-from robotics1.analysis.spaces import subspaces
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import TURN, JointBox
@@ -25,7 +25,6 @@ from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.singular_loci import largest_pieces, singular_loci
 from robotics1.symbolic.singular_sets.solving import CaseDistinction
 from robotics1.symbolic.tasks.formula import formulas
-from robotics1.symbolic.tasks.reading import Reading
 from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import FrameTask, Task
 
@@ -266,35 +265,14 @@ def symbolic_search(
     if points.rank == 0:
         raise TaskError(NOTHING_MOVES)
     in_world = isinstance(task, FrameTask) and task.reference == "world"
-    rows = _rows(found.reading, in_world)
+    rows = exact_rows(found.reading, in_world)
     if any(entry.has_roots for entry in rows.M.flat):
-        rows = _rows(replace(found.reading, chain=replace(found.reading.chain, rational=True)), in_world)
+        rows = exact_rows(replace(found.reading, chain=replace(found.reading.chain, rational=True)), in_world)
     parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
-    _verify_rows(rows, points, parameters, rng)
+    verify_rows(rows, points, parameters, rng)
     turns = np.array(found.chain.turns, dtype=float)
     far = np.where(robot.revolute, np.pi * turns, 2 * robot.reach)
     lower = np.where(robot.revolute, -far, np.minimum(-far, box.lower))
     upper = np.where(robot.revolute, far, np.maximum(far, box.upper))
     anywhere = JointBox(lower, upper, robot.revolute, box.unit, TURN * turns)
     return SymbolicSearch(points, rows, found.groups, CaseDistinction(parameters, limit), anywhere, found.cleaned)
-
-
-def _rows(reading: Reading, in_world: bool) -> Convenient:
-    rows = reading.convenient if in_world else Convenient(reading.rows)
-    return replace(rows, leads_back=reading.factored.is_plain)
-
-
-def _verify_rows(
-    rows: Convenient, points: SingularPoints, parameters: Mapping[sympy.Symbol, float], rng: np.random.Generator
-) -> None:
-    """Compare J = X M, or of a task with quotients the null space of M, with Pinocchio.
-
-    Raises:
-        FormulaError: they differ.
-    """
-    for q in points.box.random(rng, 3):
-        J = points.task.jacobian(points.robot, q)
-        ours = rows.numbers(q, parameters)
-        error = ours - J if rows.leads_back else J @ subspaces(ours).null
-        if np.abs(error).max(initial=0.0) > VERIFIED * np.abs(J).max():
-            raise FormulaError(f"the formula of J differs from Pinocchio by {np.abs(error).max():.1e}")

@@ -57,7 +57,24 @@ def slope_and_curvature(
     if theta > 1e-4 and counted[3] + counted[4] + counted[5] > 2.5:
         half = theta if pointing else 0.5 * theta
         across = half / math.tan(half) if half < 3.0 else -3.0 / math.tan(0.14159)
+    joint_motions(links, unit, T, lines, moves)
     for j in range(k):
+        own = int(links[j, 13])
+        for i in range(6):
+            g[own] -= e[i] * moves[j, i]
+        for m in range(j, k):
+            other = int(links[m, 13])
+            h = product(counted, e, a, theta, across, moves[j], moves[m])
+            h -= change(e, moves[j], moves[m], m > j)
+            H[own, other] += h
+            if m > j:
+                H[other, own] += h
+
+
+@compiled()
+def joint_motions(links: Array, unit: float, T: Array, lines: Array, moves: Array) -> None:
+    """Write the columns (v_j, ω_j) of J, (k, 6), one for each joint on the way, followers included."""
+    for j in range(len(links) - 1):
         r = links[j, 14]
         dx, dy, dz = T[0, 3] - lines[j, 3], T[1, 3] - lines[j, 4], T[2, 3] - lines[j, 5]
         for i in range(3):
@@ -69,37 +86,37 @@ def slope_and_curvature(
             moves[j, 0] = r * unit * (lines[j, 1] * dz - lines[j, 2] * dy)
             moves[j, 1] = r * unit * (lines[j, 2] * dx - lines[j, 0] * dz)
             moves[j, 2] = r * unit * (lines[j, 0] * dy - lines[j, 1] * dx)
-    for j in range(k):
-        own = int(links[j, 13])
-        for i in range(6):
-            g[own] -= e[i] * moves[j, i]
-        for m in range(j, k):
-            other = int(links[m, 13])
-            h = 0.0
-            for i in range(3):
-                h += counted[i] * moves[j, i] * moves[m, i]
-            wx, wy, wz = moves[j, 3], moves[j, 4], moves[j, 5]
-            h -= e[0] * (wy * moves[m, 2] - wz * moves[m, 1])
-            h -= e[1] * (wz * moves[m, 0] - wx * moves[m, 2])
-            h -= e[2] * (wx * moves[m, 1] - wy * moves[m, 0])
-            dot, along, other_along, on_a, other_on_a = 0.0, 0.0, 0.0, 0.0, 0.0
-            for i in range(3):
-                dot += counted[3 + i] * moves[j, 3 + i] * moves[m, 3 + i]
-                on_a += a[i] * moves[j, 3 + i]
-                other_on_a += a[i] * moves[m, 3 + i]
-                if theta > 1e-4:
-                    along += e[3 + i] * moves[j, 3 + i] / theta
-                    other_along += e[3 + i] * moves[m, 3 + i] / theta
-            if pointing:
-                dot -= on_a * other_on_a
-            h += across * dot + (1.0 - across) * along * other_along
-            if m > j:
-                h -= 0.5 * e[3] * (wy * moves[m, 5] - wz * moves[m, 4])
-                h -= 0.5 * e[4] * (wz * moves[m, 3] - wx * moves[m, 5])
-                h -= 0.5 * e[5] * (wx * moves[m, 4] - wy * moves[m, 3])
-            H[own, other] += h
-            if m > j:
-                H[other, own] += h
+
+
+@compiled()
+def product(counted: Array, e: Array, a: Array, theta: float, across: float, one: Array, other: Array) -> float:
+    """Return J_j·J_k: of positions, and of rotations weighted by `across` but along the axis of the missing turn."""
+    h, dot, along, other_along, on_a, other_on_a = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for i in range(3):
+        h += counted[i] * one[i] * other[i]
+        dot += counted[3 + i] * one[3 + i] * other[3 + i]
+        on_a += a[i] * one[3 + i]  # a is zero, but for a task that points an axis
+        other_on_a += a[i] * other[3 + i]
+        if theta > 1e-4:
+            along += e[3 + i] * one[3 + i] / theta
+            other_along += e[3 + i] * other[3 + i] / theta
+    return h + across * (dot - on_a * other_on_a) + (1.0 - across) * along * other_along
+
+
+@compiled()
+def change(e: Array, one: Array, other: Array, before: bool) -> float:
+    """Return e·∂J_j/∂x_k of a joint j that carries joint k, or is it."""
+    x, y, z = one[3], one[4], one[5]
+    h = (
+        e[0] * (y * other[2] - z * other[1])
+        + e[1] * (z * other[0] - x * other[2])
+        + e[2] * (x * other[1] - y * other[0])
+    )
+    if before:
+        h += 0.5 * e[3] * (y * other[5] - z * other[4])
+        h += 0.5 * e[4] * (z * other[3] - x * other[5])
+        h += 0.5 * e[5] * (x * other[4] - y * other[3])
+    return h
 
 
 @compiled()

@@ -122,7 +122,8 @@ class Evaluated:
         found: list[tuple[float, float]] = []
         for place, within in _candidates(c, turns, self.unit):
             at[i] = value = self.unit / unit * place if turns else place
-            apart = [abs(np.exp(1j * (value - y) * unit / self.unit) - 1) if turns else abs(value - y) for y, _ in found]
+            near = [(value - y) * unit / self.unit if turns else value - y for y, _ in found]
+            apart = np.abs(np.exp(1j * np.array(near)) - 1) if turns else np.abs(near)
             known = any(gap <= max(reach, within) for gap, (_, reach) in zip(apart, found, strict=True))
             if abs(self(at)) <= VANISHES * np.abs(c).max() and not known:
                 found.append((value, within))

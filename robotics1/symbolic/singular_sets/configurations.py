@@ -219,7 +219,7 @@ class Configurations:
     def near(self, box: JointBox, start: Array) -> Array | None:
         """Return the configuration in the box that Newton's method or least squares lead to, or None."""
         q = self._newton(start.copy()) if len(self._implicit) > 1 else None
-        inside = None if q is None else into(box, self._angles, self._completed(q))
+        inside = None if q is None else into(box, self._period, self._completed(q))
         return self._nearest(box, start) if inside is None else inside
 
     def _solved(self, q: Array, rng: np.random.Generator) -> Array | None:
