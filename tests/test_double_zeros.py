@@ -56,6 +56,8 @@ def test_every_singular_configuration_of_a_search_is_on_a_branch_and_every_branc
 @pytest.mark.parametrize("seed", range(150))
 def test_arms_of_few_lengths_and_twists_have_the_singular_set_of_a_search(seed):
     robot, task = drawn(seed)
+    if usual_sigma(robot, task) < 1e-12:
+        pytest.skip("no joint moves the task")
     check(robot, task, 14)
 
 

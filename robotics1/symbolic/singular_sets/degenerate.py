@@ -5,6 +5,7 @@ the equations fall into factors that say so: q1 = 1/2, q2 = 0.
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -55,7 +56,8 @@ def finer(
     if not seen or depth == DEEPEST or piece.is_regular or not all(piece.is_degenerate(q, TOUCHES) for q in points):
         return whole
     smaller: list[Drawn] = []
-    for locus in cases.common_zeros(_dependence(piece.locus), piece.locus):
+    apart = replace(cases, excluded=[])  # what derivatives exclude says nothing of lengths
+    for locus in apart.common_zeros(_dependence(piece.locus), piece.locus):
         for part in with_single_values(locus, cases):
             at = points_of(part, box, rng)
             smaller += finer(part, at, cases, box, rng, depth + 1)
