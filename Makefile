@@ -12,16 +12,16 @@ exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every publish
 	$(BIN)/robotics1 exam
 
 test: $(INSTALLED)  ## the tests, in minutes
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist loadfile
 
 sweep: $(INSTALLED)  ## what takes longer: every arm, more examples of each property, an installed wheel, mutants of robot files
-	$(BIN)/python -m pytest -n auto -m "sweep or hypothesis" --hypothesis-profile=sweep
+	$(BIN)/python -m pytest -n auto --dist loadfile -m "sweep or hypothesis" --hypothesis-profile=sweep
 	$(BIN)/python tests/mutations.py --count 10000 --seed 1
 	$(BIN)/python tests/arms_at_random.py --count 100
 
 portable: $(INSTALLED)  ## the numeric tests as an older processor computes them, which rounds otherwise
 	OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR" \
-	$(BIN)/python -m pytest -n auto $(WORDS:%=--ignore-glob='tests/test_%*.py')
+	$(BIN)/python -m pytest -n auto --dist loadfile $(WORDS:%=--ignore-glob='tests/test_%*.py')
 
 check: $(INSTALLED)  ## style, types, layers
 	$(BIN)/ruff check .
@@ -33,7 +33,7 @@ notebooks: $(INSTALLED)  ## execute the notebooks
 	$(BIN)/python -m pytest tests/test_notebooks.py
 
 coverage: $(INSTALLED)  ## tests with a coverage report
-	$(BIN)/python -m pytest -n auto --cov --cov-report=term-missing:skip-covered
+	$(BIN)/python -m pytest -n auto --dist loadfile --cov --cov-report=term-missing:skip-covered
 
 $(INSTALLED): pyproject.toml constraints.txt
 	$(PYTHON) -m venv .venv

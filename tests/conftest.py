@@ -7,6 +7,7 @@ import pytest
 from arms import arm
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
+from sweeps import put_off_long_tests
 
 CHROMIUM = shutil.which("chromium")
 FLAGS = [
@@ -21,10 +22,17 @@ FLAGS = [
     "--disable-sync",
 ]
 
-settings.register_profile("default", deadline=None, derandomize=True, max_examples=20, database=None, print_blob=True)
+settings.register_profile("default", deadline=None, derandomize=True, max_examples=12, database=None, print_blob=True)
 providers.is_local_module_file = lambda _: False  # else the numbers in whatever modules are loaded are tried as well
 settings.register_profile("sweep", parent=settings.get_profile("default"), max_examples=100)
 settings.load_profile("default")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config, items):
+    """Mark what takes long, before pytest selects by marks."""
+    narrowed = config.args != config.getini("testpaths") or config.getoption("ignore_glob")
+    put_off_long_tests(items, every_file=not narrowed)
 
 
 @pytest.fixture(scope="session")

@@ -12,7 +12,6 @@ import signal
 import socket
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 from time import process_time
 
@@ -81,8 +80,8 @@ class Watch:
         if event == "open":
             if not isinstance(arguments[0], str) or arguments[0].startswith(self._folder):
                 return
-            if arguments[0].endswith((".py", ".pyc", ".so")) or arguments[0] == tempfile.gettempdir():
-                return  # a module, and the file without a name that keeps what Pinocchio writes on stderr
+            if arguments[0].endswith((".py", ".pyc", ".so")):
+                return  # a module
         elif event == "exec":
             code = arguments[0]
             caller = sys._getframe(1).f_code.co_filename

@@ -14,7 +14,7 @@ FOLDER = example_folder()
 REFUSED = {
     "alex_psyonic_hands.urdf": "mimics joint 'index_q1', and there is no such joint",
     "quadrotor_base.urdf.xacro": "has no name",
-    "quadrotor_base.xacro": "is in none of the folders given as packages",
+    "quadrotor_base.xacro": "No such file: .*quadrotor_base.urdf.xacro",
     "ur3.urdf": "has no name",
 }
 MESHES_MISSING = {"talos_full_v2.urdf", "talos_full_v2_box.urdf", "romeo_laas_small.urdf"}  # not in the package

@@ -13,15 +13,15 @@ from robotics1.robot import loading
 TESTS = Path(__file__).parent
 
 
-def test_1500_mutants_load_or_are_refused():
-    command = [sys.executable, str(TESTS / "mutations.py"), "--count", "1500", "--seed", "1"]
+def test_400_mutants_load_or_are_refused():
+    command = [sys.executable, str(TESTS / "mutations.py"), "--count", "400", "--seed", "1"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     words = done.stdout.replace(",", "").split()
     tried, accepted, refused = (int(words[i]) for i in (0, 3, 5))
-    assert tried == accepted + refused == 1500
-    assert accepted > 150
-    assert refused > 150
+    assert tried == accepted + refused == 400
+    assert accepted > 40
+    assert refused > 40
 
 
 def test_a_mutant_is_the_same_each_time_and_differs_from_its_neighbours():

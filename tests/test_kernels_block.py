@@ -10,6 +10,7 @@ import pinocchio as pin
 import pytest
 from arms import ARMS, arm, span
 from closed_forms import SPATIAL_CHAIN, cylindrical_determinant, prr_pose_determinant, spatial_pose_and_jacobian
+from sweeps import core_first
 
 from robotics1 import Robotics1Error, load_robot
 from robotics1.kernels.array_jacobian import task_jacobians
@@ -232,7 +233,7 @@ def test_jacobians_and_singular_values_are_pinocchios_and_lapacks(name):
             agree(robot, frame)
 
 
-@pytest.mark.parametrize("name", sorted(example_robots()))
+@pytest.mark.parametrize("name", core_first(sorted(example_robots()), sorted(example_robots())[::8]))
 def test_jacobians_and_singular_values_of_the_chains_of_example_robot_data_are_pinocchios_and_lapacks(name):
     try:
         robot = load_robot(name)

@@ -22,7 +22,7 @@ import robotics1 as r1
 PROPERTIES = {}
 
 
-def holds(examples=60, **strategies):
+def holds(examples=25, **strategies):
     """Register a property of arguments drawn from the strategies."""
     fixed = {"deadline": None, "derandomize": True, "database": None, "suppress_health_check": list(HealthCheck)}
     quick = {"phases": [Phase.generate, Phase.shrink], "report_multiple_bugs": False}

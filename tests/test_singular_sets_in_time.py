@@ -132,7 +132,7 @@ MIMIC = """<robot name="m"><link name="b"/><link name="l1"/><link name="l2"/><li
 
 @pytest.mark.parametrize(
     ("leader", "follower", "multiplier"),
-    [("prismatic", "revolute", 2), ("revolute", "prismatic", 0.5), ("revolute", "revolute", 1 / 3)],
+    [("prismatic", "revolute", 2), ("revolute", "prismatic", 0.5), ("revolute", "revolute", 0.3333)],
 )
 def test_a_follower_that_has_no_formula_is_a_formula_error_and_its_set_is_found_by_numbers(
     tmp_path, leader, follower, multiplier

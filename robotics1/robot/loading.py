@@ -107,6 +107,7 @@ def robot_from_text(
     clean(root)
     if base is not None:
         rebase(root, base, tool)
+    ET.indent(root)  # the same text, however xacro has laid it out
     text = ET.tostring(root, encoding="unicode")
     model = build_model(root)
     warnings += narrow_leaders(model, root)
