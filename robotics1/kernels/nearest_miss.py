@@ -100,7 +100,8 @@ def product(counted: Array, e: Array, a: Array, theta: float, across: float, one
         if theta > 1e-4:
             along += e[3 + i] * one[3 + i] / theta
             other_along += e[3 + i] * other[3 + i] / theta
-    return h + across * (dot - on_a * other_on_a) + (1.0 - across) * along * other_along
+    total: float = h + across * (dot - on_a * other_on_a) + (1.0 - across) * along * other_along
+    return total
 
 
 @compiled()

@@ -107,8 +107,7 @@ def robot_from_text(
     clean(root)
     if base is not None:
         rebase(root, base, tool)
-    ET.indent(root)  # the same text, however xacro has laid it out
-    text = ET.tostring(root, encoding="unicode")
+    text = _written(root)
     model = build_model(root)
     warnings += narrow_leaders(model, root)
     return Robot(
@@ -148,6 +147,14 @@ def _folders(packages: Iterable[str | Path]) -> list[Path]:
         return [Path(folder).resolve() for folder in listed]
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
+
+
+def _written(root: ET.Element) -> str:
+    """Return the URDF text, in one layout: xacro, once imported, changes how Python writes all XML."""
+    ET.indent(root)
+    for element in root.iter():
+        element.attrib = dict(sorted(element.attrib.items()))
+    return ET.tostring(root, encoding="unicode")
 
 
 def findings_of(root: Element, path: Path) -> Findings:
