@@ -108,7 +108,7 @@ def product(counted: Array, e: Array, a: Array, theta: float, across: float, one
 def change(e: Array, one: Array, other: Array, before: bool) -> float:
     """Return e·∂J_j/∂x_k of a joint j that carries joint k, or is it."""
     x, y, z = one[3], one[4], one[5]
-    h = (
+    h: float = (
         e[0] * (y * other[2] - z * other[1])
         + e[1] * (z * other[0] - x * other[2])
         + e[2] * (x * other[1] - y * other[0])
