@@ -174,7 +174,7 @@ def _walk(points: SingularPoints, start: Array, goal: Array, flat: list[Sheet]) 
 def _branch(
     points: SingularPoints, piece: Sheet, flat: list[Sheet], rng: np.random.Generator, limits: JointBox
 ) -> SingularBranch:
-    """Complete the samples of a piece and choose the configuration at which its bases are told. They lie inside the
+    """Complete the samples of a piece and choose the configuration of its numeric bases. They lie inside the
     joint limits, unless all that was found is outside by less than 1e-6.
     """
     found = [points.box.nearest(q) for q in piece.points]

@@ -69,7 +69,7 @@ def inertia(link: ET.Element) -> pin.Inertia:
     mass, matrix = inertial.find("mass"), inertial.find("inertia")
     xx, xy, xz, yy, yz, zz = (numbers(matrix, moment)[0] for moment in MOMENTS)
     T = placement(inertial)
-    Y = pin.Inertia.Zero()  # its constructor refuses what no body can have, of which the file's checks only warn
+    Y = pin.Inertia.Zero()  # its constructor refuses impossible inertias, where the file's checks only warn
     Y.mass, Y.lever = numbers(mass, "value")[0], T.translation
     Y.inertia = T.rotation @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ T.rotation.T
     return Y

@@ -29,11 +29,11 @@ def urdf_to_dh(
     """Return a DH table of the chain from the world to the tool, in the robot's own joint values.
 
     T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, as told at `DHTable`; `robot_from_dh(table.rows,
-    **table.options)` has the robot's forward kinematics. Where the robot's frames are those of a table already, as of
-    `robot_from_dh`, it is that table. Else, of the choices that a table leaves, this one takes |θ_i| ≤ π/2, so that
-    a_i may be negative; d_i = 0 between parallel axes, and x_i = x_{i−1} between coincident ones; a prismatic joint's
-    axis through that joint's origin; and the last row as near the tool as a row comes, with |θ_n| > π/2 where
-    that reaches the tool itself.
+    **table.options)` has the robot's forward kinematics. Where the robot's frames are those of a table already, as
+    in a robot of `robot_from_dh`, it is that table. Else, of the choices that a table leaves, it takes
+    |θ_i| ≤ π/2, so that a_i may be negative; d_i = 0 between parallel axes, and x_i = x_{i−1} between coincident
+    ones; a prismatic joint's axis through that joint's origin; and the last row as near the tool as a row comes,
+    with |θ_n| > π/2 where that reaches the tool itself.
 
     Args:
         robot: any robot; joints that do not move the tool are left out.

@@ -87,7 +87,7 @@ def _on(task: FrameTask | FunctionTask, frame: str) -> FrameTask | FunctionTask:
 
 
 def _link_of_axes(robot: Robot, task: FrameTask | FunctionTask) -> str | None:
-    """Return the link whose axes the task is told in; None for the world's."""
+    """Return the link in whose axes the task is written; None for the world."""
     reference = getattr(task, "reference", "world")
     return None if reference == "world" else link_of(robot, None if reference == "tool" else reference)
 
