@@ -7,8 +7,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from robotics1.kinematics import forward_kinematics, frame_jacobian
 from robotics1.robot.dh import robot_from_dh

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from arms import ARMS, arm, random_q
 from dh_forms import conventions, dh_pose, dh_rows, homogeneous, placements, rotation, seeds
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from robotics1 import InputError, UnknownNameError, load_robot
 from robotics1.kinematics import forward_kinematics

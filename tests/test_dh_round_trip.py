@@ -5,8 +5,7 @@ from math import pi
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
+from hypothesis import assume, given, settings, strategies as st
 
 import robotics1 as r1
 

@@ -5,8 +5,7 @@ from math import cos, sin
 import numpy as np
 import pytest
 from arms import ARMS, arm, random_q
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.linalg import null_space
 from scipy.optimize import minimize
 

@@ -5,8 +5,7 @@ from math import cos, exp, sin
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import robotics1 as r1
 from robotics1.differentiation import Estimate, configuration_derivative, derivative, directional_derivative

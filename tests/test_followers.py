@@ -5,8 +5,7 @@ from math import inf, pi
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from joint_kinds import MOVING, mimic, own_pose, urdf, values_of
 
 import robotics1 as r1

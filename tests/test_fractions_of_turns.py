@@ -8,8 +8,7 @@ from math import lcm, pi
 import numpy as np
 import pytest
 import sympy
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
+from hypothesis import assume, given, settings, strategies as st
 from joint_kinds import mimic, urdf
 from singular_arms import XY
 from test_singular_set_edges import COUPLED

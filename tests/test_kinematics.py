@@ -9,8 +9,7 @@ import pinocchio as pin
 import pytest
 from arms import ARMS, ROBOTS, arm, configurations, lengths, random_q
 from differences import twist
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from robotics1 import InputError, UnknownNameError, forward_kinematics, frame_jacobian, frame_jacobian_rate
 from robotics1.differentiation import configuration_derivative, directional_derivative

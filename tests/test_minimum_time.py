@@ -4,8 +4,7 @@ from math import cbrt, inf, nan, pi, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
-from hypothesis import strategies as st
+from hypothesis import assume, given, strategies as st
 from motions import JERK_FREE, MOVING, bound, distance, limits_of, share
 from scipy.optimize import linprog
 

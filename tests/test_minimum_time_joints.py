@@ -4,8 +4,7 @@ from math import inf, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from motions import JERK_FREE, KINDS, MOVING, bound, distance, limits_of
 
 import robotics1 as r1

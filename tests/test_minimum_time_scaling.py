@@ -4,8 +4,7 @@ from math import inf, pi, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import robotics1 as r1
 from robotics1.trajectories.peaks.extremes import extremes_of

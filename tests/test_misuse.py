@@ -14,8 +14,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from arms import arm
-from hypothesis import HealthCheck, Phase, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, Phase, given, settings, strategies as st
 
 import robotics1 as r1
 

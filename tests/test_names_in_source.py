@@ -10,8 +10,7 @@ import pytest
 import sympy
 from arms import one_joint_file
 from hostile_names import NAMES, arm_file
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 import robotics1 as r1
 from robotics1.report.formula_page import write_formula_page

@@ -6,8 +6,7 @@ import closed_forms as cf
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
 import robotics1 as r1

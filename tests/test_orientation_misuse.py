@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 import sympy
 from arms import arm
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 from test_misuse import JUNK, LISTS, NUMBERS, answer, forms
 
 import robotics1 as r1

@@ -5,8 +5,7 @@ from math import nan, pi
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
 from robotics1 import InputError, align_direction, align_two_directions, axis_angle_to_rotation, rotation_to_axis_angle

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 import sympy
 from differences import derivative
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from sweeps import core_first
 
 from robotics1 import (

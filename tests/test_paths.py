@@ -5,8 +5,7 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.integrate import quad
 from scipy.interpolate import CubicSpline
 from scipy.special import ellipe

@@ -6,8 +6,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import sympy
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from test_paths import PATHS, rate
 
 import robotics1 as r1

@@ -6,8 +6,7 @@ from contextlib import suppress
 import numpy as np
 import pytest
 from arms import arm
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 from test_misuse import JUNK
 
 import robotics1 as r1

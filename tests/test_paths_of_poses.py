@@ -5,8 +5,7 @@ from math import cos, pi, sin
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
 import robotics1 as r1

@@ -4,8 +4,7 @@ import closed_forms as cf
 import numpy as np
 import pytest
 from arms import arm
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from robotics1 import InputError, PolynomialTrajectory, cubic, limit_violations
 

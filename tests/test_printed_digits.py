@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from arms import arm
 from differences import outside
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
+from hypothesis import assume, given, settings, strategies as st
 from typer.testing import CliRunner
 
 import robotics1 as r1

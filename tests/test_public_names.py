@@ -55,7 +55,7 @@ def test_no_public_name_is_a_module_name():
 
 def test_all_equals_the_names_of_the_stub():
     tree = ast.parse(Path(robotics1.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
-    imported = [a.asname for node in tree.body if isinstance(node, ast.ImportFrom) for a in node.names]
+    imported = [a.name for node in tree.body if isinstance(node, ast.ImportFrom) for a in node.names]
     listed = next(ast.literal_eval(node.value) for node in tree.body if isinstance(node, ast.Assign))
     assert sorted(imported) == sorted(listed) == sorted(robotics1.__all__)
     assert len(set(listed)) == len(listed)

@@ -8,8 +8,7 @@ import threading
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from joint_kinds import KINDS
 from malformed import BASE
 

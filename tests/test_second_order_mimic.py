@@ -6,8 +6,7 @@ import sys
 import numpy as np
 import pytest
 from differences import twist
-from hypothesis import given, reject, settings
-from hypothesis import strategies as st
+from hypothesis import given, reject, settings, strategies as st
 from mimic_arms import pose, text_of, trees
 
 import robotics1 as r1

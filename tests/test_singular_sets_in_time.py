@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import sympy
 from dh_arms import TWISTED, H, dh
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from singular_checks import rank, usual_sigma
 
 from robotics1 import (

@@ -5,8 +5,7 @@ import numpy as np
 import pytest
 from arms import ARMS, arm, random_q
 from differences import same_rows
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
     IKVerdict,

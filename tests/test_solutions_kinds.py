@@ -8,8 +8,7 @@ import pytest
 from arms import arm
 from differences import same_rows
 from drawn_arms import drawn_arm
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
     FunctionTask,

@@ -7,8 +7,7 @@ import pinocchio as pin
 import pytest
 from arms import arm, configurations
 from dh_arms import P, R, dh
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from robotics1 import (
     IKSolver,

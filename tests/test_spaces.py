@@ -6,8 +6,7 @@ import pytest
 import sympy
 from arms import arm, random_q
 from differences import outside
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from robotics1 import RANK_TOLERANCE, InputError, PlanarPoseTask, PoseTask, PositionTask, subspaces
 

@@ -6,8 +6,7 @@ import pinocchio as pin
 import pytest
 from arms import arm, random_q
 from differences import derivative
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from robotics1 import (
     InputError,

@@ -5,8 +5,7 @@ Velocities scale by k/c, accelerations by k/c², jerks by k/c³. An absolute tol
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import robotics1 as r1
 

@@ -7,8 +7,7 @@ import pinocchio as pin
 import pytest
 from arms import arm
 from drawn_arms import drawn_arm
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.optimize import least_squares
 
 from robotics1 import (

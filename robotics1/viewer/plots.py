@@ -8,9 +8,7 @@ from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
 from robotics1.trajectories.protocols import Trajectory, number_of_joints
 from robotics1.trajectories.target_motion import TargetMotion
-from robotics1.viewer.plot_figures import SAMPLES, legend_text, line_style
-from robotics1.viewer.plot_figures import new_figure as _figure
-from robotics1.viewer.plot_figures import write_svg as _write
+from robotics1.viewer.plot_figures import SAMPLES, legend_text, line_style, new_figure as _figure, write_svg as _write
 
 
 def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *, title: str = "") -> Path:
