@@ -4,13 +4,13 @@ from math import pi
 
 import numpy as np
 import pytest
+from exams.exam_2025_01_13 import answers as exam
+from exams.exam_2025_01_13.formulas import formulas_1
+from exams.exam_2025_01_13.published import compare
+from exams.exam_2025_01_13.worked import work_exam
 from typer.testing import CliRunner
 
 from robotics1.cli.commands import app
-from robotics1.exams import exam_2025_01_13 as exam
-from robotics1.exams.checks_2025_01_13 import compare
-from robotics1.exams.formulas_2025_01_13.exercise_1 import formulas_1
-from robotics1.exams.worked_2025_01_13 import work_exam
 
 
 @pytest.fixture(scope="module")

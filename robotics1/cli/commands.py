@@ -65,10 +65,10 @@ def exam(
     json: AsJson = False,
 ) -> None:
     """Solve the exam of 13 January 2025 and check every published value."""
-    from robotics1.exams.worked_2025_01_13 import work_exam
+    from robotics1.cli.examples import module_of
 
     with err.status("solving the exam"):
-        worked = work_exam(folder)
+        worked = module_of("exams.exam_2025_01_13.worked").work_exam(folder)
     if json:
         output.write_json(worked.as_json())
     else:

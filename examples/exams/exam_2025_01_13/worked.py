@@ -7,10 +7,16 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
+from robotics1 import animate, plot_joint_motion, plot_tool_path
 from robotics1.analysis.singularity_words import directions
-from robotics1.exams.checks_2025_01_13 import compare
-from robotics1.exams.comparison import Comparison
-from robotics1.exams.exam_2025_01_13 import (
+from robotics1.files import make_folder
+from robotics1.notation import count, vector
+from robotics1.report.formula_page import write_formula_page
+from robotics1.report.tables import iteration_table, polynomial_table
+
+from ..comparison import Comparison
+from ..formula_table import FormulaTable
+from .answers import (
     TARGET,
     Exercise1,
     Exercise2,
@@ -19,14 +25,8 @@ from robotics1.exams.exam_2025_01_13 import (
     exercise_2,
     exercise_3,
 )
-from robotics1.exams.formula_table import FormulaTable
-from robotics1.exams.formulas_2025_01_13 import formula_tables
-from robotics1.files import make_folder
-from robotics1.notation import count, vector
-from robotics1.report.formula_page import write_formula_page
-from robotics1.report.tables import iteration_table, polynomial_table
-from robotics1.viewer.animation import animate
-from robotics1.viewer.plots import plot_joint_motion, plot_tool_path
+from .formulas import formula_tables
+from .published import compare
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,20 +4,27 @@ from dataclasses import dataclass
 from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
+import numpy.typing as npt
 
-from robotics1.analysis.singular_set import SingularSet
-from robotics1.analysis.singularity import find_singularities
-from robotics1.analysis.spaces import Subspaces, subspaces
-from robotics1.analysis.statics import balancing_torque
-from robotics1.control import GainChoice, smallest_gain
-from robotics1.ik.iterate import IKIteration, iterate_ik
-from robotics1.inputs import Array
-from robotics1.robot.loading import load_robot
-from robotics1.robot.model import Robot
-from robotics1.tasks.planar_pose import PlanarPoseTask
-from robotics1.tasks.position import PositionTask
-from robotics1.trajectories.meeting import MeetingBranch, Rendezvous, rendezvous
-from robotics1.trajectories.target_motion import LinearMotion
+from robotics1 import (
+    GainChoice,
+    IKIteration,
+    LinearMotion,
+    MeetingBranch,
+    PlanarPoseTask,
+    PositionTask,
+    Rendezvous,
+    Robot,
+    SingularSet,
+    Subspaces,
+    balancing_torque,
+    find_singularities,
+    iterate_ik,
+    load_robot,
+    rendezvous,
+    smallest_gain,
+    subspaces,
+)
 
 POSE, POINT, SPACE = PlanarPoseTask("xy"), PositionTask("xy"), PositionTask("xyz")
 FORCE = (3, 1)
@@ -33,9 +40,9 @@ class Exercise1:
     robot: Robot
     pose: SingularSet
     point: SingularSet
-    q_s: Array
+    q_s: npt.NDArray[np.float64]
     spaces: Subspaces
-    torque: Array
+    torque: npt.NDArray[np.floating]
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,10 +6,11 @@ from typing import Any
 
 import sympy
 
-from robotics1.exams.comparison import Comparison
 from robotics1.notation import number, vector
 from robotics1.report.named_formulas import FormulaSection, NamedFormula
 from robotics1.symbolic.writing.printing import unicode_text
+
+from .comparison import Comparison
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.exams.symbolic_equality import are_equal, formula_of
+from .symbolic_equality import are_equal, formula_of
 
 DECIMALS = 4  # to which a number printed without decimals is held
 

@@ -1,12 +1,16 @@
-"""Exercise 1 in formulas: the tasks (p, φ) and p of the PRR robot, where they are singular, and what that means."""
+"""The formulas of the solution of 13 January 2025, computed, each beside the published one."""
+
+from math import degrees
 
 import sympy
 
-from robotics1.analysis.singular_set import SingularSet
-from robotics1.exams.exam_2025_01_13 import FORCE, POINT, POSE, Exercise1
-from robotics1.exams.formula_table import FormulaRow, FormulaTable
+from robotics1 import MeetingBranch, SingularSet, formulas, polynomial_formula
+from robotics1.notation import vector
+from robotics1.report.tables import polynomial_text
 from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
-from robotics1.symbolic.tasks.formula import formulas
+
+from ..formula_table import FormulaRow, FormulaTable
+from .answers import ANGLE, FORCE, GOAL, P0, POINT, POSE, SPACE, SPEED, Exercise1, Exercise2, Exercise3
 
 nu, mu, phi = sympy.symbols("nu mu phi", real=True)
 rdot = sympy.Matrix(sympy.symbols("rdot1:4", real=True))
@@ -14,6 +18,22 @@ rdot = sympy.Matrix(sympy.symbols("rdot1:4", real=True))
 X_ROW = "[1, -l2*sin(q2) - l3*sin(q2 + q3), -l3*sin(q2 + q3)]"
 Y_ROW = "[0, l2*cos(q2) + l3*cos(q2 + q3), l3*cos(q2 + q3)]"
 TORQUE = "Matrix([-3, 3*(l2 - l3), -3*l3])"
+
+VALUE = "Matrix([q3*cos(q2), q3*sin(q2), q1])"
+JACOBIAN = "Matrix([[0, -q3*sin(q2), cos(q2)], [0, q3*cos(q2), sin(q2)], [1, 0, 0]])"
+P_D = "Matrix([x_d, y_d, z_d])"
+
+x0, y0, v, delta, t = sympy.symbols("x0 y0 v delta t", real=True)
+q_rv, qdot_rv, t_rv = sympy.symbols("q_rv qdot_rv t_rv", real=True)
+
+DIRECTION = "Matrix([cos(delta), sin(delta)])"
+POSITION = "(3*q_rv - t_rv*qdot_rv)*tau**2 + (-2*q_rv + t_rv*qdot_rv)*tau**3"
+VELOCITY = "2/t_rv*(3*q_rv - t_rv*qdot_rv)*tau + 3/t_rv*(-2*q_rv + t_rv*qdot_rv)*tau**2"
+
+
+def formula_tables(one: Exercise1, two: Exercise2, three: Exercise3) -> tuple[FormulaTable, FormulaTable, FormulaTable]:
+    """Return the formulas of all three exercises."""
+    return formulas_1(one), formulas_2(two), formulas_3(three)
 
 
 def formulas_1(one: Exercise1) -> FormulaTable:
@@ -101,3 +121,66 @@ def _values(found: SingularSet) -> sympy.Contains:
 def _at(formula: sympy.Matrix, branch: BranchFormulas) -> sympy.Matrix:
     """Return a formula on a branch."""
     return formula.subs({condition.lhs: condition.rhs for condition in branch.conditions})
+
+
+def formulas_2(two: Exercise2) -> FormulaTable:
+    """Return the formulas of exercise 2."""
+    f = formulas(two.robot, SPACE)
+    p_d = sympy.Matrix(sympy.symbols("x_d y_d z_d", real=True))
+    newton = sympy.Matrix(f.q) + sympy.simplify(f.jacobian.inv() * (p_d - f.value))
+    published = f"Matrix([q1, q2, q3]) + {JACOBIAN}.inv()*({P_D} - {VALUE})"
+    rows = [
+        FormulaRow("2", "p(q) of the cylindrical robot", "p", f.value, VALUE),
+        FormulaRow("2", "Jacobian of the cylindrical robot", "J", f.jacobian, JACOBIAN),
+        FormulaRow("2", "determinant of J", "det(J)", f.determinant, "-q3"),
+        FormulaRow("2", "Newton's next q, q + J⁻¹ (p_d − p)", "q", newton, published),
+    ]
+    return FormulaTable("Exercise 2: cylindrical robot", rows, f"p_d = (x_d, y_d, z_d) = {vector(GOAL)} m.")
+
+
+def formulas_3(three: Exercise3) -> FormulaTable:
+    """Return the formulas of exercise 3."""
+    lengths = three.robot.parameters
+    said = ", ".join(f"{name} = {length:g} m" for name, length in lengths.items())
+    return FormulaTable(
+        "Exercise 3: rendez-vous of the 2R robot",
+        [*_target(), *_robot(three)],
+        f"Lengths {said}; the target starts at (x0, y0) = {vector(P0)} m, v = {SPEED} m/s, δ = {degrees(ANGLE):g}°.",
+        {**lengths, "x0": P0[0], "y0": P0[1], "v": SPEED, "delta": ANGLE},
+        [*_numbers("right", three.right), *_numbers("left", three.left)],
+    )
+
+
+def _target() -> list[FormulaRow]:
+    p = sympy.Matrix([x0 + v * t * sympy.cos(delta), y0 + v * t * sympy.sin(delta)])
+    (time,) = sympy.solve(p[0], t)
+    height = sympy.simplify(p[1].subs(t, time))
+    return [
+        FormulaRow("3", "position of the target, as given", "p_T", p),
+        FormulaRow("3", "velocity of the target", "pdot_T", p.diff(t), f"v*{DIRECTION}", "m/s"),
+        FormulaRow("3b", "time of the rendez-vous, x = 0", "t_rv", time, "-x0/(v*cos(delta))", "s"),
+        FormulaRow("3", "y at the rendez-vous", "p_Ty", height, "y0 + v*(-x0/(v*cos(delta)))*sin(delta)", "m"),
+    ]
+
+
+def _robot(three: Exercise3) -> list[FormulaRow]:
+    f = formulas(three.robot, POINT)
+    pdot = sympy.Matrix([v * sympy.cos(delta), v * sympy.sin(delta)])
+    matching = sympy.simplify(f.jacobian.inv() * pdot)
+    cubic = polynomial_formula((0, 0), (q_rv, qdot_rv), t_rv)
+    return [
+        FormulaRow("3", "p(q) of the 2R robot", "p", f.value),
+        FormulaRow("3", "Jacobian of the 2R robot", "J", f.jacobian),
+        FormulaRow("3", "velocity J⁻¹ ṗ_T that matches the target's", "qdot", matching),
+        FormulaRow("3", "cubic from rest at 0, τ = t/tᵣᵥ", "q_d", cubic.formula, POSITION),
+        FormulaRow("3b", "velocity of the cubic", "qdot_d", cubic.rate.formula, VELOCITY),
+    ]
+
+
+def _numbers(name: str, branch: MeetingBranch) -> list[str]:
+    """Return the numbers of one arm: where it meets the target, and its cubics."""
+    lines = [f"{name} arm: q = {vector(branch.q)} rad, q̇ = {vector(branch.qdot)} rad/s at the rendez-vous"]
+    for symbol, motion in (("q", branch.trajectory), ("q̇", branch.trajectory.rate)):
+        parts = (f"{symbol}{i}(τ) = {polynomial_text(c, 'τ')}" for i, c in enumerate(motion.coefficients.T, start=1))
+        lines.append("; ".join(parts))
+    return lines
