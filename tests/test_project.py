@@ -21,17 +21,23 @@ def wheel_in(folder):
     return next(iter(WheelBuilder(str(ROOT)).build(directory=str(folder), versions=["standard"])))
 
 
-def test_the_wheel_brings_its_robots(tmp_path):
+def test_the_wheel_brings_its_robots_and_its_exams(tmp_path):
     with ZipFile(wheel_in(tmp_path)) as wheel:
         wheel.extractall(tmp_path / "unpacked")
-    program = "import robotics1; r = robotics1.load_robot('prr'); print(r.parameters['l2'], r.path)"
+    program = """
+import robotics1
+from robotics1.cli.examples import module_of
+robot = robotics1.load_robot("prr")
+print(robot.parameters["l2"], robot.path, module_of("exams.exam_2025_01_13.answers").__file__, sep="\\n")
+"""
     run = subprocess.run(
         [sys.executable, "-c", program], check=True, cwd=tmp_path / "unpacked", capture_output=True, text=True,
         timeout=120, env=os.environ | {"PYTHONPATH": str(tmp_path / "unpacked")},
     )  # fmt: skip
-    length, path = run.stdout.split(maxsplit=1)
+    length, *paths = run.stdout.splitlines()
     assert length == "0.6"
-    assert Path(path.strip()).is_relative_to(tmp_path / "unpacked")
+    assert len(paths) == 2
+    assert all(Path(path).is_relative_to(tmp_path / "unpacked" / "robotics1") for path in paths)
 
 
 @pytest.mark.sweep
