@@ -65,14 +65,13 @@ from .orientation.quaternion import (
     quaternion_to_rotation,
     rotation_to_quaternion,
 )
-from .orientation.rates import EulerRates, euler_rate_map, euler_rates
+from .orientation.rates import EulerRates, angular_velocity, euler_rate_map, euler_rates
 from .orientation.sequence import EulerSequence
 from .orientation.sequence_formulas import (
     EulerFormulas,
     SingularAngle,
     euler_formulas,
 )
-from .orientation.velocity import angular_velocity
 from .paths.arc_length import StackedPath, by_arc_length
 from .paths.arcs import arc_path, arc_through, circle_path
 from .paths.euler_rotation import euler_path
