@@ -31,7 +31,7 @@ def far_targets(robot, task, count, seed):
     lower, upper = np.maximum(robot.lower, -3), np.minimum(robot.upper, 3)
     poses = [forward_kinematics(robot, rng.uniform(lower, upper)) for _ in range(count)]
     moved = [pin.SE3(T.rotation, T.translation * rng.uniform(1.5, 4)) for T in poses]
-    if task.takes_poses:
+    if task.frame_map().pose_error.takes_poses:
         return moved
     return [T.rotation[:, 2] if isinstance(task, PointingTask) else T.translation[: task.rows] for T in moved]
 

@@ -24,7 +24,7 @@ from robotics1.kernels.inverse import solve, solve_all
 from robotics1.kernels.nearest_miss import nearest_misses
 from robotics1.kernels.redundancy import bring_all_near, bring_near
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask
+from robotics1.tasks.task import FrameMap, PoseError, Task
 
 GROUP = 64  # starts of which the one nearest to the target is taken
 FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
@@ -43,10 +43,19 @@ class CompiledSearch:
     """Damped least squares in the kernels: from q0, then from random starts near the target, until one arrives."""
 
     def __init__(
-        self, robot: Robot, task: FrameTask, *, prefer: str, seed: int, tolerance: float, time_limit: float
+        self,
+        robot: Robot,
+        task: Task,
+        form: FrameMap,
+        pose_error: PoseError,
+        *,
+        prefer: str,
+        seed: int,
+        tolerance: float,
+        time_limit: float,
     ) -> None:
-        self.robot, self.task, self.seed = robot, task, seed
-        self.tolerance = tolerance * (FINER if task.tells_angles else 1.0)
+        self.robot, self.task, self.form, self.pose_error, self.seed = robot, task, form, pose_error, seed
+        self.tolerance = tolerance * (FINER if pose_error.by_angles else 1.0)
         self.time_limit, self.prefer = time_limit, prefer
         self.problem = pose_problem(robot, task)
         self.middle = self.problem.middle
@@ -63,14 +72,14 @@ class CompiledSearch:
     @cached_property
     def proof(self) -> UnreachableProof:
         """What proves that a target is out of reach."""
-        return UnreachableProof(self.robot, self.task, self.problem)
+        return UnreachableProof(self.robot, self.form, self.problem)
 
     def _compile(self) -> None:
         """Solve for the pose of the first start, so that no time limit pays for the compilation."""
         T = np.eye(4)
         T[:3] = self.first_table[0, :12].reshape(3, 4)
         T[:3, 3] *= self.problem.unit
-        goal = pin.SE3(T).homogeneous if self.task.takes_poses else T
+        goal = pin.SE3(T).homogeneous if self.pose_error.takes_poses else T
         self.solve_one(goal, self.middle, self.first_table[:1], 1, 0, np.empty_like(self.middle))
 
     def quick_call(self) -> Callable[[Any, Any], IKResult]:
@@ -79,7 +88,7 @@ class CompiledSearch:
         All names are bound here, once, and checks are left to the kernel, which refuses what is no pose or not finite:
         around a kernel of four microseconds every function call and every attribute counts.
         """
-        if self.prefer != "any" or not self.task.takes_poses:
+        if self.prefer != "any" or not self.pose_error.takes_poses:
             return self.solve
         kernel, (table, group), middle, tolerance = self.solve_one, self.soon, self.middle, self.tolerance
         SE3, ndarray, number, shape, empty = pin.SE3, np.ndarray, np.dtype(float), middle.shape, np.empty
@@ -103,7 +112,7 @@ class CompiledSearch:
     def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the answer for one target."""
         begin = perf_counter()
-        goal = self.task.goal(self.robot, target)
+        goal = self.pose_error.goal(self.robot, target)
         start, first = (self.middle, 0) if q0 is None else (self.robot.configuration(q0, "q0"), -1)
         q = np.empty_like(start)
         tried, error = self.solve_one(goal, start, *self.soon, first, q)
@@ -143,14 +152,14 @@ class CompiledSearch:
 
     def _goal(self, target: Any) -> Array:
         """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
-        if self.task.takes_poses and type(target) is pin.SE3:
+        if self.pose_error.takes_poses and type(target) is pin.SE3:
             return cast(Array, target.homogeneous)
-        return self.task.goal(self.robot, target)
+        return self.pose_error.goal(self.robot, target)
 
     def _numbered_goal(self, i: int, target: Any, *, task_checks: bool = False) -> Array:
         """Return the pose of target i of many; an error tells i."""
         try:
-            return self.task.goal(self.robot, target) if task_checks else self._goal(target)
+            return self.pose_error.goal(self.robot, target) if task_checks else self._goal(target)
         except (InputError, TaskError) as error:
             raise type(error)(f"target {i} of the batch: {error}") from error
 
@@ -250,7 +259,7 @@ class CompiledSearch:
         q, errors = batch.q[never], batch.error[never]
         on_all_cores(lambda some: self.move_to_misses(goals[never[some]], q[some], errors[some]), len(never))
         batch.q[never], batch.error[never] = q, errors
-        if self.task.tells_angles:  # which a singular orientation does not have
+        if self.pose_error.by_angles:  # which a singular orientation does not have
             return
         for i in never:
             batch.error[i] = float(np.hypot.reduce(self.task.error(self.robot, batch.q[i], targets[i])))

@@ -11,7 +11,6 @@ import numpy as np
 from robotics1.differentiation import configuration_derivative
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
-from robotics1.tasks.function import FunctionTask
 
 REACHED = 1e-9  # |e| of a solution, lengths relative to the arm
 HOPELESS = 1e9  # |e| in lengths of the arm: there rounding hides what the joints do
@@ -158,7 +157,8 @@ class Descent:
         """Return J(q), (m, n), without units; of a function without derivative by differences of its wrapped error."""
         self.clock()
         problem, task = self.problem, self.problem.task
-        if not (isinstance(task, FunctionTask) and task.derivative is None):
+        form = task.frame_map()
+        if form is None or not form.by_differences:
             return problem.jacobian(q)
         r = task.value(problem.robot, q)  # from which the wrapped error is small
         J = configuration_derivative(lambda x: self._clocked_error(x, r), problem.robot, q)

@@ -12,7 +12,7 @@ from robotics1.kernels.inverse import start_table
 from robotics1.kinematics import reference_axes
 from robotics1.robot.box import TURN, JointBox, joint_box
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask
+from robotics1.tasks.task import Task
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,7 @@ class PoseProblem:
         return start_table(self.chain.links(), np.ascontiguousarray(starts))
 
 
-def pose_problem(robot: Robot, task: FrameTask, limits: tuple[Array, Array] | None = None) -> PoseProblem:
+def pose_problem(robot: Robot, task: Task, limits: tuple[Array, Array] | None = None) -> PoseProblem:
     """Return the arrays of a robot and a task, with other limits, (n,) and (n,), than the robot's if they are given.
 
     Raises:
@@ -61,10 +61,13 @@ def pose_problem(robot: Robot, task: FrameTask, limits: tuple[Array, Array] | No
         TaskError: the task does not fit the robot, its axes move, or no joint moves its frame.
     """
     task.check_integrable(robot)
+    form = task.frame_map()
+    if form is None or form.pose_error is None:
+        raise TaskError("the kernels need a task on one frame, such as PoseTask")
     box = joint_box(robot, unlimited=2.0)
-    axes = reference_axes(robot, np.zeros(robot.nq), task.reference)
+    axes = reference_axes(robot, np.zeros(robot.nq), form.reference)
     unit = float(2.0 ** np.clip(np.round(np.log2(robot.reach)), -1000, 1000))
-    chain = chain_arrays(robot, task.frame, unit=unit, axes=axes)
+    chain = chain_arrays(robot, form.frame, unit=unit, axes=axes)
     active = np.unique(chain.coordinate)
     if not active.size:
         raise TaskError("nothing moves this task: there is no joint between the base and its frame")
@@ -85,8 +88,8 @@ def pose_problem(robot: Robot, task: FrameTask, limits: tuple[Array, Array] | No
         chain=chain._replace(coordinate=np.searchsorted(active, chain.coordinate)),
         coordinates=np.column_stack([lower, upper, circular, units]),
         active=active,
-        counted=np.isin(np.arange(6), task.pose_rows).astype(float),
-        axis=task.pointed_axis,
+        counted=form.pose_error.counted,
+        axis=form.pose_error.axis,
         unit=unit,
         box=box,
     )

@@ -12,7 +12,7 @@ from robotics1.ik.general_search import GeneralSearch
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask, Task
+from robotics1.tasks.task import Task
 
 PREFERENCES = ("any", "near", "middle")
 
@@ -64,8 +64,9 @@ class IKSolver:
 
     def _prepare(self) -> None:
         self._search: CompiledSearch | GeneralSearch
-        if isinstance(self.task, FrameTask):
-            self._search = CompiledSearch(self.robot, self.task, **self._options)
+        form = self.task.frame_map()
+        if form is not None and form.pose_error is not None:
+            self._search = CompiledSearch(self.robot, self.task, form, form.pose_error, **self._options)
         else:
             self._search = GeneralSearch(self.robot, self.task, **self._options)
         self._call = self._search.quick_call()

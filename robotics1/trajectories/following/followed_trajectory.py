@@ -11,7 +11,7 @@ from robotics1.caching import cached_property
 from robotics1.differentiation import derivative_inside
 from robotics1.errors import NotConverged
 from robotics1.inputs import Array
-from robotics1.tasks.units import unitless_rows
+from robotics1.tasks.task import unitless_rows
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Peak, Side
