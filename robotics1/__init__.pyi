@@ -15,7 +15,7 @@ from .analysis.spaces import (
 from .analysis.statics import balancing_torque, exerting_torque
 from .control import (
     GainChoice,
-    GainVerdict,
+    GainStatus,
     Tracking,
     simulate_tracking,
     smallest_gain,
@@ -32,10 +32,9 @@ from .errors import (
     UnknownNameError,
 )
 from .ik.iterate import IKIterate, IKIteration, iterate_ik
-from .ik.result import IKBatch, IKResult
-from .ik.solutions import IKSolutions, IKVerdict, ik_solutions
+from .ik.result import IKBatch, IKResult, IKStatus
+from .ik.solutions import IKSolutions, ik_solutions
 from .ik.solver import IKSolver, solve_ik
-from .ik.status import IKStatus
 from .kinematics import (
     forward_kinematics,
     frame_jacobian,
@@ -115,12 +114,12 @@ from .trajectories.composition.stretching import stretched
 from .trajectories.composition.trajectory_sequence import Join, TrajectorySequence
 from .trajectories.following.followed_trajectory import (
     FollowedTrajectory,
-    FollowingVerdict,
+    FollowingStatus,
 )
 from .trajectories.following.joint_rates import (
     JointAcceleration,
     JointVelocity,
-    RateVerdict,
+    RateStatus,
     joint_acceleration,
     joint_velocity,
 )
@@ -205,7 +204,7 @@ __all__ = [
     "EulerSolutions",
     "Examination",
     "FollowedTrajectory",
-    "FollowingVerdict",
+    "FollowingStatus",
     "FormulaError",
     "FormulaPath",
     "Formulas",
@@ -215,7 +214,7 @@ __all__ = [
     "FunctionMotion",
     "FunctionTask",
     "GainChoice",
-    "GainVerdict",
+    "GainStatus",
     "IKBatch",
     "IKIterate",
     "IKIteration",
@@ -223,7 +222,6 @@ __all__ = [
     "IKSolutions",
     "IKSolver",
     "IKStatus",
-    "IKVerdict",
     "InputError",
     "Join",
     "JointAcceleration",
@@ -258,7 +256,7 @@ __all__ = [
     "PositionTask",
     "ProfileLaw",
     "RankStatus",
-    "RateVerdict",
+    "RateStatus",
     "RefinedGroup",
     "Refinement",
     "Rendezvous",

@@ -53,20 +53,20 @@ def print_solutions(
     if json:
         write_json(
             {
-                "verdict": found.verdict.name,
+                "status": found.status.name,
                 "complete": found.complete,
                 "solutions": found.q,
                 "singular": found.singular,
-                "least_error": found.least_error,
+                "error_norm": found.error_norm,
                 "free_joints": found.free_joints,
                 "dimension": found.dimension,
             }
         )
         return len(found) > 0
-    console.print(f"{found.verdict.value} ({len(found)} found by search)")
+    console.print(f"{found.status.value} ({len(found)} found by search)")
     if not len(found):
         nearest = vector(in_degrees(robot, found.closest, degrees))
-        console.print(f"the nearest miss is |e| = {found.least_error:.4g} at q = {nearest}")
+        console.print(f"the nearest miss is |e| = {found.error_norm:.4g} at q = {nearest}")
         return False
     rows = tuple(f"{i + 1}{' singular' if flag else ''}" for i, flag in enumerate(found.singular[:SHOWN]))
     console.print(matrix_table(in_degrees(robot, found.q[:SHOWN], degrees), rows, joint_names(robot)))

@@ -15,8 +15,7 @@ from robotics1.errors import InputError, TaskError
 from robotics1.ik.batch_starts import starts_of_all
 from robotics1.ik.pose_problem import pose_problem
 from robotics1.ik.proof import UnreachableProof
-from robotics1.ik.result import IKBatch, IKResult
-from robotics1.ik.status import IKStatus
+from robotics1.ik.result import IKBatch, IKResult, IKStatus
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import on_all_cores, threads
@@ -119,7 +118,7 @@ class CompiledSearch:
         status = IKStatus.CONVERGED if error <= self.tolerance else IKStatus.NOT_FOUND
         batch = IKBatch(q[None], np.array([status]), np.array([error]), np.array([tried]))
         self._go_on([target], goal[None], start[None], batch, perf_counter() - begin)
-        batch.error[0] = self._brought_near(goal, start, batch.q[0], batch.error[0])
+        batch.error_norm[0] = self._brought_near(goal, start, batch.q[0], batch.error_norm[0])
         return batch[0]
 
     def batch(self, targets: list[Any], q0: npt.ArrayLike | None, progress: Progress | None) -> IKBatch:
@@ -130,10 +129,10 @@ class CompiledSearch:
         batch = IKBatch(np.empty((k, nq)), np.full(k, IKStatus.NOT_FOUND), np.empty(k), np.empty(k, dtype=np.int64))
         for i in range(0, k, CHUNK):
             some = np.arange(i, min(i + CHUNK, k))
-            batch.q[some], batch.starts[some], batch.error[some] = self._round(
+            batch.q[some], batch.starts[some], batch.error_norm[some] = self._round(
                 goals[some], starts[some], self.soon, first
             )
-            done = len(some) + i - int(np.count_nonzero(batch.error[: i + len(some)] > self.tolerance))
+            done = len(some) + i - int(np.count_nonzero(batch.error_norm[: i + len(some)] > self.tolerance))
             if progress is not None:
                 progress(done, k)
         for refused in np.flatnonzero(batch.starts < 0).tolist():
@@ -141,7 +140,9 @@ class CompiledSearch:
         self._go_on(targets, goals, starts, batch, progress=progress)
         if self.prefer != "any":
             wished = starts if self.prefer == "near" else np.tile(self.middle, (k, 1))
-            on_all_cores(lambda some: self.bring_many(goals[some], wished[some], batch.q[some], batch.error[some]), k)
+            on_all_cores(
+                lambda some: self.bring_many(goals[some], wished[some], batch.q[some], batch.error_norm[some]), k
+            )
         return batch
 
     def _brought_near(self, goal: Array, start: Array, q: Array, error: float) -> float:
@@ -189,19 +190,19 @@ class CompiledSearch:
         progress: Progress | None = None,
     ) -> None:
         """Go on with what was not reached: prove it out of reach, or try further starts until the time is over."""
-        missed = np.flatnonzero(~(batch.error <= self.tolerance))  # NaN is a miss
+        missed = np.flatnonzero(~(batch.error_norm <= self.tolerance))  # NaN is a miss
         if not missed.size:
             batch.status[:] = IKStatus.CONVERGED
             return
         proven = np.array([self.proof.at_once(goals[i], self.tolerance, self.tolerance) for i in missed], dtype=bool)
         batch.status[missed] = [IKStatus.UNREACHABLE if out else IKStatus.NOT_FOUND for out in proven]
         self._restart(missed[~proven], goals, starts, batch, spent)
-        never = missed[batch.error[missed] > self.tolerance]
+        never = missed[batch.error_norm[missed] > self.tolerance]
         for i in range(0, len(never), CHUNK):
             self._move_to_misses(never[i : i + CHUNK], targets, goals, batch)
             if progress is not None:
                 progress(len(batch) - len(never) + min(i + CHUNK, len(never)), len(batch))
-        batch.status[batch.error <= self.tolerance] = IKStatus.CONVERGED
+        batch.status[batch.error_norm <= self.tolerance] = IKStatus.CONVERGED
 
     def _restart(self, left: Indices, goals: Array, starts: Array, batch: IKBatch, spent: float) -> None:
         """Try further starts for the targets that are left, until the time is over: `spent` seconds a target are.
@@ -220,9 +221,9 @@ class CompiledSearch:
                 q, tried, errors = self._round(goals[left], starts[left], some, 0)
                 at += size
                 batch.starts[left] += tried
-                better = errors < batch.error[left]
-                batch.q[left[better]], batch.error[left[better]] = q[better], errors[better]
-                left = left[batch.error[left] > self.tolerance]
+                better = errors < batch.error_norm[left]
+                batch.q[left[better]], batch.error_norm[left[better]] = q[better], errors[better]
+                left = left[batch.error_norm[left] > self.tolerance]
                 seconds = (perf_counter() - begin) * share
                 spent += seconds
                 size = int(np.clip(size * SHORT * self.time_limit / seconds, 1, LATER_STARTS))
@@ -256,10 +257,10 @@ class CompiledSearch:
 
         Where the task has an error of its own in place of the rotation vector, that is reported.
         """
-        q, errors = batch.q[never], batch.error[never]
+        q, errors = batch.q[never], batch.error_norm[never]
         on_all_cores(lambda some: self.move_to_misses(goals[never[some]], q[some], errors[some]), len(never))
-        batch.q[never], batch.error[never] = q, errors
+        batch.q[never], batch.error_norm[never] = q, errors
         if self.pose_error.by_angles:  # which a singular orientation does not have
             return
         for i in never:
-            batch.error[i] = float(np.hypot.reduce(self.task.error(self.robot, batch.q[i], targets[i])))
+            batch.error_norm[i] = float(np.hypot.reduce(self.task.error(self.robot, batch.q[i], targets[i])))

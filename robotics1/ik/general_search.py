@@ -10,9 +10,8 @@ import numpy.typing as npt
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.batch_starts import starts_of_all
 from robotics1.ik.descent import Descent, OutOfTime, until
-from robotics1.ik.result import IKBatch, IKResult
+from robotics1.ik.result import IKBatch, IKResult, IKStatus
 from robotics1.ik.scaled_task import scaled_task
-from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -65,7 +64,7 @@ class GeneralSearch:
         return IKBatch(
             np.array([answer.q for answer in answers]),
             np.array([answer.status for answer in answers]),
-            np.array([answer.error for answer in answers]),
+            np.array([answer.error_norm for answer in answers]),
             np.array([answer.starts for answer in answers]),
         )
 

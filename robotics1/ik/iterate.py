@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.analysis.spaces import RANK_TOLERANCE, numeric_rank
-from robotics1.errors import NotConverged, TaskError
-from robotics1.ik.status import IKStatus
+from robotics1.errors import TaskError, require
+from robotics1.ik.result import IKStatus
 from robotics1.ik.steps import damped_step, gradient_step, newton_step, pseudoinverse_step
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
@@ -25,7 +25,7 @@ class IKIterate(NamedTuple):
     k: int
     q: Array
     r: Any
-    error: float
+    error_norm: float
     det: float
     sigma_min: float
 
@@ -68,19 +68,20 @@ class IKIteration:
         """The number of updates of q that were made."""
         return len(self.table) - 1
 
+    def explain(self) -> str:
+        """Return why the iteration stopped, with its numbers, in a sentence."""
+        return (
+            f"{self.method} stopped after {self.iterations} iterations with |e| = {self.table[-1].error_norm:.3g}: "
+            f"{self.status.value}"
+        )
+
     def require(self) -> "IKIteration":
         """Return self if it converged.
 
         Raises:
             NotConverged: it did not; the message says why.
         """
-        if not self.converged:
-            raise NotConverged(
-                f"{self.method} stopped after {self.iterations} iterations with |e| = {self.table[-1].error:.3g}: "
-                f"{self.status.value}",
-                self,
-            )
-        return self
+        return require(self, self.converged)
 
 
 def iterate_ik(

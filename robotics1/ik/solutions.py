@@ -2,30 +2,21 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import Enum
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from robotics1.analysis.singular_points import singular_points
-from robotics1.errors import NotConverged
+from robotics1.errors import require
 from robotics1.ik.descent import REACHED
 from robotics1.ik.proof import is_out_of_reach
+from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.search import SolutionSearch
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-
-
-class IKVerdict(Enum):
-    """How many solutions there are."""
-
-    FINITE = "finitely many solutions"
-    INFINITE = "infinitely many solutions, of which some are listed"
-    UNREACHABLE = "it is proven that no q inside the limits reaches the target"
-    NOT_FOUND = "no solution was found; that proves nothing, but the target is likely out of reach"
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,11 +26,11 @@ class IKSolutions:
     Attributes:
         q: (k, nq) the solutions [rad or m].
         singular: (k,) True where J loses rank.
-        verdict: how many there are.
+        status: how many there are: FINITE, INFINITE, UNREACHABLE or NOT_FOUND.
         complete: whether the method proves that there are no others.
         method: how they were found.
         closest: (nq,) the configuration with the least error, when there is no solution as well.
-        least_error: |r_d − f(closest)|, in the task's units [m, rad].
+        error_norm: |r_d − f(closest)|, in the task's units [m, rad].
         free_joints: the joints that do not move the task, such as fingers beside the tool; in `q` they stand in the
             middle of their range, and their freedom does not count as infinitely many solutions.
         dimension: of the family, when there are infinitely many: 1 for a curve; 0 for finitely many.
@@ -48,11 +39,11 @@ class IKSolutions:
 
     q: Array
     singular: npt.NDArray[np.bool_]
-    verdict: IKVerdict
+    status: IKStatus
     complete: bool
     method: str
     closest: Array
-    least_error: float
+    error_norm: float
     free_joints: tuple[str, ...]
     dimension: int
     within_limits: npt.NDArray[np.bool_]
@@ -60,15 +51,22 @@ class IKSolutions:
     def __len__(self) -> int:
         return len(self.q)
 
+    def explain(self) -> str:
+        """Return how many solutions there are, and the nearest miss if there is none, in sentences."""
+        if not len(self):
+            return f"{self.status.value}; the nearest miss is |e| = {self.error_norm:.3g}"
+        family = f" of dimension {self.dimension}" if self.dimension else ""
+        rest = "these are all" if self.complete else "there may be others"
+        free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
+        return f"{self.status.value}{family}: {len(self)} found by {self.method}, {rest}{free}"
+
     def require(self) -> "IKSolutions":
         """Return self if there is a solution.
 
         Raises:
             NotConverged: there is none.
         """
-        if not len(self):
-            raise NotConverged(f"{self.verdict.value}; the nearest miss is |e| = {self.least_error:.3g}", self)
-        return self
+        return require(self, len(self) > 0)
 
 
 def ik_solutions(
@@ -120,10 +118,10 @@ def ik_solutions(
         found = search.distinct([(closest, 0.0)])
     dimension = _dimension(search, found)
     if found:
-        verdict, closest = IKVerdict.INFINITE if dimension else IKVerdict.FINITE, found[0]
+        status, closest = IKStatus.INFINITE if dimension else IKStatus.FINITE, found[0]
     else:
-        verdict = IKVerdict.UNREACHABLE if is_out_of_reach(problem, target) else IKVerdict.NOT_FOUND
-    return _answer(problem, target, found, verdict, closest, dimension, [search.singular(q) for q in found])
+        status = IKStatus.UNREACHABLE if is_out_of_reach(problem, target) else IKStatus.NOT_FOUND
+    return _answer(problem, target, found, status, closest, dimension, [search.singular(q) for q in found])
 
 
 def _dimension(search: SolutionSearch, found: list[Array]) -> int:
@@ -139,18 +137,18 @@ def _of_a_task_that_nothing_moves(problem: ScaledTask, target: Any, samples: Arr
     middle = problem.middle
     if problem.relative_error(middle, target) > REACHED:
         proven = is_out_of_reach(problem, target)
-        return _answer(problem, target, [], IKVerdict.UNREACHABLE if proven else IKVerdict.NOT_FOUND, middle, 0, [])
+        return _answer(problem, target, [], IKStatus.UNREACHABLE if proven else IKStatus.NOT_FOUND, middle, 0, [])
     dimension = int(np.count_nonzero(problem.box.upper > problem.box.lower))
     found = list(samples) if dimension else [middle]
-    verdict = IKVerdict.INFINITE if dimension else IKVerdict.FINITE
-    return _answer(problem, target, found, verdict, found[0], dimension, [True] * len(found))
+    status = IKStatus.INFINITE if dimension else IKStatus.FINITE
+    return _answer(problem, target, found, status, found[0], dimension, [True] * len(found))
 
 
 def _answer(
     problem: ScaledTask,
     target: Any,
     found: list[Array],
-    verdict: IKVerdict,
+    status: IKStatus,
     closest: Array,
     dimension: int,
     singular: list[bool],
@@ -159,11 +157,11 @@ def _answer(
     return IKSolutions(
         q=np.array(found).reshape(len(found), robot.nq),
         singular=np.array(singular, dtype=bool),
-        verdict=verdict,
-        complete=verdict is IKVerdict.UNREACHABLE or not (dimension or problem.moving.any()),
+        status=status,
+        complete=status is IKStatus.UNREACHABLE or not (dimension or problem.moving.any()),
         method="search",
         closest=closest,
-        least_error=float(np.hypot.reduce(_least(problem, closest, target))),
+        error_norm=float(np.hypot.reduce(_least(problem, closest, target))),
         free_joints=problem.free_joints,
         dimension=dimension,
         within_limits=np.array([robot.within_limits(q) for q in found], dtype=bool),

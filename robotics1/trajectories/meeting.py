@@ -12,7 +12,8 @@ from scipy.optimize import brentq
 
 from robotics1.analysis.spaces import Subspaces, pseudoinverse, subspaces
 from robotics1.errors import InputError, NotConverged
-from robotics1.ik.solutions import IKVerdict, ik_solutions
+from robotics1.ik.result import IKStatus
+from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
 from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
@@ -147,8 +148,8 @@ def rendezvous(
     solutions = ik_solutions(robot, task, position)
     branches = [_branch(robot, task, q, velocity, (q0, qdot0), T) for q in solutions.q]
     branches.sort(key=lambda branch: (not branch.feasible, branch.singular))
-    miss = 0.0 if len(solutions) else solutions.least_error
-    return Rendezvous(T, position, velocity, tuple(branches), _verdict(branches, solutions.verdict), miss)
+    miss = 0.0 if len(solutions) else solutions.error_norm
+    return Rendezvous(T, position, velocity, tuple(branches), _verdict(branches, solutions.status), miss)
 
 
 def meeting_time(
@@ -205,9 +206,9 @@ def nearest_turn(robot: Robot, q: Array, q0: Array) -> Array:
     return np.where(robot.revolute, q + TURN * turns, q)
 
 
-def _verdict(branches: list[MeetingBranch], solutions: IKVerdict) -> MeetingVerdict:
+def _verdict(branches: list[MeetingBranch], solutions: IKStatus) -> MeetingVerdict:
     if not branches:
-        return MeetingVerdict.UNREACHABLE if solutions is IKVerdict.UNREACHABLE else MeetingVerdict.NOT_FOUND
+        return MeetingVerdict.UNREACHABLE if solutions is IKStatus.UNREACHABLE else MeetingVerdict.NOT_FOUND
     if any(branch.feasible for branch in branches):
         return MeetingVerdict.MEETS
     if any(branch.matches for branch in branches):
