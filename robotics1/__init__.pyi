@@ -7,7 +7,6 @@ from .analysis.rounded_configuration import (
 from .analysis.singular_set import SingularBranch, SingularSet
 from .analysis.singularity import find_singularities
 from .analysis.spaces import (
-    RANK_TOLERANCE,
     RankStatus,
     Subspaces,
     subspaces,
@@ -40,6 +39,7 @@ from .kinematics import (
     frame_jacobian,
     frame_jacobian_rate,
 )
+from .least_squares import RANK_TOLERANCE
 from .orientation.axis_angle import (
     AxisAngle,
     axis_angle_to_rotation,

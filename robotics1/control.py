@@ -9,8 +9,9 @@ import numpy as np
 import numpy.typing as npt
 from scipy.integrate import solve_ivp
 
-from robotics1.errors import InputError, require
+from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
+from robotics1.results import require
 from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
 PRECISION = 1e-12  # of the integration, of the largest value of each joint

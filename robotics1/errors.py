@@ -19,7 +19,7 @@ Misuse raises. An unreachable target is not misuse: it is an outcome, reported i
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, Protocol, TypeVar, cast
+from typing import Any, cast
 
 
 class Robotics1Error(Exception):
@@ -88,27 +88,6 @@ class NotConverged(Robotics1Error, RuntimeError):  # noqa: N818 (the contract's 
     def __init__(self, message: str, result: object):
         super().__init__(message)
         self.result = result
-
-
-class Explained(Protocol):
-    """A result that says in sentences what came out."""
-
-    def explain(self) -> str:
-        """Return the outcome with its numbers, in sentences."""
-
-
-Result = TypeVar("Result", bound=Explained)
-
-
-def require(result: Result, success: bool) -> Result:
-    """Return a result that is a success.
-
-    Raises:
-        NotConverged: it is none; the message is what the result explains.
-    """
-    if not success:
-        raise NotConverged(result.explain(), result)
-    return result
 
 
 class MissingExtraError(Robotics1Error, ImportError):

@@ -41,7 +41,7 @@ def assert_never_proven(seed):
     """No pose that forward kinematics gives is proven out of reach, for any task."""
     robot, rng = drawn_arm(seed), np.random.default_rng(seed)
     for task in TASKS:
-        proof = UnreachableProof(robot, task, pose_problem(robot, task))
+        proof = UnreachableProof(pose_problem(robot, task))
         for q in rng.uniform(robot.lower, robot.upper, (3, robot.nq)):
             goal = forward_kinematics(robot, q).homogeneous
             assert not proof.at_once(goal, 1e-9 * robot.reach, 1e-9)

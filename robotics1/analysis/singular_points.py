@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robotics1.analysis.spaces import numeric_rank
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
+from robotics1.least_squares import numeric_rank
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.symbolic.polynomials.time_limit import check_time

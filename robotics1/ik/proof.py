@@ -71,8 +71,8 @@ class UnreachableProof:
     by one. None of them succeeding proves nothing.
     """
 
-    def __init__(self, robot: Robot, form: FrameMap, problem: PoseProblem) -> None:
-        self.robot, self.form, self.problem = robot, form, problem
+    def __init__(self, problem: PoseProblem) -> None:
+        self.problem, self.counted = problem, problem.pose_error.counted
 
     @cached_property
     def reach(self) -> ReachBound:
@@ -82,16 +82,15 @@ class UnreachableProof:
     @cached_property
     def still(self) -> Motionless:
         """What no joint changes."""
-        return motionless(self.robot, self.form)
+        return motionless(self.problem.robot, self.problem.form)
 
     def at_once(self, goal: Array, linear: float, angular: float) -> bool:
         """Whether a goal, (4, 4), is farther from every q than the tolerances [m] and [rad], seen without a search."""
-        counted = self.problem.counted
-        off, turned = self.still.excess(goal, counted, self.problem.axis)
-        size = self.robot.reach + float(np.abs(self.still.p).max())
+        off, turned = self.still.excess(goal, self.counted, self.problem.pose_error.axis)
+        size = self.problem.robot.reach + float(np.abs(self.still.p).max())
         if off > linear + 1e-12 * size or turned > angular + 1e-9:
             return True
-        return self.reach.excess(goal, counted) > linear + 1e-13 * size
+        return self.reach.excess(goal, self.counted) > linear + 1e-13 * size
 
     @cached_property
     def _speeds(self) -> Array:
@@ -103,7 +102,7 @@ class UnreachableProof:
             speeds[0], chain.coordinate, chain.ratio * np.where(turning, self.reach.arms / self.problem.unit, 1.0)
         )
         np.add.at(speeds[1], chain.coordinate, chain.ratio * turning)
-        position, turn = self.problem.counted[:3].any(), self.problem.counted[3:].any()
+        position, turn = self.counted[:3].any(), self.counted[3:].any()
         return np.asarray(speeds * np.array([[float(position)], [float(turn)]]))
 
     @cached_property
@@ -151,6 +150,6 @@ def is_out_of_reach(problem: ScaledTask, target: object) -> bool:
     if not problem.moving.any():
         return True
     goal = form.pose_error.goal(robot, target)
-    proof = UnreachableProof(robot, form, pose_problem(robot, task, (problem.lower, problem.upper)))
+    proof = UnreachableProof(pose_problem(robot, task, (problem.lower, problem.upper)))
     linear, angular = 2 * REACHED * problem.length, 1e-8 if form.pose_error.by_angles else 2 * REACHED
     return proof.at_once(goal, linear, angular) or proof.by_exclusion(goal, linear, angular)

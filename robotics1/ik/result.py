@@ -1,14 +1,15 @@
 """How an inverse kinematics ends, and what the robust one returns: for one target, and for many."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
 from enum import Enum
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import require
 from robotics1.inputs import Array
+from robotics1.results import Frozen, require
 
 
 class IKStatus(Enum):
@@ -75,7 +76,7 @@ class IKResult(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class IKBatch:
+class IKBatch(Frozen):
     """The answers for k targets, in their order.
 
     Attributes:
@@ -89,6 +90,11 @@ class IKBatch:
     status: npt.NDArray[Any]
     error_norm: Array
     starts: npt.NDArray[np.int64]
+
+    @classmethod
+    def of(cls, parts: "Sequence[IKBatch]") -> "IKBatch":
+        """Return the batches one after the other as one."""
+        return cls(*(np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(cls)))
 
     def __len__(self) -> int:
         return len(self.q)

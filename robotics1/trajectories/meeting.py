@@ -10,11 +10,12 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq
 
-from robotics1.analysis.spaces import Subspaces, pseudoinverse, subspaces
+from robotics1.analysis.spaces import Subspaces, subspaces
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
+from robotics1.least_squares import generalized_inverse
 from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -187,7 +188,7 @@ def _branch(robot: Robot, task: Task, q: Array, velocity: Array, start: tuple[Ar
     q = nearest_turn(robot, q, q0)
     J = task.jacobian(robot, q)
     spaces = subspaces(J)
-    qdot = pseudoinverse(J) @ velocity
+    qdot = generalized_inverse(J).solve(velocity)
     trajectory = cubic(q0, q, T, qdot0, qdot)
     lost = _lost(spaces, velocity)
     singular = spaces.rank < min(J.shape)

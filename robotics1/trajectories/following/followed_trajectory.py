@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.differentiation import derivative_inside
-from robotics1.errors import require
 from robotics1.inputs import Array
+from robotics1.results import require
 from robotics1.tasks.task import unitless_rows
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
 from robotics1.trajectories.instants import times_inside
