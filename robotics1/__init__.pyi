@@ -7,7 +7,6 @@ from .analysis.rounded_configuration import (
 from .analysis.singular_set import SingularBranch, SingularSet
 from .analysis.singularity import find_singularities
 from .analysis.spaces import (
-    RANK_TOLERANCE,
     RankStatus,
     Subspaces,
     subspaces,
@@ -15,7 +14,7 @@ from .analysis.spaces import (
 from .analysis.statics import balancing_torque, exerting_torque
 from .control import (
     GainChoice,
-    GainVerdict,
+    GainStatus,
     Tracking,
     simulate_tracking,
     smallest_gain,
@@ -32,15 +31,15 @@ from .errors import (
     UnknownNameError,
 )
 from .ik.iterate import IKIterate, IKIteration, iterate_ik
-from .ik.result import IKBatch, IKResult
-from .ik.solutions import IKSolutions, IKVerdict, ik_solutions
+from .ik.result import IKBatch, IKResult, IKStatus
+from .ik.solutions import IKSolutions, ik_solutions
 from .ik.solver import IKSolver, solve_ik
-from .ik.status import IKStatus
 from .kinematics import (
     forward_kinematics,
     frame_jacobian,
     frame_jacobian_rate,
 )
+from .least_squares import RANK_TOLERANCE
 from .orientation.axis_angle import (
     AxisAngle,
     axis_angle_to_rotation,
@@ -114,12 +113,12 @@ from .trajectories.composition.stretching import stretched
 from .trajectories.composition.trajectory_sequence import Join, TrajectorySequence
 from .trajectories.following.followed_trajectory import (
     FollowedTrajectory,
-    FollowingVerdict,
+    FollowingStatus,
 )
 from .trajectories.following.joint_rates import (
     JointAcceleration,
     JointVelocity,
-    RateVerdict,
+    RateStatus,
     joint_acceleration,
     joint_velocity,
 )
@@ -204,7 +203,7 @@ __all__ = [
     "EulerSolutions",
     "Examination",
     "FollowedTrajectory",
-    "FollowingVerdict",
+    "FollowingStatus",
     "FormulaError",
     "FormulaPath",
     "Formulas",
@@ -214,7 +213,7 @@ __all__ = [
     "FunctionMotion",
     "FunctionTask",
     "GainChoice",
-    "GainVerdict",
+    "GainStatus",
     "IKBatch",
     "IKIterate",
     "IKIteration",
@@ -222,7 +221,6 @@ __all__ = [
     "IKSolutions",
     "IKSolver",
     "IKStatus",
-    "IKVerdict",
     "InputError",
     "Join",
     "JointAcceleration",
@@ -257,7 +255,7 @@ __all__ = [
     "PositionTask",
     "ProfileLaw",
     "RankStatus",
-    "RateVerdict",
+    "RateStatus",
     "RefinedGroup",
     "Refinement",
     "Rendezvous",

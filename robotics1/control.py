@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
+from robotics1.results import require
 from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
 PRECISION = 1e-12  # of the integration, of the largest value of each joint
@@ -98,7 +99,7 @@ def simulate_tracking(
     return Tracking(t, q, np.clip(asked, -limits, limits), trajectory(t) - q, saturated)
 
 
-class GainVerdict(Enum):
+class GainStatus(Enum):
     """What the smallest gain leads to."""
 
     FEEDBACK = "feedback recovers the error"
@@ -112,13 +113,25 @@ class GainChoice:
 
     Attributes:
         gain: (n,) k_i [1/s], equal for all joints.
-        verdict: whether to use it.
+        status: whether feedback with it recovers the error.
         run: the simulated run with it.
     """
 
     gain: Array
-    verdict: GainVerdict
+    status: GainStatus
     run: Tracking
+
+    def explain(self) -> str:
+        """Return the status with its numbers, in a sentence."""
+        return f"{self.status.value}; with k = {self.gain.max(initial=0.0):.6g} 1/s |e(T)| = {self.run.final_error:.3g}"
+
+    def require(self) -> "GainChoice":
+        """Return self if feedback recovers the error.
+
+        Raises:
+            NotConverged: it does not, so that a new trajectory is needed.
+        """
+        return require(self, self.status is not GainStatus.REPLAN)
 
 
 def smallest_gain(
@@ -150,12 +163,12 @@ def smallest_gain(
     k = max(0.0, float(np.log(start) - np.log(wanted)) / trajectory.duration) if start > 0 else 0.0
     run = simulate_tracking(trajectory, q0, k, rate_limits=rate_limits)
     if not run.saturated.any():
-        verdict = GainVerdict.FEEDBACK
+        status = GainStatus.FEEDBACK
     elif run.final_error <= wanted * (1 + 1e-6):
-        verdict = GainVerdict.SATURATES
+        status = GainStatus.SATURATES
     else:
-        verdict = GainVerdict.REPLAN
-    return GainChoice(np.full(n, k), verdict, run)
+        status = GainStatus.REPLAN
+    return GainChoice(np.full(n, k), status, run)
 
 
 def _refuse_what_is_too_large(k: Array, duration: float, q0: Array) -> None:

@@ -93,13 +93,13 @@ def test_a_velocity_in_the_range_is_realised_and_the_residual_of_another_is_orth
     found = r1.joint_velocity(robot, task, q, inside)
     assert J @ found.qdot == pytest.approx(inside, abs=1e-9)
     assert found.feasible
-    assert found.verdict.name.startswith("REALISED")
+    assert found.status.name.startswith("REALISED")
     assert not found.unrealisable.any()
     other = r1.joint_velocity(robot, task, q, rates(task.rows, 2))
     assert J.T @ other.residual == pytest.approx(np.zeros(robot.nv), abs=1e-9)
     assert other.realised == pytest.approx(J @ other.qdot, abs=1e-12)
     if np.linalg.matrix_rank(J, tol=1e-9) < task.rows:
-        assert other.verdict is r1.RateVerdict.OUT_OF_RANGE
+        assert other.status is r1.RateStatus.OUT_OF_RANGE
         assert other.unrealisable == pytest.approx(other.residual, abs=1e-9)
     kernel = null_space(J, rcond=1e-9)
     assert kernel.T @ found.qdot == pytest.approx(np.zeros(kernel.shape[1]), abs=1e-9)  # the shortest
@@ -143,7 +143,7 @@ def test_damped_velocity_minimises_the_error_and_the_damped_weighted_norm(dampin
     assert found.qdot == pytest.approx(expected, abs=1e-9)
     cost = lambda x: np.sum((rdot - J @ x) ** 2) + damping**2 * np.sum(w * x**2)  # noqa: E731
     assert cost(found.qdot) <= minimize(cost, np.zeros(5)).fun + 1e-9
-    assert found.verdict is r1.RateVerdict.DAMPED
+    assert found.status is r1.RateStatus.DAMPED
     assert found.feasible
 
 
@@ -166,22 +166,22 @@ def test_a_singular_2r_realises_what_is_across_it_and_says_what_is_lost():
     robot, task, q = arm("planar_2r", l1=1.0, l2=1.0), r1.PositionTask("xy"), [0.5, 0.0]
     along, across = np.array([cos(0.5), sin(0.5)]), np.array([-sin(0.5), cos(0.5)])
     good = r1.joint_velocity(robot, task, q, 3 * across)
-    assert good.verdict is r1.RateVerdict.REALISED_ALL_THE_SAME
+    assert good.status is r1.RateStatus.REALISED_ALL_THE_SAME
     assert (good.rank, good.feasible) == (1, True)
     assert good.qdot == pytest.approx(np.array([2, 1]) * 3 / 5)
     bad = r1.joint_velocity(robot, task, q, 3 * across + 2 * along)
-    assert bad.verdict is r1.RateVerdict.OUT_OF_RANGE
+    assert bad.status is r1.RateStatus.OUT_OF_RANGE
     assert bad.residual == pytest.approx(2 * along)
     assert bad.unrealisable == pytest.approx(2 * along)
     assert bad.qdot == pytest.approx(good.qdot)
-    assert "rank 1 of 2" in bad.explanation
-    assert "|residual| = 2" in bad.explanation
+    assert "rank 1 of 2" in bad.explain()
+    assert "|residual| = 2" in bad.explain()
     close = r1.joint_velocity(robot, task, [0.5, 1e-3], along)
     assert close.near_singular
-    assert close.verdict is r1.RateVerdict.REALISED
-    assert "near a singularity" in close.explanation
+    assert close.status is r1.RateStatus.REALISED
+    assert "near a singularity" in close.explain()
     assert np.abs(close.qdot).max() > 1e3 / 3
-    assert "near" not in r1.joint_velocity(robot, task, [0.5, 1.0], along).explanation
+    assert "near" not in r1.joint_velocity(robot, task, [0.5, 1.0], along).explain()
 
 
 @pytest.mark.parametrize(
@@ -243,7 +243,7 @@ def test_a_singular_acceleration_is_realised_by_the_centripetal_part_alone():
     assert found.drift == pytest.approx([-2 * w**2, 0])
     assert found.qddot == pytest.approx([0, 0], abs=1e-9)
     lost = r1.joint_acceleration(robot, task, [0, 0], [w, 0], [0, 0])
-    assert lost.verdict is r1.RateVerdict.OUT_OF_RANGE
+    assert lost.status is r1.RateStatus.OUT_OF_RANGE
     assert lost.residual == pytest.approx([2 * w**2, 0])
 
 
@@ -409,3 +409,13 @@ def test_a_derivative_at_a_jump_uses_one_side_only():
     for t, side, expected in [(1.0, "left", cos(1)), (1.0, "right", 3), (0.0, "right", 1), (2.0, "right", 12)]:
         assert derivative_inside(f, t, [0.0, 1.0, 2.0], side) == pytest.approx([expected], abs=1e-9)
     assert derivative_inside(f, 0.9999, [0.0, 1.0, 2.0], "right") == pytest.approx([cos(0.9999)], abs=1e-9)
+
+
+def test_what_is_not_realised_is_an_error_for_who_requires_it():
+    """At q2 = 0 the stretched arm has no velocity along itself."""
+    robot, task = arm("planar_2r"), r1.PositionTask("xy")
+    good = r1.joint_velocity(robot, task, [0.5, 1.0], [0.1, 0.2])
+    assert good.require() is good
+    with pytest.raises(r1.NotConverged, match="not in the range of the Jacobian") as caught:
+        r1.joint_velocity(robot, task, [0.0, 0.0], [1.0, 0.0]).require()
+    assert caught.value.result.status is r1.RateStatus.OUT_OF_RANGE

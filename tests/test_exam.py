@@ -46,9 +46,9 @@ def test_exercise_1_holds_in_the_singular_configuration_with_positive_joint_valu
 
 
 def test_exercise_3_feedback_recovers_a_small_error_and_a_large_one_wants_replanning(worked):
-    assert worked.three.feedback.verdict.name == "FEEDBACK"
+    assert worked.three.feedback.status.name == "FEEDBACK"
     assert worked.three.feedback.gain == pytest.approx(np.log(np.hypot(0.1, 0.1) / 1e-3) / worked.three.meeting.time)
-    assert worked.three.too_far.verdict.name == "REPLAN"
+    assert worked.three.too_far.status.name == "REPLAN"
 
 
 def test_the_command_prints_the_answers_and_writes_figures_and_pages(tmp_path):

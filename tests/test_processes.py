@@ -31,7 +31,7 @@ def everything(robot):
     return observed(
         [
             batch.q,
-            batch.error,
+            batch.error_norm,
             scan.worst,
             r1.formulas(robot, PLANE).determinant,
             r1.robot_from_dh([("R", 2.0, 0, 0, 0)]).reach,

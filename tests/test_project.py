@@ -70,7 +70,7 @@ def test_the_code_of_the_readme_runs_and_says_what_it_says(tmp_path, monkeypatch
     assert scope["run"].iterations == 3
     assert len(scope["every"].q) == 2
     assert scope["meeting"].time == pytest.approx(1.380, abs=5e-4)
-    assert scope["choice"].verdict.name == "FEEDBACK"
+    assert scope["choice"].status.name == "FEEDBACK"
     assert (tmp_path / "meeting.html").is_file()
 
 

@@ -148,7 +148,7 @@ def test_an_arm_with_followers_follows_by_accelerations_as_by_velocities(folder)
     by_velocity = r1.follow_trajectory(robot, task, motion, q0)
     by_acceleration = r1.follow_trajectory_by_acceleration(robot, task, motion, (q0, np.zeros(2)))
     assert by_acceleration(0.8) == pytest.approx(by_velocity(0.8), abs=1e-6)
-    assert by_acceleration.verdict is r1.FollowingVerdict.FOLLOWS
+    assert by_acceleration.status is r1.FollowingStatus.FOLLOWS
 
 
 @given(trees(most=3, chain=True), st.integers(0, 99))

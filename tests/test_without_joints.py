@@ -78,14 +78,14 @@ def test_no_velocity_but_zero_is_realised(still, task, resolution):
     m = task.rows
     moved = r1.joint_velocity(still, task, [], np.ones(m), resolution=resolution)
     assert moved.qdot.shape == (0,)
-    assert moved.verdict is r1.RateVerdict.OUT_OF_RANGE
+    assert moved.status is r1.RateStatus.OUT_OF_RANGE
     assert moved.residual == pytest.approx(np.ones(m))
-    assert "rank 0 of 0" in moved.explanation
-    assert r1.joint_velocity(still, task, [], np.zeros(m), resolution=resolution).verdict is r1.RateVerdict.REALISED
+    assert "rank 0 of 0" in moved.explain()
+    assert r1.joint_velocity(still, task, [], np.zeros(m), resolution=resolution).status is r1.RateStatus.REALISED
     second = r1.joint_acceleration(still, task, [], [], np.ones(m), resolution=resolution)
     assert second.qddot.shape == (0,)
     assert second.drift == pytest.approx(np.zeros(m))
-    assert second.verdict is r1.RateVerdict.OUT_OF_RANGE
+    assert second.status is r1.RateStatus.OUT_OF_RANGE
 
 
 @pytest.mark.parametrize("task", [task for name, task in TASKS.items() if name != "tool axes"])

@@ -14,8 +14,7 @@ from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_n
 from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
-from robotics1.tasks.task import Task
-from robotics1.tasks.turns import turns_of
+from robotics1.tasks.task import Task, turns_of
 
 if TYPE_CHECKING:
     from robotics1.analysis.symbolic_branches import Found, SymbolicSearch

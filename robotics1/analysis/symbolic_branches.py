@@ -26,7 +26,7 @@ from robotics1.symbolic.singular_sets.singular_loci import largest_pieces, singu
 from robotics1.symbolic.singular_sets.solving import CaseDistinction
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.symbolic.writing.sums_of_angles import Groups
-from robotics1.tasks.task import FrameTask, Task
+from robotics1.tasks.task import Task
 
 SAMPLES = 50
 BESIDE = 8  # configurations outside of a box from which one inside is looked for
@@ -264,7 +264,8 @@ def symbolic_search(
     points = singular_points(cleaned(robot)[0], task, box, rng)
     if points.rank == 0:
         raise TaskError(NOTHING_MOVES)
-    in_world = isinstance(task, FrameTask) and task.reference == "world"
+    form = task.frame_map()
+    in_world = form is not None and form.S is not None and form.reference == "world"
     rows = exact_rows(found.reading, in_world)
     if any(entry.has_roots for entry in rows.M.flat):
         rows = exact_rows(replace(found.reading, chain=replace(found.reading.chain, rational=True)), in_world)

@@ -32,7 +32,7 @@ def iteration_table(run: IKIteration, title: str = "") -> Table:
     for row in run.table:
         r = row.r.translation if isinstance(row.r, pin.SE3) else row.r
         last = row.det if square else row.sigma_min
-        table.add_row(str(row.k), vector(row.q), vector(r), f"{row.error:.5f}", number(last))
+        table.add_row(str(row.k), vector(row.q), vector(r), f"{row.error_norm:.5f}", number(last))
     return table
 
 

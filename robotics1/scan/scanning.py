@@ -18,8 +18,7 @@ from robotics1.scan.reduction import MEASURES, Reduction, reduced
 from robotics1.scan.refinement import refine as refine_worst
 from robotics1.scan.result import SingularityScan
 from robotics1.scan.samples import METHODS, Chunk, Samples, samples_of
-from robotics1.tasks.task import Task
-from robotics1.tasks.turns import turns_of
+from robotics1.tasks.task import Task, turns_of
 
 if TYPE_CHECKING:
     from robotics1.scan.measurement import Measurement

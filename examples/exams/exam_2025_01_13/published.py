@@ -82,10 +82,10 @@ def check_exercise_2(comparison: Comparison, two: Exercise2) -> None:
     comparison.numbers("2a", "iterations to convergence", "3", two.a.iterations if two.a.converged else -1)
     comparison.numbers("2a", "q_sol,1", "3 2.3562 -1.4142", two.a.q)
     comparison.numbers("2b", "q_b[0] gives p[0]", "1 1 2", two.b.table[0].r)
-    comparison.numbers("2b", "|e[0]|", "2.2361", two.b.table[0].error)
+    comparison.numbers("2b", "|e[0]|", "2.2361", two.b.table[0].error_norm)
     comparison.numbers("2b", "q[1]", "3 -0.2146 0", two.b.q)
     comparison.numbers("2b", "p[1]", "0 0 3", two.b.table[1].r)
-    comparison.numbers("2b", "|e[1]|", "1.4142", two.b.table[1].error)
+    comparison.numbers("2b", "|e[1]|", "1.4142", two.b.table[1].error_norm)
     comparison.numbers("2b", "det J(q[1])", "0", two.b.table[1].det)
     stopped = two.b.iterations if two.b.status.name == "SINGULAR" else -1
     comparison.numbers("2b", "iteration at which Newton meets a singular J", "1", stopped)
@@ -102,7 +102,7 @@ def _table(comparison: Comparison, exercise: str, name: str, printed: str, run: 
         for column, text, value in (
             ("q", q, row.q),
             ("p", p, row.r),
-            ("|e|", error, row.error),
+            ("|e|", error, row.error_norm),
             ("det J", det, row.det),
         ):
             comparison.numbers(exercise, f"{name}, k={k.strip()}, {column}", text, value)

@@ -146,7 +146,7 @@ def _print_exercise_3(console: Console, three: Exercise3) -> None:
         start = choice.run.q[0]
         console.print(
             f"q(0) = {vector(start)}: K = {choice.gain[0]:.3f} · 1 [1/s] is the smallest for a final error of 1e-3; "
-            f"with it |q_d − q| = {choice.run.final_error:.2e} at t_rv: {choice.verdict.value}.",
+            f"with it |q_d − q| = {choice.run.final_error:.2e} at t_rv: {choice.status.value}.",
             highlight=False,
         )
 

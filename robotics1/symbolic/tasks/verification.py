@@ -15,7 +15,6 @@ from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.cleaning import cleaned
 from robotics1.symbolic.writing.numeric_functions import numpy_function
-from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import Task
 
 AGREES = 1e-9  # largest difference of a formula from Pinocchio, relative to the larger of 1 and the value
@@ -95,7 +94,8 @@ def numeric_value(task: Task, robot: Robot, q: Array) -> Estimate:
 
 def numeric_jacobian(task: Task, robot: Robot, q: Array) -> Estimate:
     """Return J; of a function of the user's own as the derivative of its values."""
-    if not isinstance(task, FunctionTask):
+    form = task.frame_map()
+    if form is None or form.S is not None:
         return rounded(task.jacobian(robot, q))
     if not robot.nv:
         return rounded(np.zeros((task.rows, 0)))

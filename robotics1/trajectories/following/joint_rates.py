@@ -2,14 +2,17 @@
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from typing import Self
 
 import numpy as np
 import numpy.typing as npt
 
 from robotics1.analysis.rounded_configuration import RoundedConfiguration, rounded_configuration
-from robotics1.analysis.spaces import RANK_TOLERANCE, subspaces
+from robotics1.analysis.spaces import subspaces
 from robotics1.differentiation import directional_derivative
 from robotics1.inputs import Array, a_robot_and_a_task, real_array
+from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.results import require
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
@@ -17,7 +20,7 @@ from robotics1.trajectories.following.resolution import Resolution, resolution_o
 NEAR = 1e-2  # σ_min/σ_max: below, joint velocities become large
 
 
-class RateVerdict(Enum):
+class RateStatus(Enum):
     """Whether what is asked of the task is realised."""
 
     REALISED = "realised"
@@ -39,7 +42,7 @@ class Resolved:
         singular_values: of A, descending.
         rank: of A.
         damping: the λ that was used.
-        verdict: whether b is realised; NEARLY_SINGULAR where a singularity is within the rounding of q.
+        status: whether b is realised; NEARLY_SINGULAR where a singularity is within the rounding of q.
         rounded: q with its printed digits, and the singular configuration within them.
     """
 
@@ -50,7 +53,7 @@ class Resolved:
     singular_values: Array
     rank: int
     damping: float
-    verdict: RateVerdict
+    status: RateStatus
     rounded: RoundedConfiguration = field(kw_only=True)
 
     @property
@@ -63,18 +66,25 @@ class Resolved:
         """Whether the rank is lost, or σ_min ≤ 0.01 σ_max."""
         return bool((self.singular_values[-1:] <= NEAR * self.singular_values[:1]).any())
 
-    @property
-    def explanation(self) -> str:
-        """The verdict with its numbers, in a sentence."""
-        if self.verdict is RateVerdict.NEARLY_SINGULAR:
+    def explain(self) -> str:
+        """Return the status with its numbers, in a sentence."""
+        if self.status is RateStatus.NEARLY_SINGULAR:
             return f"{self.rounded.explain()}; the answer there is `at_singularity`"
         rank = f"rank {self.rank} of {min(len(self.realised), len(self.inputs))}"
         near = ""
         if self.near_singular and self.singular_values[-1] > 0:
             near = f", near a singularity: σ_min/σ_max = {self.singular_values[-1] / self.singular_values[0]:.2g}"
         left = float(np.linalg.norm(self.residual))
-        rest = "" if self.verdict.name.startswith("REALISED") else f"; |residual| = {left:.6g}"
-        return f"{self.verdict.value} ({rank}{near}{rest})"
+        rest = "" if self.status.name.startswith("REALISED") else f"; |residual| = {left:.6g}"
+        return f"{self.status.value} ({rank}{near}{rest})"
+
+    def require(self) -> Self:
+        """Return self if b is realised.
+
+        Raises:
+            NotConverged: a part of it is not, or the configuration may be singular.
+        """
+        return require(self, self.status in (RateStatus.REALISED, RateStatus.REALISED_ALL_THE_SAME))
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +154,7 @@ def joint_velocity(
     if rounded.singular_q is None or rounded.at_singularity is None:
         return found
     there = at(rounded.singular_q, rounded.at_singularity.J)
-    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
+    return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=there)
 
 
 def joint_acceleration(
@@ -193,7 +203,7 @@ def joint_acceleration(
     if rounded.singular_q is None or rounded.at_singularity is None:
         return found
     there = at(rounded.singular_q, rounded.at_singularity.J)
-    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
+    return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=there)
 
 
 def _rounded(robot: Robot, task: Task, resolution: Resolution, q: npt.ArrayLike) -> RoundedConfiguration:
@@ -219,17 +229,17 @@ def _wish(name: str, value: npt.ArrayLike | None, A: Array) -> Array | None:
 
 def _report(
     A: Array, b: Array, u: Array, damping: float, size: float
-) -> tuple[Array, Array, Array, Array, Array, int, float, RateVerdict]:
+) -> tuple[Array, Array, Array, Array, Array, int, float, RateStatus]:
     """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding."""
     spaces = subspaces(A)
     inside = bool(np.linalg.norm(spaces.unrealisable(b)) <= RANK_TOLERANCE * size)
     residual = b - A @ u
     if not inside:
-        verdict = RateVerdict.OUT_OF_RANGE
+        status = RateStatus.OUT_OF_RANGE
     elif damping > 0 and np.linalg.norm(residual) > RANK_TOLERANCE * size:
-        verdict = RateVerdict.DAMPED
+        status = RateStatus.DAMPED
     else:
         lost = spaces.rank < min(A.shape)
-        verdict = RateVerdict.REALISED_ALL_THE_SAME if lost else RateVerdict.REALISED
+        status = RateStatus.REALISED_ALL_THE_SAME if lost else RateStatus.REALISED
     unrealisable = np.zeros(len(b)) if inside else spaces.unrealisable(b)
-    return u, A @ u, residual, unrealisable, spaces.singular_values, spaces.rank, damping, verdict
+    return u, A @ u, residual, unrealisable, spaces.singular_values, spaces.rank, damping, status

@@ -9,8 +9,7 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
-from robotics1.tasks.units import unitless_rows
+from robotics1.tasks.task import Task, unitless_rows
 from robotics1.trajectories.following.joint_rates import drifts
 from robotics1.trajectories.following.resolution import Resolution
 from robotics1.trajectories.protocols import Side
