@@ -1,18 +1,5 @@
 """The public names and where they are; `__init__.py` reads this file, and so do type checkers."""
 
-from .analysis.rounded_configuration import (
-    RoundedConfiguration,
-    singularity_within_rounding,
-)
-from .analysis.singular_set import SingularBranch, SingularSet
-from .analysis.singularity import find_singularities
-from .analysis.spaces import (
-    RANK_TOLERANCE,
-    RankStatus,
-    Subspaces,
-    subspaces,
-)
-from .analysis.statics import balancing_torque, exerting_torque
 from .control import (
     GainChoice,
     GainVerdict,
@@ -97,10 +84,23 @@ from .robot.dh_table import DHRow, DHTable
 from .robot.examination import Examination, examine
 from .robot.loading import load_robot
 from .robot.model import Robot
-from .scan.histogram import MeasureDistribution
-from .scan.refinement import RefinedGroup, Refinement
-from .scan.result import SingularityScan
-from .scan.scanning import scan_singularities
+from .singularities.distribution import MeasureDistribution
+from .singularities.find import find_singularities
+from .singularities.refinement import RefinedGroup, Refinement
+from .singularities.result import SingularBranch, SingularSet
+from .singularities.rounding import (
+    RoundedConfiguration,
+    singularity_within_rounding,
+)
+from .singularities.scan import scan_singularities
+from .singularities.scan_result import SingularityScan
+from .singularities.spaces import (
+    RANK_TOLERANCE,
+    RankStatus,
+    Subspaces,
+    subspaces,
+)
+from .singularities.statics import balancing_torque, exerting_torque
 from .symbolic.tasks.formula import formulas
 from .symbolic.tasks.task_formulas import Formulas
 from .tasks.function import FunctionTask

@@ -23,8 +23,8 @@ from robotics1 import (
     scan_singularities,
 )
 from robotics1.robot.box import joint_box
-from robotics1.scan.measurement import KernelMeasurement, TaskMeasurement, measurement_of
-from robotics1.scan.samples import CHUNK, samples_of
+from robotics1.singularities.measurement import KernelMeasurement, TaskMeasurement, measurement_of
+from robotics1.singularities.samples import CHUNK, samples_of
 from robotics1.tasks.units import unitless_jacobian
 
 ALL = ("sigma_min", "condition", "manipulability")

@@ -6,9 +6,9 @@ from typing import Any
 import sympy
 from rich.console import Console
 
-from robotics1.analysis.singular_set import SingularBranch, SingularSet
 from robotics1.cli.output import write_json
 from robotics1.errors import FormulaError, InputError
+from robotics1.singularities.result import SingularBranch, SingularSet
 from robotics1.symbolic.writing.printing import latex_text, python_function
 
 BASES = {"null": r"\mathcal{N}(J)", "range": r"\mathcal{R}(J)", "left_null": r"\mathcal{N}(J^T)"}

@@ -5,15 +5,15 @@ from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 
-from robotics1.analysis.singular_set import SingularSet
-from robotics1.analysis.singularity import find_singularities
-from robotics1.analysis.spaces import Subspaces, subspaces
-from robotics1.analysis.statics import balancing_torque
 from robotics1.control import GainChoice, smallest_gain
 from robotics1.ik.iterate import IKIteration, iterate_ik
 from robotics1.inputs import Array
 from robotics1.robot.loading import load_robot
 from robotics1.robot.model import Robot
+from robotics1.singularities.find import find_singularities
+from robotics1.singularities.result import SingularSet
+from robotics1.singularities.spaces import Subspaces, subspaces
+from robotics1.singularities.statics import balancing_torque
 from robotics1.tasks.planar_pose import PlanarPoseTask
 from robotics1.tasks.position import PositionTask
 from robotics1.trajectories.meeting import MeetingBranch, Rendezvous, rendezvous

@@ -7,7 +7,6 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from robotics1.analysis.singularity_words import directions
 from robotics1.exams.checks_2025_01_13 import compare
 from robotics1.exams.comparison import Comparison
 from robotics1.exams.exam_2025_01_13 import (
@@ -25,6 +24,7 @@ from robotics1.files import make_folder
 from robotics1.notation import count, vector
 from robotics1.report.formula_page import write_formula_page
 from robotics1.report.tables import iteration_table, polynomial_table
+from robotics1.singularities.explain import directions
 from robotics1.viewer.animation import animate
 from robotics1.viewer.plots import plot_joint_motion, plot_tool_path
 

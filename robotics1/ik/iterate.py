@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.spaces import RANK_TOLERANCE, numeric_rank
 from robotics1.errors import NotConverged, TaskError
 from robotics1.ik.status import IKStatus
 from robotics1.ik.steps import damped_step, gradient_step, newton_step, pseudoinverse_step
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
+from robotics1.singularities.spaces import RANK_TOLERANCE, numeric_rank
 from robotics1.tasks.task import Task
 
 METHODS = ("newton", "pseudoinverse", "gradient", "damped")

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
 from robotics1.ik.descent import REACHED, Descent, End
 from robotics1.inputs import Array
+from robotics1.singularities.points import ON_THE_SET, SingularPoints
 
 SAME = 1e-6  # distance of two solutions that are one
 NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.singular_points import singular_points
 from robotics1.errors import NotConverged
 from robotics1.ik.descent import REACHED
 from robotics1.ik.proof import is_out_of_reach
@@ -16,6 +15,7 @@ from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.search import SolutionSearch
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
 from robotics1.robot.model import Robot
+from robotics1.singularities.points import singular_points
 from robotics1.tasks.task import Task
 
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from robotics1.analysis.spaces import pseudoinverse
 from robotics1.inputs import Array
+from robotics1.singularities.spaces import pseudoinverse
 
 
 def newton_step(J: Array, e: Array) -> Array:

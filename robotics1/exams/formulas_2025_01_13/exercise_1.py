@@ -2,9 +2,9 @@
 
 import sympy
 
-from robotics1.analysis.singular_set import SingularSet
 from robotics1.exams.exam_2025_01_13 import FORCE, POINT, POSE, Exercise1
 from robotics1.exams.formula_table import FormulaRow, FormulaTable
+from robotics1.singularities.result import SingularSet
 from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 from robotics1.symbolic.tasks.formula import formulas
 

@@ -6,11 +6,11 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.rounded_configuration import RoundedConfiguration, rounded_configuration
-from robotics1.analysis.spaces import RANK_TOLERANCE, subspaces
 from robotics1.differentiation import directional_derivative
 from robotics1.inputs import Array, a_robot_and_a_task, real_array
 from robotics1.robot.model import Robot
+from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
+from robotics1.singularities.spaces import RANK_TOLERANCE, subspaces
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.spaces import numeric_rank
 from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, real_array, real_number
 from robotics1.robot.model import Robot
+from robotics1.singularities.spaces import numeric_rank
 
 Matrix = npt.ArrayLike | Callable[[Array], npt.ArrayLike]
 

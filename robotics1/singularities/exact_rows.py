@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import sympy
 
-from robotics1.analysis.singular_points import SingularPoints
-from robotics1.analysis.spaces import subspaces
 from robotics1.errors import FormulaError
+from robotics1.singularities.points import SingularPoints
+from robotics1.singularities.spaces import subspaces
 from robotics1.symbolic.kinematics.convenient_axes import Convenient
 from robotics1.symbolic.tasks.reading import Reading
 

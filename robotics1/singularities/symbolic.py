@@ -7,14 +7,14 @@ from itertools import combinations
 import numpy as np
 import sympy
 
-from robotics1.analysis.exact_rows import exact_rows, verify_rows
-from robotics1.analysis.limits import NEAR, note_on_limits
-from robotics1.analysis.singular_points import NOTHING_MOVES, SingularPoints, singular_points
-from robotics1.analysis.singular_set import SingularBranch
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import TURN, JointBox
 from robotics1.robot.model import Robot
+from robotics1.singularities.exact_rows import exact_rows, verify_rows
+from robotics1.singularities.limits import NEAR, note_on_limits
+from robotics1.singularities.points import NOTHING_MOVES, SingularPoints, singular_points
+from robotics1.singularities.result import SingularBranch
 from robotics1.symbolic.kinematics.cleaning import cleaned
 from robotics1.symbolic.kinematics.convenient_axes import Convenient
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit

@@ -2,12 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-from robotics1.analysis.singularity_words import place
 from robotics1.notation import count, enumeration, joint_value, vector
+from robotics1.singularities.explain import place
 
 if TYPE_CHECKING:
-    from robotics1.scan.refinement import RefinedGroup, Refinement
-    from robotics1.scan.result import SingularityScan
+    from robotics1.singularities.refinement import RefinedGroup, Refinement
+    from robotics1.singularities.scan_result import SingularityScan
 
 CHOSEN = {"random": "random configurations", "sobol": "configurations of Sobol's sequence", "grid": "points of a grid"}
 SHOWN = 3  # configurations of a group that are written out

@@ -10,8 +10,8 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, one_of
 from robotics1.names import printable
 from robotics1.robot.model import Robot
-from robotics1.scan.histogram import MeasureDistribution
-from robotics1.scan.refinement import Refinement
+from robotics1.singularities.distribution import MeasureDistribution
+from robotics1.singularities.refinement import Refinement
 from robotics1.tasks.task import Task
 
 
@@ -87,6 +87,6 @@ class SingularityScan:
 
     def explain(self) -> str:
         """Return the answer in sentences."""
-        from robotics1.scan.words import scan_sentences
+        from robotics1.singularities.scan_words import scan_sentences
 
         return printable(scan_sentences(self), keep="\n")

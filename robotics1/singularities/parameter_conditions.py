@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import sympy
 
-from robotics1.analysis.singular_set import SingularBranch
-from robotics1.analysis.symbolic_branches import SymbolicSearch
 from robotics1.robot.box import JointBox
+from robotics1.singularities.result import SingularBranch
+from robotics1.singularities.symbolic import SymbolicSearch
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import factors
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit

@@ -6,19 +6,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from robotics1.analysis.singular_branches import branches_of
-from robotics1.analysis.singular_points import NOTHING_MOVES, singular_points
-from robotics1.analysis.singular_set import SingularSet
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
+from robotics1.singularities.numeric import branches_of
+from robotics1.singularities.points import NOTHING_MOVES, singular_points
+from robotics1.singularities.result import SingularSet
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.tasks.task import Task
 from robotics1.tasks.turns import turns_of
 
 if TYPE_CHECKING:
-    from robotics1.analysis.symbolic_branches import Found, SymbolicSearch
+    from robotics1.singularities.symbolic import Found, SymbolicSearch
 
 METHODS = ("auto", "symbolic", "numeric")
 WORTH_TELLING = 1e-8  # [rad]
@@ -101,7 +101,7 @@ def _numeric(robot: Robot, task: Task, where: JointBox, count: int, seed: int, l
 
 
 def _symbolic(robot: Robot, task: Task, where: JointBox, count: int, seed: int, limit: TimeLimit) -> SingularSet:
-    from robotics1.analysis.symbolic_branches import symbolic_search
+    from robotics1.singularities.symbolic import symbolic_search
 
     rng = np.random.default_rng(seed)
     try:

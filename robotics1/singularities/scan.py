@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.singular_points import MOVES, NOTHING_MOVES, SingularPoints, singular_points
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
-from robotics1.scan.reduction import MEASURES, Reduction, reduced
-from robotics1.scan.refinement import refine as refine_worst
-from robotics1.scan.result import SingularityScan
-from robotics1.scan.samples import METHODS, Chunk, Samples, samples_of
+from robotics1.singularities.points import MOVES, NOTHING_MOVES, SingularPoints, singular_points
+from robotics1.singularities.reduction import MEASURES, Reduction, reduced
+from robotics1.singularities.refinement import refine as refine_worst
+from robotics1.singularities.samples import METHODS, Chunk, Samples, samples_of
+from robotics1.singularities.scan_result import SingularityScan
 from robotics1.tasks.task import Task
 from robotics1.tasks.turns import turns_of
 
 if TYPE_CHECKING:
-    from robotics1.scan.measurement import Measurement
+    from robotics1.singularities.measurement import Measurement
 
 KEPT = 10  # worst configurations, or as many as are refined
 WAITING = 32  # chunks handed to an executor at a time: of Sobol's sequence 30 MB for seven joints
@@ -96,7 +96,7 @@ def scan_singularities(
     where = joint_box(robot, box, turns=turns_of(robot, task))
     points = _singular_points(robot, task, where, seed)
     configurations = samples_of(method, where, samples, seed, _moving(points))
-    from robotics1.scan.measurement import measurement_of
+    from robotics1.singularities.measurement import measurement_of
 
     measurement = measurement_of(robot, task, points.rank, length)
     total = _scanned(measurement, configurations, chosen, max(KEPT, refine), executor, progress)

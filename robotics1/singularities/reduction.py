@@ -8,11 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.scan.histogram import MeasureDistribution, distribution_of
-from robotics1.scan.samples import Chunk
+from robotics1.singularities.distribution import MeasureDistribution, distribution_of
+from robotics1.singularities.samples import Chunk
 
 if TYPE_CHECKING:
-    from robotics1.scan.measurement import Measurement
+    from robotics1.singularities.measurement import Measurement
 
 WORST_IS_LARGEST = {"sigma_min": False, "condition": True, "manipulability": False}
 MEASURES = tuple(WORST_IS_LARGEST)

@@ -6,8 +6,8 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.printed_digits import all_printed, half_units
 from robotics1.inputs import Array, real_array, real_number
+from robotics1.singularities.printed_digits import all_printed, half_units
 
 RANK_TOLERANCE = 1e-9  # σᵢ counts as zero when σᵢ ≤ 1e-9 σ₁
 FOUR_DECIMALS = 5e-5  # of σ₁: what a configuration that is rounded to four decimals does not tell from zero

@@ -6,20 +6,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from robotics1.analysis.singular_points import SingularPoints
-from robotics1.analysis.spaces import Subspaces, subspaces_of_rank
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import pi_fraction
 from robotics1.robot.model import Robot
+from robotics1.singularities.points import SingularPoints
+from robotics1.singularities.spaces import Subspaces, subspaces_of_rank
 from robotics1.tasks.task import Task
 
 if TYPE_CHECKING:
     import sympy
 
-    from robotics1.analysis.symbolic_branches import SymbolicSearch
+    from robotics1.singularities.symbolic import SymbolicSearch
     from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 
 
@@ -127,7 +127,7 @@ class SingularBranch:
 
     def explain(self) -> str:
         """Return what the branch means for the robot, in sentences."""
-        from robotics1.analysis.singularity_words import branch_sentences
+        from robotics1.singularities.explain import branch_sentences
 
         return printable(branch_sentences(self), keep="\n")
 
@@ -162,7 +162,7 @@ class SingularSet:
         """
         if self.search is None:
             return ()
-        from robotics1.analysis.other_lengths import conditions_on_lengths
+        from robotics1.singularities.parameter_conditions import conditions_on_lengths
 
         return conditions_on_lengths(self.search, [*self.branches, *self.outside])
 
@@ -195,13 +195,13 @@ class SingularSet:
 
     def explain(self) -> str:
         """Return the singularities in sentences."""
-        from robotics1.analysis.singularity_words import set_sentences
+        from robotics1.singularities.explain import set_sentences
 
         return printable(set_sentences(self), keep="\n")
 
     def explain_intersections(self) -> str:
         """Return the rank where branches meet, a line for each piece. Raises as `intersections`."""
-        from robotics1.analysis.singularity_words import intersection_sentences
+        from robotics1.singularities.explain import intersection_sentences
 
         return printable(intersection_sentences(self), keep="\n")
 

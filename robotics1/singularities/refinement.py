@@ -5,11 +5,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from robotics1.analysis.singular_points import SingularPoints
-from robotics1.analysis.singular_set import SingularBranch, SingularSet
-from robotics1.analysis.singularity import find_singularities
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
+from robotics1.singularities.find import find_singularities
+from robotics1.singularities.points import SingularPoints
+from robotics1.singularities.result import SingularBranch, SingularSet
 
 ONE_PLACE = 1e-6  # distance of two configurations that are one [rad, or reach]
 NOTHING = "The robot has no joints."

@@ -5,15 +5,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from robotics1.analysis.spaces import echelon
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
+from robotics1.singularities.spaces import echelon
 from robotics1.tasks.turns import turns_of
 
 if TYPE_CHECKING:
-    from robotics1.analysis.singular_set import SingularBranch, SingularSet
     from robotics1.robot.model import Robot
+    from robotics1.singularities.result import SingularBranch, SingularSet
     from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 
 LONGEST = 40  # operations of a basis vector that is still read

@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.limits import NEAR, note_on_limits
-from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
-from robotics1.analysis.singular_set import SingularBranch
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
+from robotics1.singularities.limits import NEAR, note_on_limits
+from robotics1.singularities.points import ON_THE_SET, SingularPoints
+from robotics1.singularities.result import SingularBranch
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit, check_time
 
 AT_ONCE = 1000  # starts that are drawn together

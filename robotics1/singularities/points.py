@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robotics1.analysis.spaces import numeric_rank
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
+from robotics1.singularities.spaces import numeric_rank
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.tasks.task import Task
 from robotics1.tasks.units import unitless_jacobian
