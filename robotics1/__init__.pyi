@@ -84,16 +84,17 @@ from .robot.dh_table import DHRow, DHTable
 from .robot.examination import Examination, examine
 from .robot.loading import load_robot
 from .robot.model import Robot
-from .singularities.distribution import MeasureDistribution
 from .singularities.find import find_singularities
-from .singularities.refinement import RefinedGroup, Refinement
-from .singularities.result import SingularBranch, SingularSet
+from .singularities.intersections import find_intersections
+from .singularities.other_lengths import parameter_conditions
+from .singularities.reduction import MeasureDistribution
+from .singularities.result import Intersections, SingularBranch, SingularSet
 from .singularities.rounding import (
     RoundedConfiguration,
     singularity_within_rounding,
 )
 from .singularities.scan import scan_singularities
-from .singularities.scan_result import SingularityScan
+from .singularities.scan_result import RefinedGroup, Refinement, SingularityScan
 from .singularities.spaces import (
     RANK_TOLERANCE,
     RankStatus,
@@ -225,6 +226,7 @@ __all__ = [
     "IKStatus",
     "IKVerdict",
     "InputError",
+    "Intersections",
     "Join",
     "JointAcceleration",
     "JointLaws",
@@ -316,6 +318,7 @@ __all__ = [
     "examine",
     "exerting_torque",
     "fastest_along",
+    "find_intersections",
     "find_singularities",
     "follow_trajectory",
     "follow_trajectory_by_acceleration",
@@ -340,6 +343,7 @@ __all__ = [
     "mixed_spline",
     "nearest_rotation",
     "overfly",
+    "parameter_conditions",
     "peak_norm",
     "plot_joint_motion",
     "plot_path",

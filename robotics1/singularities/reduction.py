@@ -1,4 +1,7 @@
-"""What is kept of a chunk of configurations, and how two chunks become one."""
+"""What is kept of numbers too many to keep: how a measure is distributed, and where it is worst.
+
+The distribution is a histogram whose bins are of equal relative width. Two chunks of configurations become one.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -7,15 +10,102 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array
-from robotics1.singularities.distribution import MeasureDistribution, distribution_of
+from robotics1.errors import InputError
+from robotics1.inputs import Array, counting_number, real_number
 from robotics1.singularities.samples import Chunk
 
 if TYPE_CHECKING:
     from robotics1.singularities.measurement import Measurement
 
+LOWEST, HIGHEST = -60, 60  # powers of two; what is smaller or larger goes to the two outer bins
+PER_OCTAVE = 128
+SHIFT = 52 - 7  # a double is 52 bits of mantissa below its exponent; 7 of them tell which of the 128 bins
+FIRST = (1023 + LOWEST) * PER_OCTAVE  # 1023 is the exponent of 1
+BINS = (HIGHEST - LOWEST) * PER_OCTAVE + 2
 WORST_IS_LARGEST = {"sigma_min": False, "condition": True, "manipulability": False}
 MEASURES = tuple(WORST_IS_LARGEST)
+
+
+@dataclass(frozen=True, eq=False)
+class MeasureDistribution:
+    """The values that a measure takes.
+
+    Attributes:
+        count: how many there are.
+        minimum, maximum: the extreme ones, exactly; NaN if there are none.
+        bins: how many are in each bin. There are 128 to an octave, from 2⁻⁶⁰ to 2⁶⁰, and one at each end for what is
+            smaller and larger; within an octave they are equally wide.
+    """
+
+    count: int
+    minimum: float
+    maximum: float
+    bins: npt.NDArray[np.int64]
+
+    def quantile(self, p: float) -> float:
+        """Return the value that a part p of the others do not exceed, 0 ≤ p ≤ 1, to 0.4 %.
+
+        Raises:
+            InputError: p is not between 0 and 1, or there are no values.
+        """
+        p = real_number("p", p, non_negative=True)
+        if p > 1:
+            raise InputError(f"p must be between 0 and 1; it is {p:g}")
+        if self.count == 0:
+            raise InputError("there are no values, so there is no quantile")
+        if p in (0, 1):
+            return self.maximum if p else self.minimum
+        place = int(np.searchsorted(np.cumsum(self.bins), max(1, np.ceil(p * self.count))))
+        edges = _edges()
+        middle = (edges[place] + edges[place + 1]) / 2
+        return float(np.clip(middle, self.minimum, self.maximum))
+
+    def histogram(self, per_octave: int = 1) -> tuple[Array, npt.NDArray[np.int64]]:
+        """Return the edges (b + 1,) and the counts (b,) of a histogram from the least value to the largest.
+
+        Args:
+            per_octave: how many bins there are between a number and its double: 1, 2, 4, ..., 128. The first edge is
+                0 if there are values below 2⁻⁶⁰, the last one infinite if there are some above 2⁶⁰.
+
+        Raises:
+            InputError: another number of bins.
+        """
+        if counting_number("per_octave", per_octave, least=1) > PER_OCTAVE or PER_OCTAVE % per_octave:
+            raise InputError(f"per_octave must be 1, 2, 4, ... or 128; it is {per_octave}")
+        joined = PER_OCTAVE // per_octave
+        counts = np.concatenate([self.bins[:1], self.bins[1:-1].reshape(-1, joined).sum(axis=1), self.bins[-1:]])
+        edges = np.concatenate([[0.0], _edges()[1:-1:joined], [np.inf]])
+        filled = np.flatnonzero(counts)
+        if not filled.size:
+            return edges[:1], counts[:0]
+        return edges[filled[0] : filled[-1] + 2], counts[filled[0] : filled[-1] + 1]
+
+    def joined(self, other: "MeasureDistribution") -> "MeasureDistribution":
+        """Return the distribution of these values and the other's."""
+        return MeasureDistribution(
+            self.count + other.count,
+            float(np.fmin(self.minimum, other.minimum)),
+            float(np.fmax(self.maximum, other.maximum)),
+            self.bins + other.bins,
+        )
+
+
+def distribution_of(values: Array) -> MeasureDistribution:
+    """Return the distribution of values, none negative and none NaN.
+
+    The bits of a positive double, as an integer, grow with it: the leading ones are the number of its bin.
+    """
+    place = (np.ascontiguousarray(values, dtype=float).view(np.int64) >> SHIFT) - (FIRST - 1)
+    bins = np.bincount(np.clip(place, 0, BINS - 1), minlength=BINS)
+    least, largest = (float(values.min()), float(values.max())) if values.size else (np.nan, np.nan)
+    return MeasureDistribution(values.size, least, largest, bins)
+
+
+def _edges() -> Array:
+    """Return the edges of the bins, (BINS + 1,): 0, 2⁻⁶⁰, ..., 2⁶⁰, ∞."""
+    octaves = np.ldexp(1.0, np.arange(LOWEST, HIGHEST))
+    inner = np.outer(octaves, 1 + np.arange(PER_OCTAVE) / PER_OCTAVE).ravel()
+    return np.concatenate([[0.0], inner, [np.ldexp(1.0, HIGHEST), np.inf]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,9 +139,9 @@ class Reduction:
         )
 
 
-def reduced(measurement: "Measurement", chunk: Chunk, measures: tuple[str, ...], keep: int) -> Reduction:
+def reduced(measurement: "Measurement", measures: tuple[str, ...], keep: int, chunk: Chunk) -> Reduction:
     """Return what is kept of a chunk: this runs in the worker processes."""
-    q = chunk.points()
+    q = chunk()
     values = measurement.measures(q, measures)
     defined = ~np.isnan(values[measures[0]])
     if not defined.all():

@@ -1,9 +1,9 @@
 """The configurations of a scan, in chunks that any process can make: random, Sobol's, or those of a grid."""
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any, Protocol
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -16,148 +16,69 @@ CHUNK = 2**14  # configurations; a power of two, as Sobol's sequence wants
 MOST = 2**62  # configurations: they are numbered with 64 bits
 METHODS = ("random", "sobol", "grid")
 
-
-class Chunk(Protocol):
-    """Some of the configurations; it can be sent to another process."""
-
-    def points(self) -> Array:
-        """Return them, (n, N), one a column."""
-
-
-class Samples(Protocol):
-    """All configurations of a scan."""
-
-    @property
-    def count(self) -> int:
-        """How many there are."""
-
-    def chunks(self) -> Iterator[Chunk]:
-        """Return them in chunks, always the same."""
+Chunk = Callable[[], Array]  # it can be sent to another process, and returns configurations (n, N), one a column
 
 
 def samples_of(
     method: str, box: JointBox, samples: int | float | Sequence[int], seed: int, moving: npt.NDArray[np.bool_]
-) -> Samples:
-    """Return the samples of a method.
+) -> tuple[int, Iterator[Chunk]]:
+    """Return how many configurations there are, and them in chunks.
+
+    - "random": uniform in the box. Each chunk has its own stream, named by the seed and its number, and is the
+      beginning of a full one: fewer samples are the first of more.
+    - "sobol": Sobol's sequence, scrambled: it fills the box more evenly than random numbers do.
+    - "grid": all combinations of the joints' values; the last joint's change first.
 
     Args:
         method: one of `METHODS`.
         box: where they lie.
         samples: how many, as an integer or a whole float such as 1e6; of a grid at most so many, or how many values
             of each joint.
-        moving: (n,) the joints that move the task; of the others a grid has one value.
         seed: of the random numbers; a grid has none.
+        moving: (n,) the joints that move the task; of the others a grid has one value.
 
     Raises:
         InputError: the number is none, or too small for a grid.
-    """
-    if len(box.lower) == 0:
-        return RandomSamples(box.lower, box.upper, 1, seed)  # there is one configuration, ()
-    if method == "grid":
-        return GridSamples(_grid_axes(box, samples, moving))
-    count = _whole("samples", samples)
-    if count >= MOST:
-        raise InputError(f"{count} configurations have no end; ask for fewer")
-    kind = RandomSamples if method == "random" else SobolSamples
-    return kind(box.lower, box.upper, count, seed)
-
-
-@dataclass(frozen=True, eq=False)
-class RandomSamples:
-    """Uniform in the box. Each chunk has its own stream, named by the seed and its number, and is the beginning of a
-    full one: fewer samples are the first of more.
-    """
-
-    lower: Array
-    upper: Array
-    count: int
-    seed: int
-
-    def chunks(self) -> Iterator[Chunk]:
-        """Return them in chunks, always the same."""
-        for number, start in enumerate(range(0, self.count, CHUNK)):
-            yield RandomChunk(self.lower, self.upper, self.seed, number, min(CHUNK, self.count - start))
-
-
-@dataclass(frozen=True, eq=False)
-class RandomChunk:
-    """One chunk of `RandomSamples`."""
-
-    lower: Array
-    upper: Array
-    seed: int
-    number: int
-    size: int
-
-    def points(self) -> Array:
-        """Return them, (n, N), one a column."""
-        stream = np.random.SFC64(np.random.SeedSequence([self.seed, self.number]))
-        unit = np.random.Generator(stream).random((len(self.lower), CHUNK))[:, : self.size]
-        return _in_box(self.lower, self.upper, np.ascontiguousarray(unit))
-
-
-@dataclass(frozen=True, eq=False)
-class SobolSamples:
-    """Sobol's sequence, scrambled: it fills the box more evenly than random numbers do.
 
     Source: Sobol, 1967; the scrambled sequence is SciPy's, with the direction numbers of Joe and Kuo, 2008.
     """
-
-    lower: Array
-    upper: Array
-    count: int
-    seed: int
-
-    def chunks(self) -> Iterator[Chunk]:
-        """Return them in chunks, always the same; the sequence itself is cheap, but has to be made in order."""
-        from scipy.stats import qmc
-
-        sequence = qmc.Sobol(len(self.lower), rng=self.seed, bits=max(30, self.count.bit_length()))
-        for start in range(0, self.count, CHUNK):
-            unit = sequence.random(CHUNK)[: self.count - start]
-            yield GivenChunk(_in_box(self.lower, self.upper, np.ascontiguousarray(unit.T)))
+    if len(box.lower) == 0:
+        return 1, _random_chunks(box, 1, seed)  # there is one configuration, ()
+    if method == "grid":
+        axes = _grid_axes(box, samples, moving)
+        count = math.prod(map(len, axes))
+        starts = range(0, count, CHUNK)
+        return count, (partial(_grid_points, axes, start, min(start + CHUNK, count)) for start in starts)
+    count = _whole("samples", samples)
+    if count >= MOST:
+        raise InputError(f"{count} configurations have no end; ask for fewer")
+    return count, (_random_chunks if method == "random" else _sobol_chunks)(box, count, seed)
 
 
-@dataclass(frozen=True, eq=False)
-class GivenChunk:
-    """A chunk of points that are already made."""
-
-    given: Array
-
-    def points(self) -> Array:
-        """Return them, (n, N), one a column."""
-        return self.given
+def _random_chunks(box: JointBox, count: int, seed: int) -> Iterator[Chunk]:
+    for number, start in enumerate(range(0, count, CHUNK)):
+        yield partial(_random_points, box.lower, box.upper, seed, number, min(CHUNK, count - start))
 
 
-@dataclass(frozen=True, eq=False)
-class GridSamples:
-    """All combinations of the joints' values; the last joint's change first."""
-
-    axes: tuple[Array, ...]
-
-    @property
-    def count(self) -> int:
-        """How many there are."""
-        return math.prod(map(len, self.axes))
-
-    def chunks(self) -> Iterator[Chunk]:
-        """Return them in chunks, always the same."""
-        for start in range(0, self.count, CHUNK):
-            yield GridChunk(self.axes, start, min(start + CHUNK, self.count))
+def _random_points(lower: Array, upper: Array, seed: int, number: int, size: int) -> Array:
+    stream = np.random.SFC64(np.random.SeedSequence([seed, number]))
+    unit = np.random.Generator(stream).random((len(lower), CHUNK))[:, :size]
+    return _in_box(lower, upper, np.ascontiguousarray(unit))
 
 
-@dataclass(frozen=True, eq=False)
-class GridChunk:
-    """One chunk of `GridSamples`."""
+def _sobol_chunks(box: JointBox, count: int, seed: int) -> Iterator[Chunk]:
+    """Yield chunks of points that are made already: the sequence is cheap, but has to be made in order."""
+    from scipy.stats import qmc
 
-    axes: tuple[Array, ...]
-    start: int
-    stop: int
+    sequence = qmc.Sobol(len(box.lower), rng=seed, bits=max(30, count.bit_length()))
+    for start in range(0, count, CHUNK):
+        unit = sequence.random(CHUNK)[: count - start]
+        yield partial(np.asarray, _in_box(box.lower, box.upper, np.ascontiguousarray(unit.T)))
 
-    def points(self) -> Array:
-        """Return them, (n, N), one a column."""
-        places = np.unravel_index(np.arange(self.start, self.stop), tuple(map(len, self.axes)))
-        return np.array([axis[place] for axis, place in zip(self.axes, places, strict=True)])
+
+def _grid_points(axes: tuple[Array, ...], start: int, stop: int) -> Array:
+    places = np.unravel_index(np.arange(start, stop), tuple(map(len, axes)))
+    return np.array([axis[place] for axis, place in zip(axes, places, strict=True)])
 
 
 def _in_box(lower: Array, upper: Array, unit: Array) -> Array:

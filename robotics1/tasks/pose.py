@@ -42,6 +42,11 @@ class _WithOrientation(FrameTask):
         """Whether a sequence was given."""
         return self.angles is not None
 
+    @property
+    def has_constant_rows(self) -> bool:
+        """Whether S(T) is the same at every pose: so it is without angles=."""
+        return self.angles is None
+
 
 @dataclass(frozen=True)
 class OrientationTask(_WithOrientation):

@@ -107,6 +107,11 @@ class FrameTask:
         return np.zeros(3)
 
     @property
+    def has_constant_rows(self) -> bool:
+        """Whether S(T) is the same at every pose."""
+        return False
+
+    @property
     def tells_angles(self) -> bool:
         """Whether the task's error is one of angles, which near their singularity are many times the turn missing."""
         return False
