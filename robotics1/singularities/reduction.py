@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, real_number
+from robotics1.results import Frozen
 from robotics1.singularities.samples import Chunk
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ MEASURES = tuple(WORST_IS_LARGEST)
 
 
 @dataclass(frozen=True, eq=False)
-class MeasureDistribution:
+class MeasureDistribution(Frozen):
     """The values that a measure takes.
 
     Attributes:

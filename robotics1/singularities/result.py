@@ -11,6 +11,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import pi_fraction
+from robotics1.results import Frozen
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces_of_rank
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class SingularBranch:
+class SingularBranch(Frozen):
     """A smooth piece of the singular set; pieces that cross each other are told apart.
 
     In exact form it is all that its equations describe, which may be several loops. By numbers it is what walks on the
@@ -56,11 +57,6 @@ class SingularBranch:
     rank: int
     formulas: "BranchFormulas | None" = field(default=None, repr=False)
     note: str = ""
-
-    def __post_init__(self) -> None:
-        """Let nobody write into the configurations."""
-        for array in (self.samples, self.q):
-            array.flags.writeable = False
 
     @property
     def conditions(self) -> "tuple[sympy.Eq, ...]":

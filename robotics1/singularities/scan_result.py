@@ -9,6 +9,7 @@ import numpy.typing as npt
 from robotics1.inputs import Array, one_of
 from robotics1.names import printable
 from robotics1.notation import count, enumeration, joint_value, vector
+from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.singularities.explain import place
 from robotics1.singularities.reduction import MeasureDistribution
@@ -20,7 +21,7 @@ SHOWN = 3  # configurations of a group that are written out
 
 
 @dataclass(frozen=True, eq=False)
-class RefinedGroup:
+class RefinedGroup(Frozen):
     """Singular configurations that belong together: on one branch, or alike if they are on none.
 
     Attributes:
@@ -69,7 +70,7 @@ class Refinement:
 
 
 @dataclass(frozen=True, eq=False)
-class SingularityScan:
+class SingularityScan(Frozen):
     """How near to singular a task is, at many configurations of a robot.
 
     Attributes:

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array, real_number
+from robotics1.results import Frozen
 from robotics1.singularities.printed_digits import all_printed, half_units
 
 RANK_TOLERANCE = 1e-9  # σᵢ counts as zero when σᵢ ≤ 1e-9 σ₁
@@ -23,7 +24,7 @@ class RankStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Subspaces:
+class Subspaces(Frozen):
     """The subspaces of J (m, n), as orthonormal columns.
 
     Attributes:

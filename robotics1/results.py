@@ -1,0 +1,50 @@
+"""What results have in common: they cannot be changed, they explain themselves, and they can be insisted on."""
+
+from collections.abc import Iterable
+from typing import Any, Protocol, TypeVar
+
+import numpy as np
+
+from robotics1.errors import NotConverged
+
+
+class Explained(Protocol):
+    """A result that says in sentences what came out."""
+
+    def explain(self) -> str:
+        """Return the outcome with its numbers, in sentences."""
+
+
+Outcome = TypeVar("Outcome", bound=Explained)
+
+
+def require(result: Outcome, success: bool) -> Outcome:
+    """Return a result that is a success.
+
+    Raises:
+        NotConverged: it is none; the message is what the result explains.
+    """
+    if not success:
+        raise NotConverged(result.explain(), result)
+    return result
+
+
+def read_only(values: Iterable[Any]) -> None:
+    """Make those of the values that are arrays, alone or in tuples, read-only."""
+    for value in values:
+        if isinstance(value, np.ndarray):
+            value.flags.writeable = False
+        elif isinstance(value, tuple):
+            read_only(value)
+
+
+class Frozen:
+    """A base of frozen dataclasses whose arrays are read-only, also in copies and after unpickling."""
+
+    def __post_init__(self) -> None:
+        """Make the arrays read-only."""
+        read_only(vars(self).values())
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        read_only(state.values())
