@@ -1,17 +1,5 @@
 """The public names and where they are; `__init__.py` reads this file, and so do type checkers."""
 
-from .analysis.rounded_configuration import (
-    RoundedConfiguration,
-    singularity_within_rounding,
-)
-from .analysis.singular_set import SingularBranch, SingularSet
-from .analysis.singularity import find_singularities
-from .analysis.spaces import (
-    RankStatus,
-    Subspaces,
-    subspaces,
-)
-from .analysis.statics import balancing_torque, exerting_torque
 from .control import (
     GainChoice,
     GainStatus,
@@ -95,10 +83,23 @@ from .robot.dh_table import DHRow, DHTable
 from .robot.examination import Examination, examine
 from .robot.loading import load_robot
 from .robot.model import Robot
-from .scan.histogram import MeasureDistribution
-from .scan.refinement import RefinedGroup, Refinement
-from .scan.result import SingularityScan
-from .scan.scanning import scan_singularities
+from .singularities.find import find_singularities
+from .singularities.intersections import find_intersections
+from .singularities.other_lengths import parameter_conditions
+from .singularities.reduction import MeasureDistribution
+from .singularities.result import Intersections, SingularBranch, SingularSet
+from .singularities.rounding import (
+    RoundedConfiguration,
+    singularity_within_rounding,
+)
+from .singularities.scan import scan_singularities
+from .singularities.scan_result import RefinedGroup, Refinement, SingularityScan
+from .singularities.spaces import (
+    RankStatus,
+    Subspaces,
+    subspaces,
+)
+from .singularities.statics import balancing_torque, exerting_torque
 from .symbolic.tasks.formula import formulas
 from .symbolic.tasks.task_formulas import Formulas
 from .tasks.function import FunctionTask
@@ -222,6 +223,7 @@ __all__ = [
     "IKSolver",
     "IKStatus",
     "InputError",
+    "Intersections",
     "Join",
     "JointAcceleration",
     "JointLaws",
@@ -313,6 +315,7 @@ __all__ = [
     "examine",
     "exerting_torque",
     "fastest_along",
+    "find_intersections",
     "find_singularities",
     "follow_trajectory",
     "follow_trajectory_by_acceleration",
@@ -337,6 +340,7 @@ __all__ = [
     "mixed_spline",
     "nearest_rotation",
     "overfly",
+    "parameter_conditions",
     "peak_norm",
     "plot_joint_motion",
     "plot_path",

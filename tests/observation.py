@@ -13,7 +13,7 @@ import sympy
 from robotics1 import Robotics1Error
 
 PLAIN = (bool, int, str, bytes, type(None), Enum, Path, slice, np.bool_, np.integer)
-QUESTIONS = ("explain", "explain_intersections", "bit_length")  # methods without arguments that answer
+QUESTIONS = ("explain", "bit_length")  # methods without arguments that answer
 RATES = ("velocity", "acceleration", "first", "second")
 DEPTH = 3
 

@@ -50,7 +50,7 @@ def robots():
 
 @cache
 def singular_sets():
-    """In exact form with intersections, of another arm, and by numbers."""
+    """In exact form, of another arm, and by numbers."""
     return [
         r1.find_singularities(arm("prr"), r1.PlanarPoseTask()),
         r1.find_singularities(arm("planar_2r"), PLANE),
@@ -166,6 +166,7 @@ INSTANCES = {
         r1.IKSolver(arm("planar_2r"), r1.FunctionTask(squared_distance, 1), time_limit=0.2),
     ],
     "IKStatus": lambda: list(r1.IKStatus),
+    "Intersections": lambda: [r1.find_intersections(found) for found in singular_sets()],
     "Join": lambda: list(r1.TrajectorySequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),
     "JointAcceleration": lambda: [r1.joint_acceleration(arm("planar_2r"), PLANE, Q, [0.1, 0.2], [1, 0])],
     "JointLaws": laws,

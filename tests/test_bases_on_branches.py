@@ -140,5 +140,5 @@ def test_where_no_basis_was_found_that_holds_everywhere_the_exceptions_are_equat
 def test_a_basis_without_columns_has_no_exceptions():
     found = case("3R arm xyz")[3]
     assert found.task is XYZ
-    assert found.almost_everywhere.null.shape == (3, 0)
-    assert found.almost_everywhere.except_where("null") == ()
+    assert found.generic_bases.null.shape == (3, 0)
+    assert found.generic_bases.except_where("null") == ()

@@ -7,9 +7,9 @@ from sympy import cos, sin
 from test_locus import BOX, loci
 
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
-from robotics1.symbolic.singular_sets.configurations import Configurations
 from robotics1.symbolic.singular_sets.elimination import echelon_form, in_whole_angles, primitive_row
-from robotics1.symbolic.singular_sets.locus import Locus
+from robotics1.symbolic.singular_sets.locus import Locus, Piece
+from robotics1.symbolic.singular_sets.locus_sampler import LocusSampler
 
 PLANAR = [
     [
@@ -75,8 +75,9 @@ def test_row_space_and_null_space_are_those_of_the_singular_values(name, transpo
     for locus in loci(*equations) if equations else [Locus(F)]:
         form = echelon_form(M, locus, VALUES, TimeLimit(20))
         assert (len(form.row_space), len(form.null)) == (rank, n - rank)
-        piece = Configurations(locus, VALUES, {})
-        for q in (piece.random(BOX, rng) for _ in range(4)):
+        piece = Piece(locus, VALUES, {})
+        sampler = LocusSampler(piece, BOX)
+        for q in (sampler.draw(rng) for _ in range(4)):
             J, rows, null = numbers(M, q), numbers(form.row_space, q, n), numbers(form.null, q, n)
             assert np.linalg.matrix_rank(J, tol=1e-9) == rank
             assert np.linalg.matrix_rank(rows, tol=1e-9) == rank

@@ -15,6 +15,7 @@ from robotics1 import (
     OrientationTask,
     PoseTask,
     PositionTask,
+    find_intersections,
     find_singularities,
     formulas,
     ik_solutions,
@@ -126,7 +127,7 @@ def test_2012_02_09_2b_polar_arm_has_rank_1_at_q3_0_and_2_at_s2_0():
     found = find_singularities(dh(*POLAR_ARM), XYZ)
     assert same(formulas(found.robot, XYZ).determinant, sin(q2) * q3**2)
     assert ranks(found) == wanted(found.robot, rank_1="q3 = 0", rank_2="q2 = 0 | pi")
-    both = {written(piece.conditions): piece.rank for piece in found.intersections}
+    both = {written(piece.conditions): piece.rank for piece in find_intersections(found).branches}
     assert both == wanted(found.robot, rank_1="q2 = 0 | pi; q3 = 0")
 
 

@@ -16,10 +16,9 @@ from robotics1.symbolic.polynomials.factoring import irreducible_parts
 from robotics1.symbolic.polynomials.laurent import gaussian
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
-from robotics1.symbolic.singular_sets.configurations import Configurations
-from robotics1.symbolic.singular_sets.locus import Locus
-from robotics1.symbolic.singular_sets.singular_loci import largest_pieces
-from robotics1.symbolic.singular_sets.solving import CaseDistinction
+from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
+from robotics1.symbolic.singular_sets.locus import Locus, Piece
+from robotics1.symbolic.singular_sets.pieces import largest_pieces
 from robotics1.symbolic.singular_sets.zeros import zeros
 
 BOX = JointBox(
@@ -36,7 +35,7 @@ def turn(angle, k=0):
 
 
 def loci(*expressions, lengths=VALUES):
-    return list(CaseDistinction(lengths, TimeLimit(20)).common_zeros([poly(e) for e in expressions], Locus(F)))
+    return list(CommonZeros(lengths, TimeLimit(20)).common_zeros([poly(e) for e in expressions], Locus(F)))
 
 
 def value_of(zero):
@@ -202,8 +201,8 @@ def test_every_zero_of_a_product_with_half_angles_is_real_in_whole_angles_and_va
 )
 def test_common_zeros_are_pieces_on_which_every_polynomial_vanishes(expressions, count, dimension):
     rng = np.random.default_rng(2)
-    pieces, _ = largest_pieces(loci(*expressions), CaseDistinction(VALUES, TimeLimit(20)), BOX, rng)
-    real = [(piece, piece.random(BOX, rng)) for piece in pieces]
+    pieces, _ = largest_pieces(loci(*expressions), CommonZeros(VALUES, TimeLimit(20)), BOX, rng)
+    real = [(sampler.piece, sampler.draw(rng)) for sampler in pieces]
     assert len(real) == count
     for piece, q in real:
         assert piece.dimension(q) == dimension
@@ -221,7 +220,7 @@ def test_a_piece_that_is_met_in_several_orders_is_told_once():
 def test_common_zeros_hold_every_configuration_that_a_search_finds():
     """Newton from random starts on a c2 + b c23 = 0 and c sin q1 sin q3 = 0 ends on one of the pieces."""
     f, g = a * cos(q2) + b * cos(q2 + q3), c * sin(q1) * sin(q3)
-    pieces = [Configurations(locus, VALUES, {}) for locus in loci(f, g)]
+    pieces = [Piece(locus, VALUES, {}) for locus in loci(f, g)]
     symbolic = sympy.Matrix([f, g]).subs(VALUES)
     both, slope = (sympy.lambdify(Q[:3], M, "numpy") for M in (symbolic, symbolic.jacobian(Q[:3])))
     rng = np.random.default_rng(3)
@@ -235,7 +234,7 @@ def test_common_zeros_hold_every_configuration_that_a_search_finds():
 
 def test_the_time_limit_is_kept():
     with pytest.raises(OutOfTime):
-        list(CaseDistinction(VALUES, TimeLimit(-1)).common_zeros([poly(sin(q1))], Locus(F)))
+        list(CommonZeros(VALUES, TimeLimit(-1)).common_zeros([poly(sin(q1))], Locus(F)))
 
 
 @pytest.mark.parametrize(

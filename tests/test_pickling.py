@@ -16,6 +16,7 @@ from observation import observed
 from public_objects import INSTANCES, robots
 
 import robotics1 as r1
+from robotics1.results import Frozen
 
 CLASSES = [
     name for name in r1.__all__ if inspect.isclass(getattr(r1, name)) and not issubclass(getattr(r1, name), Exception)
@@ -43,6 +44,14 @@ def test_a_copy_of_a_public_object_is_the_same(name):
             assert observed(other) == values
             assert (x == other) in (True, False)
             assert (x != other) in (True, False)
+
+
+@pytest.mark.parametrize("name", [name for name in CLASSES if issubclass(getattr(r1, name), Frozen)])
+def test_nobody_can_write_into_the_arrays_of_a_result_or_of_its_copies(name):
+    for x in INSTANCES[name]():
+        for result in (x, pickled(x), copy.deepcopy(x)):
+            arrays = [value for value in vars(result).values() if isinstance(value, np.ndarray)]
+            assert not any(array.flags.writeable for array in arrays)
 
 
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))  # SymPy, for a point, has no lower one

@@ -12,8 +12,8 @@ from hypothesis import assume, given, settings, strategies as st
 from typer.testing import CliRunner
 
 import robotics1 as r1
-from robotics1.analysis.printed_digits import half_units
 from robotics1.cli.commands import app
+from robotics1.singularities.printed_digits import half_units
 
 PLANAR, XY, POSE = r1.PlanarPoseTask("xy"), r1.PositionTask("xy"), r1.PoseTask()
 NEARLY = r1.RateStatus.NEARLY_SINGULAR

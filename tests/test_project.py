@@ -6,12 +6,16 @@ import re
 import subprocess
 import sys
 import venv
+from graphlib import TopologicalSorter
 from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
 
 ROOT = Path(__file__).parents[1]
+STILL_IN_A_CIRCLE = {
+    f"robotics1.trajectories.polynomials.{name}" for name in ("pieces", "piecewise", "polynomial", "polynomial_law")
+}
 SOURCES = sorted((ROOT / "robotics1").rglob("*.py"))
 
 
@@ -130,3 +134,25 @@ def test_no_cached_property_holds_a_lock():
     """That of the standard library does in Python 3.11: see robotics1/caching.py."""
     locked = [path.name for path in SOURCES if re.search("from functools import .*cached_property", path.read_text())]
     assert locked == ["caching.py"]
+
+
+def imported_modules(path, modules):
+    """The modules of the package that a file imports when it runs, in functions too."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    for_types = {
+        node for branch in ast.walk(tree) if isinstance(branch, ast.If) and ast.unparse(branch.test) == "TYPE_CHECKING"
+        for statement in branch.body for node in ast.walk(statement)
+    }  # fmt: skip
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module and node not in for_types:
+            inner = [f"{node.module}.{name.name}" for name in node.names]
+            yield from (name if name in modules else node.module for name in inner)
+        elif isinstance(node, ast.Import) and node not in for_types:
+            yield from (name.name for name in node.names)
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    names = {path: ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__") for path in SOURCES}
+    modules = set(names.values()) - {"robotics1"} - STILL_IN_A_CIRCLE
+    graph = {name: modules & set(imported_modules(path, modules)) for path, name in names.items() if name in modules}
+    TopologicalSorter(graph).prepare()  # a CycleError holds the circle

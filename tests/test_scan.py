@@ -23,8 +23,8 @@ from robotics1 import (
     scan_singularities,
 )
 from robotics1.robot.box import joint_box
-from robotics1.scan.measurement import KernelMeasurement, TaskMeasurement, measurement_of
-from robotics1.scan.samples import CHUNK, samples_of
+from robotics1.singularities.measurement import KernelMeasurement, TaskMeasurement, measurement_of
+from robotics1.singularities.samples import CHUNK, samples_of
 from robotics1.tasks.task import unitless_jacobian
 
 ALL = ("sigma_min", "condition", "manipulability")
@@ -81,8 +81,8 @@ def brute_force(robot, task, q, rank, length=1.0):
 
 def configurations(robot, method, samples, seed=0, box=None, moving=None):
     everything = np.ones(robot.nq, dtype=bool) if moving is None else moving
-    chunks = samples_of(method, joint_box(robot, box), samples, seed, everything).chunks()
-    return np.hstack([chunk.points() for chunk in chunks]).T
+    _, chunks = samples_of(method, joint_box(robot, box), samples, seed, everything)
+    return np.hstack([chunk() for chunk in chunks]).T
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -4,7 +4,7 @@ from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 
 from robotics1 import InputError
-from robotics1.scan.histogram import BINS, distribution_of
+from robotics1.singularities.reduction import BINS, distribution_of
 
 POSITIVE = np.random.default_rng(0).lognormal(-1, 3, 20_000)
 EXTREMES = np.array([0.0, 5e-324, 2.0**-61, 2.0**-60, 1 - 2**-53, 1.0, 1 + 2**-7, 2.0**60, 1e300, np.inf])

@@ -15,9 +15,11 @@ from robotics1 import (
     PoseTask,
     PositionTask,
     TaskError,
+    find_intersections,
     find_singularities,
     formulas,
     load_robot,
+    parameter_conditions,
     robot_from_dh,
     scan_singularities,
 )
@@ -114,10 +116,10 @@ def fixed(tmp_path):
 def test_without_joints_nothing_is_singular(fixed, task, method):
     found = find_singularities(fixed, task, method=method)
     assert (found.generic_rank, found.branches, found.complete) == (0, (), True)
-    assert (found.intersections, found.excluded, found.outside) == ((), (), ())
+    assert (find_intersections(found).branches, parameter_conditions(found), found.outside) == ((), (), ())
     assert "no joints" in found.explain()
     assert "There is no singular configuration." in found.explain()
-    assert isinstance(found.explain_intersections(), str)
+    assert isinstance(find_intersections(found).explain(), str)
 
 
 @pytest.mark.parametrize("method", ["random", "sobol", "grid"])

@@ -22,7 +22,7 @@ from singular_checks import (
 )
 from sweeps import core_first
 
-from robotics1 import FormulaError
+from robotics1 import FormulaError, find_intersections
 
 BASES_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited"}  # a second or two for each branch
 INTERSECTIONS_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited", "cable arm with names xyz"}
@@ -119,7 +119,7 @@ def test_with_joints_at_multiples_of_half_pi_j_loses_rank_on_the_branches_and_no
 def test_where_branches_meet_j_has_the_rank_that_is_said(name):
     robot, task, _, found, usual, equations = case(name)
     rng = np.random.default_rng(5)
-    for piece in found.intersections:
+    for piece in find_intersections(found).branches:
         meeting = Equations(robot, piece)
         for q in (piece.sample(rng) for _ in range(5)):
             assert meeting(q) <= 1e-9

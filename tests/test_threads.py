@@ -114,7 +114,11 @@ def test_singularities_and_scans_of_a_shared_robot():
         return [
             lambda: summary(r1.find_singularities(robot, PLANE)),
             lambda: summary(r1.find_singularities(planar, PLANE, method="numeric", samples=4, time_limit=900)),
-            lambda: (singular.excluded, singular.intersections, singular.branches[0].formulas.null),
+            lambda: (
+                r1.parameter_conditions(singular),
+                r1.find_intersections(singular).branches,
+                singular.branches[0].formulas.null,
+            ),
             lambda: singular.branches[0].sample(np.random.default_rng(3)),
             lambda: (scan().worst, scan().quantile(0.3)),
             lambda: scan(seed=4).worst_values,

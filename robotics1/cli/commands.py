@@ -150,8 +150,8 @@ def singularities(
     json: AsJson = False,
 ) -> None:
     """All singular configurations of a task: where, what is lost there, and what does not move the tool."""
-    from robotics1.analysis.singularity import find_singularities
     from robotics1.cli.singularities import print_singularities
+    from robotics1.singularities.find import find_singularities
 
     arm = arguments.parse_robot(robot, param or [], tool)
     with err.status("searching"):
@@ -177,9 +177,9 @@ def statics(
     """The torques that balance a force on the tool, τ = −Jᵀ f."""
     import numpy as np
 
-    from robotics1.analysis.rounded_configuration import singularity_within_rounding
-    from robotics1.analysis.singularity_words import directions
-    from robotics1.analysis.statics import balancing_torque
+    from robotics1.singularities.explain import directions
+    from robotics1.singularities.rounding import singularity_within_rounding
+    from robotics1.singularities.statics import balancing_torque
 
     arm = arguments.parse_robot(robot, param or [], tool)
     values = arguments.configuration(arm, q, degrees)

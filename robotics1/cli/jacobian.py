@@ -7,15 +7,15 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 
-from robotics1.analysis.rounded_configuration import RoundedConfiguration, rounded_configuration
-from robotics1.analysis.singularity_words import directions
-from robotics1.analysis.spaces import Subspaces
 from robotics1.cli import output
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, number, vector
 from robotics1.report.tables import matrix_table
 from robotics1.robot.model import Robot
+from robotics1.singularities.explain import directions
+from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
+from robotics1.singularities.spaces import Subspaces
 from robotics1.symbolic.kinematics.points import with_point
 from robotics1.symbolic.tasks.formula import row_places
 from robotics1.tasks.task import FrameTask

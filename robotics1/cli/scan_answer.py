@@ -17,10 +17,9 @@ from robotics1.errors import InputError
 from robotics1.inputs import counting_number
 from robotics1.notation import vector
 from robotics1.robot.model import Robot
-from robotics1.scan.reduction import WORST_IS_LARGEST
-from robotics1.scan.result import SingularityScan
-from robotics1.scan.scanning import scan_singularities
-from robotics1.scan.words import symbols
+from robotics1.singularities.reduction import WORST_IS_LARGEST
+from robotics1.singularities.scan import scan_singularities
+from robotics1.singularities.scan_result import SingularityScan, symbols
 
 QUANTILES = (0.0, 0.001, 0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 0.999, 1.0)
 ROWS = 12  # of the histogram, and one for the rest

@@ -6,9 +6,11 @@ from typing import Any
 import sympy
 from rich.console import Console
 
-from robotics1.analysis.singular_set import SingularBranch, SingularSet
 from robotics1.cli.output import write_json
 from robotics1.errors import FormulaError, InputError
+from robotics1.singularities.intersections import find_intersections
+from robotics1.singularities.other_lengths import parameter_conditions
+from robotics1.singularities.result import SingularBranch, SingularSet
 from robotics1.symbolic.writing.printing import latex_text, python_function
 
 BASES = {"null": r"\mathcal{N}(J)", "range": r"\mathcal{R}(J)", "left_null": r"\mathcal{N}(J^T)"}
@@ -41,7 +43,7 @@ def print_singularities(
     else:
         console.print(found.explain(), soft_wrap=True)
         if intersections:
-            console.print(found.explain_intersections(), soft_wrap=True)
+            console.print(find_intersections(found).explain(), soft_wrap=True)
 
 
 def _in_latex(found: SingularSet, number: int, branch: SingularBranch) -> str:
@@ -59,7 +61,7 @@ def _in_latex(found: SingularSet, number: int, branch: SingularBranch) -> str:
 def _in_python(found: SingularSet, number: int, branch: SingularBranch) -> str:
     """Return functions of q: what vanishes on the branch, and its bases."""
     formulas = branch.require_formulas()
-    symbols = formulas.configurations.locus.frequencies.q
+    symbols = formulas.piece.locus.frequencies.q
     parameters: dict[str, float | None] = dict(found.robot.parameters)
     residuals = [condition.lhs - condition.rhs for condition in formulas.conditions]
     where = ", ".join(f"{condition.lhs} = {condition.rhs}" for condition in formulas.conditions)
@@ -80,9 +82,9 @@ def _as_json(found: SingularSet, intersections: bool) -> dict[str, Any]:
         "generic_rank": found.generic_rank,
         "branches": _branches(found.branches),
         "outside_limits": _branches(found.outside),
-        "excluded": [str(equation) for equation in found.excluded],
+        "parameter_conditions": [str(equation) for equation in parameter_conditions(found)],
     }
-    return answer | ({"intersections": _branches(found.intersections)} if intersections else {})
+    return answer | ({"intersections": _branches(find_intersections(found).branches)} if intersections else {})
 
 
 def _branches(branches: Iterable[SingularBranch]) -> list[dict[str, Any]]:

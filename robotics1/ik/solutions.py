@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints, singular_points
 from robotics1.ik.descent import REACHED, Descent, End
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
@@ -15,6 +14,7 @@ from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
 from robotics1.results import require
 from robotics1.robot.model import Robot
+from robotics1.singularities.points import ON_THE_SET, SingularPoints, singular_points
 from robotics1.tasks.task import Task
 
 SAME = 1e-6  # distance of two solutions that are one

@@ -55,6 +55,11 @@ class PlanarPoseTask(FrameTask):
         zero = np.zeros(3)
         return np.array([[*a, *zero], [*b, *zero], [*zero, *np.cross(a, b)]])
 
+    @property
+    def has_constant_rows(self) -> bool:
+        """True."""
+        return True
+
     def target(self, target: Any) -> Array:
         """Return the target as (3,) [m, m, rad]."""
         return real_array("the target", target, (3,), f"({', '.join(self.row_names)}) [m, m, rad]")

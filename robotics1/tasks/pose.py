@@ -132,6 +132,11 @@ class _WithOrientation(FrameTask):
         """The rotation itself, or the angles of the sequence."""
         return representation(self.angles, self.fixed)
 
+    @property
+    def has_constant_rows(self) -> bool:
+        """Whether S(T) is the same at every pose: so it is without angles=."""
+        return self.angles is None
+
 
 @dataclass(frozen=True)
 class OrientationTask(_WithOrientation):

@@ -48,6 +48,11 @@ class PositionTask(FrameTask):
         """Return the chosen rows of [1 0], (m, 6)."""
         return np.eye(6)[self._rows]
 
+    @property
+    def has_constant_rows(self) -> bool:
+        """True."""
+        return True
+
     def target(self, target: Any) -> Array:
         """Return the target as (m,) [m]."""
         return real_array("the target", target, (self.rows,), f"the coordinates {', '.join(self.axes)} [m]")

@@ -52,6 +52,7 @@ class FrameMap:
         S: (m, 6), of numbers or of expressions; None for a function of the user's own, which is differentiated.
         pose_error: how the task's error follows from that of the pose; None where S is.
         by_differences: whether J is found by differences of the value.
+        constant_rows: whether S is the same at every pose.
         knows_units: whether the units of the rows are known; a row without may count turns, or be an angle.
     """
 
@@ -60,6 +61,7 @@ class FrameMap:
     g: Callable[[Array, Array, Array], Any]
     S: Callable[[Array, Array], Array] | None = None
     pose_error: PoseError | None = None
+    constant_rows: bool = False
     by_differences: bool = False
     knows_units: bool = True
 
@@ -153,9 +155,21 @@ class FrameTask:
     def pose_error(self) -> PoseError:
         """Return how the task's error follows from that of the frame's pose."""
 
+    @property
+    def has_constant_rows(self) -> bool:
+        """Whether S(T) is the same at every pose."""
+        return False
+
     def frame_map(self) -> FrameMap:
         """Return g, S and the error of the pose."""
-        return FrameMap(self.frame, self.reference, lambda p, R, q: self.g(p, R), self.S, self.pose_error())
+        return FrameMap(
+            self.frame,
+            self.reference,
+            lambda p, R, q: self.g(p, R),
+            self.S,
+            self.pose_error(),
+            constant_rows=self.has_constant_rows,
+        )
 
     @property
     def rows(self) -> int:

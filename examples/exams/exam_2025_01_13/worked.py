@@ -8,11 +8,11 @@ from rich.console import Console
 from rich.table import Table
 
 from robotics1 import animate, plot_joint_motion, plot_tool_path
-from robotics1.analysis.singularity_words import directions
 from robotics1.files import make_folder
 from robotics1.notation import count, vector
 from robotics1.report.formula_page import write_formula_page
 from robotics1.report.tables import iteration_table, polynomial_table
+from robotics1.singularities.explain import directions
 
 from ..comparison import Comparison
 from ..formula_table import FormulaTable

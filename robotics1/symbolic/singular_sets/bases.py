@@ -5,7 +5,7 @@ vectors become parallel there. Then vectors are chosen anew, from the columns of
 of the null space that have as many zeros as can be, so that they stay independent at special points too.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import combinations, islice
@@ -21,9 +21,9 @@ from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.half_tangents import Degrees, in_half_angles
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import check_time
-from robotics1.symbolic.singular_sets.configurations import Configurations
 from robotics1.symbolic.singular_sets.elimination import Row, primitive_row
-from robotics1.symbolic.singular_sets.locus import Locus
+from robotics1.symbolic.singular_sets.locus import Locus, Piece
+from robotics1.symbolic.singular_sets.locus_sampler import special_configurations
 from robotics1.symbolic.writing.recognition import recognised
 from robotics1.symbolic.writing.sums_of_angles import Groups, written
 
@@ -68,9 +68,9 @@ class BasisVector:
         halves = {angle: angle / 2 for angle in self.frequencies.angles}
         return [written(entry, groups).subs(halves, simultaneous=True) for entry in self.entries]
 
-    def numbers(self, configurations: Configurations) -> list[Evaluated]:
+    def numbers(self, parameters: Mapping[sympy.Symbol, float]) -> list[Evaluated]:
         """Return the entries as functions of q."""
-        return [Evaluated(entry, configurations.parameters, unit=0.5) for entry in self.entries]
+        return [Evaluated(entry, parameters, unit=0.5) for entry in self.entries]
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,31 +78,31 @@ class SpecialPoints:
     """Configurations of a piece at which J has the piece's rank; at most of them, joints at multiples of π/2.
 
     Attributes:
-        configurations: the piece.
+        parameters: the lengths.
         q: (k, n).
     """
 
-    configurations: Configurations
+    parameters: Mapping[sympy.Symbol, float]
     q: Array
 
     def values(self, vector: BasisVector) -> Array:
         """Return a vector at the points, (k, n), of length one; zero where its entries vanish together."""
-        functions = vector.numbers(self.configurations)
+        functions = vector.numbers(self.parameters)
         at = np.array([[f(q) for f in functions] for q in self.q]).reshape(len(self.q), len(functions))
         usual = np.abs(at).max(initial=0.0)
         lengths = np.linalg.norm(at, axis=1, keepdims=True)
         return np.where(lengths > RANK * usual, at / np.maximum(lengths, 1e-300), 0.0)
 
 
-def special_points(M: Matrix, configurations: Configurations, rank: int) -> SpecialPoints:
+def special_points(M: Matrix, piece: Piece, rank: int) -> SpecialPoints:
     """Return special and random configurations of a piece at which M has this rank."""
     rng = np.random.default_rng(0)
-    entries = [[Evaluated(entry, configurations.parameters) for entry in row] for row in M]
-    drawn = [q for q in configurations.special(rng, POINTS) if q is not None]
+    entries = [[Evaluated(entry, piece.parameters) for entry in row] for row in M]
+    drawn = list(special_configurations(piece, rng, POINTS))
     sigmas = [np.linalg.svd([[f(q) for f in row] for row in entries], compute_uv=False) for q in drawn]
     usual = max((float(sigma[0]) for sigma in sigmas), default=0.0)
     kept = [q for q, sigma in zip(drawn, sigmas, strict=True) if (sigma > RANK * usual).sum() == rank]
-    return SpecialPoints(configurations, np.array(kept).reshape(len(kept), len(configurations.locus.frequencies.q)))
+    return SpecialPoints(piece.parameters, np.array(kept).reshape(len(kept), len(piece.locus.frequencies.q)))
 
 
 def keeps_rank(vectors: Sequence[Array]) -> bool:

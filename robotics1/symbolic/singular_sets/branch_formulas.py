@@ -1,6 +1,6 @@
 """The formulas of a piece of the singular set: its equations, and bases that are valid on all of it."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
@@ -10,12 +10,12 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
-from robotics1.inputs import one_of
+from robotics1.inputs import Array, one_of
 from robotics1.robot.box import JointBox
+from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.convenient_axes import Convenient
-from robotics1.symbolic.polynomials.factoring import Part, factors
+from robotics1.symbolic.polynomials.factoring import factors
 from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.singular_sets.bases import (
     BasisVector,
@@ -26,13 +26,13 @@ from robotics1.symbolic.singular_sets.bases import (
     sums_of,
     vanishing_minors,
 )
-from robotics1.symbolic.singular_sets.closed_forms import angle_of_turn, root_of
-from robotics1.symbolic.singular_sets.configurations import Configurations
+from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
+from robotics1.symbolic.singular_sets.conditions import conditions, relations_of_lengths
 from robotics1.symbolic.singular_sets.elimination import Echelon, echelon_form, in_whole_angles, primitive_row
-from robotics1.symbolic.singular_sets.singular_loci import largest_pieces
-from robotics1.symbolic.singular_sets.solving import CaseDistinction
-from robotics1.symbolic.writing.recognition import recognised
-from robotics1.symbolic.writing.sums_of_angles import Groups, written, written_product
+from robotics1.symbolic.singular_sets.locus import Locus, Piece
+from robotics1.symbolic.singular_sets.locus_sampler import LocusSampler
+from robotics1.symbolic.singular_sets.pieces import largest_pieces
+from robotics1.symbolic.writing.sums_of_angles import Groups, written_product
 
 SECONDS = 20.0  # for one basis
 SHORT = 18  # entries of a Jacobian whose bases are short enough to be read
@@ -41,22 +41,42 @@ BASES = ("null", "range", "left_null")
 
 
 @dataclass(frozen=True, eq=False)
+class SymbolicJacobian:
+    """The Jacobian of a task in exact form.
+
+    Attributes:
+        robot: whose angles are exact.
+        rows: J = X M.
+        groups: the angles that are added up in writing.
+        parameters: the robot's lengths.
+        box: of all configurations, also outside the joint limits.
+    """
+
+    robot: Robot
+    rows: Convenient
+    groups: Groups
+    parameters: Mapping[sympy.Symbol, float]
+    box: JointBox
+
+    @property
+    def everywhere(self) -> Locus:
+        """All configurations."""
+        return Locus(self.rows.M[0, 0].frequencies)
+
+
+@dataclass(frozen=True, eq=False)
 class BranchFormulas:
     """A piece of the singular set in q1, q2, ... and the robot's named parameters.
 
     Attributes:
-        rows: the task's Jacobian in exact form.
-        groups: the angles that are added up in writing.
-        configurations: the piece.
+        jacobian: the task's, in exact form.
+        piece: where it holds.
         rank: of J on it, in numbers.
-        anywhere: a box without the robot's limits.
     """
 
-    rows: Convenient
-    groups: Groups
-    configurations: Configurations
+    jacobian: SymbolicJacobian
+    piece: Piece
     rank: int
-    anywhere: JointBox
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled and copied: not the bases before they are written, which hold polynomials of FLINT."""
@@ -65,53 +85,24 @@ class BranchFormulas:
     @cached_property
     def conditions(self) -> tuple[sympy.Eq, ...]:
         """The equations: joints that have a value, then polynomials that vanish."""
-        q = self.configurations.locus.frequencies.q
-        values = [self._value(s) for s in self.configurations.locus.substitutions if s.symbol in q]
-        return (*sorted(values, key=lambda equation: str(equation.lhs)), *self._implicit)
+        return conditions(self.piece, self.jacobian.groups)
 
     @property
     def lengths(self) -> tuple[sympy.Eq, ...]:
         """What the branch owes to the robot's lengths, such as a3 = a2; other lengths have other branches."""
-        locus = self.configurations.locus
-        return tuple(self._value(s) for s in locus.substitutions if s.symbol not in locus.frequencies.q)
+        return relations_of_lengths(self.piece.locus, self.jacobian.groups)
 
-    @property
-    def _implicit(self) -> tuple[sympy.Eq, ...]:
-        return tuple(equation for part in self.configurations.locus.implicit for equation in self._equations(part))
+    def contains(self, q: Array) -> bool:
+        """Return whether q (n,) is on the piece."""
+        return self.piece.contains(q)
 
-    def _equations(self, part: Part) -> tuple[sympy.Eq, ...]:
-        """Return part = 0; or the value of its only joint, in closed form where it has a short one."""
-        (expression,) = recognised([self._expression(part).as_content_primitive()[1]])
-        plain = sympy.Eq(-expression if expression.could_extract_minus_sign() else expression, 0)
-        joints = [i for i, symbol in enumerate(part.frequencies.q) if symbol in part.symbols]
-        pinned = self.configurations.pinned.get(joints[0]) if len(joints) == 1 else None
-        if pinned is None:
-            return (plain,)
-        symbol = part.frequencies.q[joints[0]]
-        root = root_of(part, symbol, pinned, self.configurations.parameters)
-        return (plain, sympy.Eq(symbol, sympy.Float(pinned))) if root is None else (sympy.Eq(symbol, root),)
-
-    def _expression(self, part: Part) -> sympy.Expr:
-        """Return the part in SymPy, in half angles where it has some."""
-        if not any(part.parity):
-            return written_product(factors(part.in_angles), self.groups)
-        halves = {angle: angle / 2 for angle in part.frequencies.angles}
-        return written(part.in_half_angles, self.groups).subs(halves, simultaneous=True)
-
-    def _value(self, substitution: Substitution) -> sympy.Eq:
-        """Return joint = value; of angles with what is added on either side: q3 = q1, 2 q2 + q3 = π."""
-        symbol, value = substitution.symbol, substitution.value
-        if not substitution.is_angle:
-            return sympy.Eq(symbol, written(value, self.groups))
-        ((k, _),) = value.terms.items()
-        F = value.frequencies
-        turns = F.turns_of(symbol)
-        added, taken = F.angle([max(n, 0) for n in k]), F.angle([min(n, 0) for n in k])
-        return sympy.Eq(symbol - turns * taken, turns * (added + angle_of_turn(value)))
+    def draw(self, box: JointBox, rng: np.random.Generator) -> Array | None:
+        """Return a random configuration of the piece inside a box, (n,), or None when there seems to be none."""
+        return LocusSampler(self.piece, box).draw(rng)
 
     def is_short(self, name: str) -> bool:
         """Whether a basis, "null", "range" or "left_null", is found at once and can be read."""
-        return bool(self.rows.M.size <= (SHORT_NULL if name == "null" else SHORT))
+        return bool(self.jacobian.rows.M.size <= (SHORT_NULL if name == "null" else SHORT))
 
     @cached_property
     def null(self) -> sympy.Matrix:
@@ -120,17 +111,17 @@ class BranchFormulas:
         Raises:
             FormulaError: there was no time for it.
         """
-        return self._written(self._null, self.rows.M.shape[1])
+        return self._written(self._null, self.jacobian.rows.M.shape[1])
 
     @cached_property
     def range(self) -> sympy.Matrix:
         """(m, r) a basis of R(J): task velocities that can be realised. Raises as `null`."""
-        return self._written(self._range, len(self.rows.M))
+        return self._written(self._range, len(self.jacobian.rows.M))
 
     @cached_property
     def left_null(self) -> sympy.Matrix:
         """(m, m − r) a basis of N(Jᵀ): the velocities that are lost, and forces without torque. Raises as `null`."""
-        return self._written(self._left_null, len(self.rows.M))
+        return self._written(self._left_null, len(self.jacobian.rows.M))
 
     def except_where(self, name: str) -> tuple[tuple[sympy.Eq, ...], ...]:
         """Return where a basis, "null", "range" or "left_null", loses its rank though J has that of the branch: each
@@ -157,38 +148,38 @@ class BranchFormulas:
     def _pieces_without_rank(self, vectors: list[BasisVector], limit: TimeLimit) -> tuple[tuple[sympy.Eq, ...], ...]:
         if not vectors:
             return ()
-        at = self.configurations
-        cases = CaseDistinction(at.parameters, limit)
+        at = self.piece
+        cases = CommonZeros(at.parameters, limit)
         loci = cases.common_zeros(vanishing_minors(vectors), at.locus)
-        pieces, complete = largest_pieces(loci, cases, self.anywhere, np.random.default_rng(0))
+        pieces, complete = largest_pieces(loci, cases, self.jacobian.box, np.random.default_rng(0))
         if not complete:
             raise OutOfTime
-        within = [piece for piece in pieces if self._is_within(piece)]
-        kept = [piece for piece in within if len(special_points(self.rows.M, piece, self.rank).q)]
-        return tuple(replace(self, configurations=piece).conditions for piece in kept)
+        within = [sampler.piece for sampler in pieces if self._is_within(sampler)]
+        kept = [piece for piece in within if len(special_points(self.jacobian.rows.M, piece, self.rank).q)]
+        return tuple(replace(self, piece=piece).conditions for piece in kept)
 
-    def _is_within(self, piece: Configurations) -> bool:
+    def _is_within(self, sampler: LocusSampler) -> bool:
         """Whether a piece of the locus has the values that are meant of those that its equations allow."""
-        q = piece.random(self.anywhere, np.random.default_rng(0))
-        return q is not None and self.configurations.contains(q)
+        q = sampler.draw(np.random.default_rng(0))
+        return q is not None and self.piece.contains(q)
 
     @cached_property
     def _null(self) -> list[BasisVector]:
-        return self._basis(self.rows.M, list)
+        return self._basis(self.jacobian.rows.M, list)
 
     @cached_property
     def _left_null(self) -> list[BasisVector]:
         self._check_that_rows_lead_back()
-        return self._basis(self.rows.M.T, self.rows.force)
+        return self._basis(self.jacobian.rows.M.T, self.jacobian.rows.force)
 
     @cached_property
     def _range(self) -> list[BasisVector]:
         self._check_that_rows_lead_back()
-        locus = self.configurations.locus
+        locus = self.piece.locus
 
         def found(points: SpecialPoints) -> list[BasisVector]:
-            first = self._vectors(self._echelon(self.rows.M.T).row_space, self.rows.velocity)
-            columns = [list(self.rows.velocity(column)) for column in self.rows.M.T]
+            first = self._vectors(self._echelon(self.jacobian.rows.M.T).row_space, self.jacobian.rows.velocity)
+            columns = [list(self.jacobian.rows.velocity(column)) for column in self.jacobian.rows.M.T]
             return independent_vectors(first, sums_of(columns, locus), points)
 
         return self._in_time(found)
@@ -208,19 +199,19 @@ class BranchFormulas:
         n = M.shape[1]
         for columns in combinations(range(n), self.rank + 1):
             for vector in self._eliminated(M[:, list(columns)]).null:
-                whole = np.array([self.configurations.locus.frequencies.constant(0)] * n, dtype=object)
+                whole = np.array([self.piece.locus.frequencies.constant(0)] * n, dtype=object)
                 whole[list(columns)] = vector
                 yield whole
 
     def _in_time(self, basis: "Callable[[SpecialPoints], list[BasisVector]]") -> list[BasisVector]:
         try:
             with TimeLimit(SECONDS).kept():
-                return basis(special_points(self.rows.M, self.configurations, self.rank))
+                return basis(special_points(self.jacobian.rows.M, self.piece, self.rank))
         except OutOfTime as error:
             raise FormulaError(f"there is no basis in symbols after {SECONDS:g} s; take the one in numbers") from error
 
     def _check_that_rows_lead_back(self) -> None:
-        if not self.rows.leads_back:
+        if not self.jacobian.rows.leads_back:
             raise FormulaError("the rows of the task are quotients; take the bases in numbers")
 
     def _echelon(self, M: Matrix) -> Echelon:
@@ -230,14 +221,14 @@ class BranchFormulas:
         return form
 
     def _eliminated(self, M: Matrix) -> Echelon:
-        at = self.configurations
+        at = self.piece
         return echelon_form(M, at.locus, at.parameters, TimeLimit(SECONDS))
 
     def _vectors(
         self, vectors: Iterable[Matrix], lead_back: Callable[[Matrix], Iterable[Laurent]]
     ) -> list[BasisVector]:
         """Return vectors in the task's own axes, each without common divisor."""
-        at = self.configurations.locus
+        at = self.piece.locus
         led = [[at.reduced(f) for f in lead_back(vector)] for vector in vectors]
         return [BasisVector(at.frequencies, primitive_row(vector, at)) for vector in led]
 
@@ -248,6 +239,6 @@ class BranchFormulas:
 
     def _entries(self, vector: BasisVector) -> list[sympy.Expr]:
         if vector.has_half_angles:
-            return vector.written_in_halves(self.groups)
+            return vector.written_in_halves(self.jacobian.groups)
         whole = in_whole_angles(vector.frequencies, vector.row)
-        return [written_product(factors(f), self.groups) if f else sympy.S.Zero for f in whole]
+        return [written_product(factors(f), self.jacobian.groups) if f else sympy.S.Zero for f in whole]

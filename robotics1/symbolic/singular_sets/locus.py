@@ -1,15 +1,24 @@
 """A set of configurations given by equations: joints that have a value, and equations that tie joints together."""
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+import numpy.typing as npt
+import sympy
 
 from robotics1.caching import cached_property
+from robotics1.inputs import Array
+from robotics1.robot.box import TURN
+from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part
 from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.singular_sets.zeros import Zero
 
 ROUNDING = 1e-14  # of a coefficient, beside the largest
+HOLDS = 1e-10  # of an equation, beside the sum of its terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,3 +89,122 @@ class Locus:
         valued = [{s.symbol, *s.value.symbols} for s in self.substitutions]
         used = set().union(*valued, *(part.symbols for part in self.implicit))
         return tuple(i for i, symbol in enumerate(self.frequencies.q) if symbol in used)
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A locus at given lengths, with one value of each joint for which the equations allow several.
+
+    Attributes:
+        locus: the equations.
+        parameters: the lengths.
+        pinned: joint → its value, where the equations allow several and this one is meant.
+    """
+
+    locus: Locus
+    parameters: Mapping[sympy.Symbol, float]
+    pinned: Mapping[int, float]
+
+    @property
+    def key(self) -> Hashable:
+        """What is the same of two pieces with the same equations and choices."""
+        return self.locus.key, frozenset(self.pinned.items())
+
+    @cached_property
+    def angles(self) -> npt.NDArray[np.bool_]:
+        """(n,) which joints turn."""
+        F = self.locus.frequencies
+        return np.array([symbol in F.angles for symbol in F.q])
+
+    @cached_property
+    def turns(self) -> Array:
+        """(n,) how many turns of each joint bring everything back."""
+        F = self.locus.frequencies
+        return np.array([float(F.turns_of(symbol)) for symbol in F.q])
+
+    @property
+    def period(self) -> Array:
+        """(n,) what may be added to each joint: whole turns of angles [rad]; nothing to slides."""
+        return np.where(self.angles, TURN * self.turns, 0.0)
+
+    @cached_property
+    def equations(self) -> list[Evaluated]:
+        """The implicit equations as functions of q."""
+        return [evaluated_part(part, self.parameters) for part in self.locus.implicit]
+
+    @cached_property
+    def _values(self) -> dict[int, tuple[bool, Evaluated]]:
+        """Each joint that has a value: whether it is an angle, and the value."""
+        q = self.locus.frequencies.q
+        replaced = [s for s in self.locus.substitutions if s.symbol in q]
+        return {q.index(s.symbol): (s.is_angle, Evaluated(s.value, self.parameters)) for s in replaced}
+
+    @property
+    def valued(self) -> list[int]:
+        """The joints that have a value, constant or a function of other joints."""
+        return list(self._values)
+
+    @property
+    def constant(self) -> tuple[int, ...]:
+        """The joints that have one value on all of the piece."""
+        q = set(self.locus.frequencies.q)
+        fixed = {i for i, (_, value) in self._values.items() if not value.f.symbols & q}
+        return tuple(sorted(fixed | set(self.pinned)))
+
+    @property
+    def is_regular(self) -> bool:
+        """Whether no equation ties two joints together."""
+        return all(len(part.symbols & set(self.locus.frequencies.q)) < 2 for part in self.locus.implicit)
+
+    def with_pinned(self, q: Array) -> Array:
+        """Return a copy of q with the values that are meant."""
+        q = q.copy()
+        for i, value in self.pinned.items():
+            q[i] = value
+        return q
+
+    def completed(self, q: Array) -> Array:
+        """Return q, in place, with the values of the joints that have one."""
+        for i, (is_angle, f) in self._values.items():
+            q[i] = self.turns[i] * _angle(f.complex(q)) if is_angle else f(q)
+        return q
+
+    def contains(self, q: Array, tolerance: float = HOLDS) -> bool:
+        """Return whether q is on the piece: its equations hold to the tolerance, beside the sum of their terms."""
+        equations = [Evaluated(equation, self.parameters) for equation in self.locus.equations]
+        pinned = all(abs(np.exp(1j * (q[i] - x) / self.turns[i]) - 1) < 1e-6 for i, x in self.pinned.items())
+        return pinned and all(abs(f(q)) <= tolerance * f.size for f in equations)
+
+    def dimension(self, q: Array) -> int:
+        """Return the dimension of the piece at one of its points."""
+        moving = [i for i in range(len(q)) if i not in self._values and i not in self.pinned]
+        gradients = np.array([g.gradient(q)[moving] / max(g.size, 1e-300) for g in self.equations])
+        tied = int(np.linalg.matrix_rank(gradients, tol=1e-9)) if len(gradients) else 0
+        return len(moving) - tied
+
+    def is_degenerate(self, q: Array, small: float) -> bool:
+        """Return whether the gradients of the implicit equations at q are dependent, to `small`."""
+        gradients = np.array([g.gradient(q) / g.size for g in self.equations if g.size])
+        if len(gradients) > gradients.shape[1]:
+            return True
+        return bool(np.linalg.svd(gradients, compute_uv=False)[-1] <= small)
+
+
+def pieces_of(locus: Locus, parameters: Mapping[sympy.Symbol, float]) -> Iterator[Piece]:
+    """Yield the locus once for each choice among the values that an equation in one joint allows."""
+    q = locus.frequencies.q
+    choices = []
+    for part in locus.implicit:
+        joints = [i for i, symbol in enumerate(q) if symbol in part.symbols]
+        if len(joints) == 1:
+            values = evaluated_part(part, parameters).zeros_in(joints[0], np.zeros(len(q)))
+            choices.append([(joints[0], value) for value in values])
+    for choice in product(*choices):
+        yield Piece(locus, parameters, dict(choice))
+
+
+def _angle(z: complex) -> float:
+    """Return the angle of exp(i α), a multiple of π/12 without rounding."""
+    angle = float(np.angle(z))
+    k = round(angle * 12 / np.pi)
+    return k * np.pi / 12 if abs(k * np.pi / 12 - angle) < 1e-14 else angle

@@ -7,13 +7,13 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.rounded_configuration import RoundedConfiguration, rounded_configuration
-from robotics1.analysis.spaces import subspaces
 from robotics1.differentiation import directional_derivative
 from robotics1.inputs import Array, a_robot_and_a_task, real_array
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.results import require
 from robotics1.robot.model import Robot
+from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
+from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
 

@@ -5,11 +5,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.limits import NEAR, note_on_limits
-from robotics1.analysis.singular_points import ON_THE_SET, SingularPoints
-from robotics1.analysis.singular_set import SingularBranch
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
+from robotics1.singularities.points import NEAR, ON_THE_SET, SingularPoints, note_on_limits
+from robotics1.singularities.result import SingularBranch
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit, check_time
 
 AT_ONCE = 1000  # starts that are drawn together
@@ -33,7 +32,7 @@ class Sheet:
         return [i for i in range(len(self.points[0])) if i not in self.constant and i not in self.free]
 
 
-def branches_of(
+def numeric_branches(
     points: SingularPoints, count: int, rng: np.random.Generator, limit: TimeLimit
 ) -> tuple[SingularBranch, ...]:
     """Return the pieces of the singular set that `count` random starts lead to, the larger first; fewer starts and
@@ -194,7 +193,10 @@ def _branch(
     best = int(np.argmax(ranks))
     names = points.robot.joint_names
     return SingularBranch(
-        points=points,
+        robot=points.robot,
+        task=points.task,
+        box=points.box,
+        generic_rank=points.rank,
         dimension=piece.dimension,
         values={names[i]: float(value) for i, value in zip(piece.constant, values, strict=True)},
         free_joints=tuple(names[i] for i in piece.free),

@@ -5,15 +5,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from robotics1.analysis.spaces import echelon
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
+from robotics1.singularities.spaces import echelon
 from robotics1.tasks.task import turns_of
 
 if TYPE_CHECKING:
-    from robotics1.analysis.singular_set import SingularBranch, SingularSet
     from robotics1.robot.model import Robot
+    from robotics1.singularities.result import Intersections, SingularBranch, SingularSet
     from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 
 LONGEST = 40  # operations of a basis vector that is still read
@@ -37,7 +37,7 @@ def set_sentences(found: "SingularSet") -> str:
     lines += [*_names(found), *_turns(found)]
     if found.free_joints:
         verb = "matters" if len(found.free_joints) == 1 else "matter"
-        free = _called(found.free_joints, found.robot, symbols=found.search is not None)
+        free = _called(found.free_joints, found.robot, symbols=found.jacobian is not None)
         lines.append(f"{enumeration(free)} never {verb}.")
     lines += [f"{number}. {branch.explain()}" for number, branch in enumerate(found.branches, start=1)]
     lines.append(
@@ -50,9 +50,9 @@ def set_sentences(found: "SingularSet") -> str:
 
 def _almost_everywhere(found: "SingularSet") -> list[str]:
     """Say what is lost, and what does not move the task, where nothing is singular."""
-    if found.almost_everywhere is None:
+    if found.generic_bases is None:
         return []
-    lost, still = (_written(found.almost_everywhere, name) for name in ("left_null", "null"))
+    lost, still = (_written(found.generic_bases, name) for name in ("left_null", "null"))
     said = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
     return ["Almost everywhere", *said[:-1], said[-1][:-1] + "."] if said else []
 
@@ -61,7 +61,7 @@ def _names(found: "SingularSet") -> list[str]:
     """Say which joint is q1, q2, ..., where formulas are written and the joints have other names."""
     names = found.robot.joint_names
     symbols = _symbols(names)
-    if found.search is None or list(names) == symbols:
+    if found.jacobian is None or list(names) == symbols:
         return []
     return [f"Here {', '.join(f'{q} is {name}' for q, name in zip(symbols, names, strict=True))}."]
 
@@ -72,7 +72,7 @@ def _turns(found: "SingularSet") -> list[str]:
     for i, number in enumerate(turns_of(robot, found.task) if robot.nq == robot.nv else ()):
         if number == 1 or np.isfinite([robot.lower[i], robot.upper[i]]).any():
             continue
-        (name,) = _called([robot.joint_names[i]], robot, symbols=found.search is not None)
+        (name,) = _called([robot.joint_names[i]], robot, symbols=found.jacobian is not None)
         if np.isfinite(number):
             said.append(
                 f"The joints that follow {name} are back after {number:g} turns of it: its values count modulo "
@@ -100,22 +100,23 @@ def _called(joints: Iterable[str], robot: "Robot", *, symbols: bool) -> list[str
 
 def _besides(found: "SingularSet") -> list[str]:
     """Return what is singular outside the joint limits, or would be at other lengths."""
+    from robotics1.singularities.other_lengths import parameter_conditions
     from robotics1.symbolic.writing.printing import line_text
 
     lines = []
     if found.outside:
         places = "; ".join(place(branch) for branch in found.outside)
         lines.append(f"Outside the joint limits the arm would be singular at {places}.")
-    if found.excluded:
-        equations = "; ".join(line_text(equation) for equation in found.excluded)
+    equations = "; ".join(map(line_text, parameter_conditions(found)))
+    if equations:
         lines.append(f"At other lengths more is singular, namely where this has a solution: {equations}.")
     return lines
 
 
-def intersection_sentences(found: "SingularSet") -> str:
+def intersection_sentences(found: "Intersections") -> str:
     """Return where branches meet or the rank falls further, one line for each piece."""
-    pieces = [f"{place(piece)}: the rank is {piece.rank}." for piece in found.intersections]
-    if not found.all_intersections:
+    pieces = [f"{place(piece)}: the rank is {piece.rank}." for piece in found.branches]
+    if not found.complete:
         pieces.append("There may be more: this is what was found in the time.")
     if not pieces:
         return "No two branches meet, and nowhere does the rank fall further."
@@ -152,11 +153,13 @@ def _described(condition: Any) -> str:
 
 def branch_sentences(branch: "SingularBranch") -> str:
     """Return where the branch is, and what the robot cannot do, can do, and holds there."""
-    free = _called(branch.free_joints, branch.points.robot, symbols=branch.formulas is not None)
+    free = _called(branch.free_joints, branch.robot, symbols=branch.formulas is not None)
     whatever = f", whatever {enumeration(free)}" if free else ""
-    lines = [f"{place(branch)}{_because(branch)}{whatever}: the rank is {branch.rank} instead of {branch.points.rank}."]
+    lines = [
+        f"{place(branch)}{_because(branch)}{whatever}: the rank is {branch.rank} instead of {branch.generic_rank}."
+    ]
     lines += [f"   {branch.note}"] if branch.note else []
-    rows = ", ".join(branch.points.task.row_names)
+    rows = ", ".join(branch.task.row_names)
     if branch.rank == 0:
         return "\n".join([*lines, *_nothing_moves(rows)])
     lost, still = (

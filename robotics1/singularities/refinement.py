@@ -1,68 +1,20 @@
 """From nearly singular configurations to singular ones, and to the branches of the singular set they lie on."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
-from robotics1.analysis.singular_points import SingularPoints
-from robotics1.analysis.singular_set import SingularBranch, SingularSet
-from robotics1.analysis.singularity import find_singularities
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
+from robotics1.singularities.find import find_singularities
+from robotics1.singularities.points import SingularPoints
+from robotics1.singularities.result import SingularBranch
+from robotics1.singularities.scan_result import RefinedGroup, Refinement
 
 ONE_PLACE = 1e-6  # distance of two configurations that are one [rad, or reach]
 NOTHING = "The robot has no joints."
 STANDS_STILL = 1e-2  # part of a tangent direction that a constant joint may have
-
-
-@dataclass(frozen=True, eq=False)
-class RefinedGroup:
-    """Singular configurations that belong together: on one branch, or alike if they are on none.
-
-    Attributes:
-        branch: the number of their branch in `Refinement.branches`, from 0; None if they are on none.
-        configurations: (k, nq) the distinct ones, σ_ρ ≤ 1e-10 σ₁ without units.
-        gaps: (k,) σ_ρ / σ₁ there.
-        ranks: (k,) the rank of J there.
-        starts: which of the worst configurations led to them; at least k.
-        values: of those on no branch, joint → value of the joints that stand still on the set near them.
-    """
-
-    branch: int | None
-    configurations: Array
-    gaps: Array
-    ranks: tuple[int, ...]
-    starts: tuple[int, ...]
-    values: Mapping[str, float]
-
-
-@dataclass(frozen=True, eq=False)
-class Refinement:
-    """The worst configurations of a scan, moved to the singular set by Newton's method.
-
-    Attributes:
-        groups: the configurations that were reached; the group with most starts first.
-        unreached: which of the worst led to no singular configuration inside the box.
-        singular_set: the answer of `find_singularities`, with which they are compared; None if there are no formulas.
-        note: why there are none.
-    """
-
-    groups: tuple[RefinedGroup, ...]
-    unreached: tuple[int, ...]
-    singular_set: SingularSet | None = field(repr=False)
-    note: str = ""
-
-    @property
-    def branches(self) -> tuple[SingularBranch, ...]:
-        """The branches of `find_singularities`; none if there are no formulas."""
-        return () if self.singular_set is None else self.singular_set.branches
-
-    @property
-    def missed(self) -> tuple[int, ...]:
-        """The branches, from 0, that none of the worst configurations led to."""
-        met = {group.branch for group in self.groups}
-        return tuple(number for number in range(len(self.branches)) if number not in met)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,27 +1,23 @@
 """How near to singular a task is, over all configurations of a robot."""
 
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, Future
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.analysis.singular_points import MOVES, NOTHING_MOVES, SingularPoints, singular_points
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
-from robotics1.scan.reduction import MEASURES, Reduction, reduced
-from robotics1.scan.refinement import refine as refine_worst
-from robotics1.scan.result import SingularityScan
-from robotics1.scan.samples import METHODS, Chunk, Samples, samples_of
+from robotics1.singularities.points import MOVES, NOTHING_MOVES, SingularPoints, singular_points
+from robotics1.singularities.reduction import MEASURES, Reduction, reduced
+from robotics1.singularities.refinement import refine as refine_worst
+from robotics1.singularities.samples import METHODS, Chunk, samples_of
+from robotics1.singularities.scan_result import SingularityScan
 from robotics1.tasks.task import Task, turns_of
-
-if TYPE_CHECKING:
-    from robotics1.scan.measurement import Measurement
 
 KEPT = 10  # worst configurations, or as many as are refined
 WAITING = 32  # chunks handed to an executor at a time: of Sobol's sequence 30 MB for seven joints
@@ -94,11 +90,15 @@ def scan_singularities(
     task.check(robot)
     where = joint_box(robot, box, turns=turns_of(robot, task))
     points = _singular_points(robot, task, where, seed)
-    configurations = samples_of(method, where, samples, seed, _moving(points))
-    from robotics1.scan.measurement import measurement_of
+    count, chunks = samples_of(method, where, samples, seed, _moving(points))
+    from robotics1.singularities.measurement import measurement_of
 
     measurement = measurement_of(robot, task, points.rank, length)
-    total = _scanned(measurement, configurations, chosen, max(KEPT, refine), executor, progress)
+    keep = max(KEPT, refine)
+    work = partial(reduced, measurement, chosen, keep)
+    parallel = executor if measurement.sendable else None
+    answers = map(work, chunks) if parallel is None else _in_order(parallel, work, chunks)
+    total = _joined(answers, keep, count, progress)
     return SingularityScan(
         robot,
         task,
@@ -144,30 +144,18 @@ def _moving(points: SingularPoints) -> npt.NDArray[np.bool_]:
     return np.asarray(np.any([np.abs(points.jacobian(x)).max(axis=0) > MOVES for x in q], axis=0))
 
 
-def _scanned(
-    measurement: "Measurement",
-    samples: Samples,
-    measures: tuple[str, ...],
-    keep: int,
-    executor: Executor | None,
-    progress: Callable[[int, int], None] | None,
+def _joined(
+    answers: Iterable[Reduction], keep: int, count: int, progress: Callable[[int, int], None] | None
 ) -> Reduction:
-    work = partial(_reduced, measurement, measures, keep)
-    chunks = samples.chunks()
-    answers = map(work, chunks) if executor is None or not measurement.sendable else _in_order(executor, work, chunks)
+    """Return what is kept of all chunks."""
     total: Reduction | None = None
     for answer in answers:
         total = answer if total is None else total.joined(answer, keep)
         if progress is not None:
-            progress(total.count, samples.count)
+            progress(total.count, count)
     if total is None or total.undefined == total.count:
         raise TaskError("the task has no Jacobian at any of the configurations")
     return total
-
-
-def _reduced(measurement: "Measurement", measures: tuple[str, ...], keep: int, chunk: Chunk) -> Reduction:
-    """Return what is kept of a chunk: a function that can be sent to another process."""
-    return reduced(measurement, chunk, measures, keep)
 
 
 def _in_order(executor: Executor, work: Callable[[Chunk], Reduction], chunks: Iterator[Chunk]) -> Iterator[Reduction]:

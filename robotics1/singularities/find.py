@@ -6,25 +6,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from robotics1.analysis.singular_branches import branches_of
-from robotics1.analysis.singular_points import NOTHING_MOVES, singular_points
-from robotics1.analysis.singular_set import SingularSet
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
+from robotics1.singularities.numeric import numeric_branches
+from robotics1.singularities.points import NOTHING_MOVES, singular_points
+from robotics1.singularities.result import SingularBranch, SingularSet
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.tasks.task import Task, turns_of
 
 if TYPE_CHECKING:
-    from robotics1.analysis.symbolic_branches import Found, SymbolicSearch
+    from robotics1.singularities.symbolic import Found
 
 METHODS = ("auto", "symbolic", "numeric")
 WORTH_TELLING = 1e-8  # [rad]
-EXACT, DRAWN = (
-    0.75,
-    0.85,
-)  # parts of the time after which equations, and configurations that satisfy them, must be there
+EXACT, DRAWN = 0.75, 0.85  # parts of the time, for equations, and for them and configurations that satisfy them
 
 
 def find_singularities(
@@ -56,7 +53,7 @@ def find_singularities(
         samples: the number of starts of the numeric method.
         seed: of the random numbers.
         time_limit: of both methods together [s]: 85 % of it are the exact answer's, three quarters for its equations,
-            and what is left is the numeric search's. What is asked of the answer later, such as `intersections`, has
+            and what is left is the numeric search's. `find_intersections` and `parameter_conditions` of the answer have
             that time once more.
 
     Raises:
@@ -71,95 +68,93 @@ def find_singularities(
     limit = TimeLimit(real_number("time_limit", time_limit, positive=True))
     task.check(robot)
     turns = turns_of(robot, task)
-    where = joint_box(robot, box, unlimited=None if method == "numeric" else 2.0, turns=turns)
+    where = joint_box(robot, box, unlimited=2.0, turns=turns)
     if robot.nv == 0:
-        return _without_joints(robot, task, method)
-    if method == "numeric":
-        return _numeric(robot, task, where, count, seed, limit)
-    try:
-        return _symbolic(robot, task, where, count, seed, limit)
-    except FormulaError as error:
-        if method == "symbolic":
-            raise
-        found = _numeric(robot, task, joint_box(robot, box, turns=turns), count, seed, limit)
-        return replace(found, note=f"There are no formulas: {error}.")
+        return _without_joints(robot, task, where, method)
+    note = ""
+    if method != "numeric":
+        try:
+            return _symbolic(robot, task, where, count, seed, limit)
+        except FormulaError as error:
+            if method == "symbolic":
+                raise
+            note = f"There are no formulas: {error}."
+    return _numeric(robot, task, joint_box(robot, box, turns=turns), count, seed, limit, note)
 
 
-def _without_joints(robot: Robot, task: Task, method: str) -> SingularSet:
+def _without_joints(robot: Robot, task: Task, where: JointBox, method: str) -> SingularSet:
     """Return the answer for a robot that does not move: J has no columns, and rank 0 is its full rank."""
     note = "The robot has no joints, so that its Jacobian has no columns."
-    return SingularSet(robot, task, 0, (), "numeric" if method == "numeric" else "symbolic", complete=True, note=note)
+    how = "numeric" if method == "numeric" else "symbolic"
+    return SingularSet(robot, task, where, 0, (), how, complete=True, note=note)
 
 
-def _numeric(robot: Robot, task: Task, where: JointBox, count: int, seed: int, limit: TimeLimit) -> SingularSet:
+def _numeric(
+    robot: Robot, task: Task, where: JointBox, count: int, seed: int, limit: TimeLimit, note: str
+) -> SingularSet:
     rng = np.random.default_rng(seed)
     points = singular_points(robot, task, where, rng)
     if points.rank == 0:
         raise TaskError(NOTHING_MOVES)
-    return SingularSet(robot, task, points.rank, branches_of(points, count, rng, limit), "numeric", complete=False)
+    branches = numeric_branches(points, count, rng, limit)
+    return SingularSet(robot, task, where, points.rank, branches, "numeric", False, note, time_limit=limit.seconds)
 
 
 def _symbolic(robot: Robot, task: Task, where: JointBox, count: int, seed: int, limit: TimeLimit) -> SingularSet:
-    from robotics1.analysis.symbolic_branches import symbolic_search
+    from robotics1.singularities.symbolic import symbolic_branches
 
     rng = np.random.default_rng(seed)
     try:
-        with limit.part(EXACT).kept():
-            search = symbolic_search(robot, task, where, rng, limit.part(EXACT))
+        found = symbolic_branches(robot, task, where, rng, limit.part(EXACT), limit.part(DRAWN))
     except OutOfTime:
-        found = _numeric(robot, task, where, count, seed, limit)
-        return replace(found, note=_not_complete(limit, len(found.branches), 0))
-    answer = search.branches(rng, limit.part(DRAWN))
-    found = SingularSet(
+        by_numbers = _numeric(robot, task, where, count, seed, limit, "")
+        return replace(by_numbers, note=_not_complete(limit, len(by_numbers.branches), 0))
+    others: list[SingularBranch] = []
+    notes = [_note(found)]
+    if not found.complete:
+        others = [
+            branch
+            for branch in numeric_branches(found.points, count, rng, limit)
+            if not all(any(known.contains(q) for known in found.inside) for q in branch.samples)
+        ]
+        notes.insert(0, _not_complete(limit, len(others), len(found.inside)))
+    return SingularSet(
         robot,
         task,
-        search.points.rank,
-        answer.inside,
-        method="symbolic",
-        complete=answer.complete,
-        note=_note(search, answer),
-        outside=answer.outside,
-        search=search,
-    )
-    if answer.complete:
-        return found
-    others = [
-        branch
-        for branch in branches_of(search.points, count, rng, limit)
-        if not all(any(known.contains(q) for known in answer.inside) for q in branch.samples)
-    ]
-    note = _not_complete(limit, len(others), len(answer.inside))
-    return replace(
-        found,
-        branches=(*answer.inside, *others),
-        method="both" if answer.inside else "numeric",
-        note=" ".join(filter(None, (note, found.note))),
+        where,
+        found.points.rank,
+        (*found.inside, *others),
+        "symbolic" if found.complete else "both" if found.inside else "numeric",
+        found.complete,
+        " ".join(filter(None, notes)),
+        tuple(found.outside),
+        limit.seconds,
+        found.jacobian,
+        tuple(found.without_solution),
     )
 
 
 def _not_complete(limit: TimeLimit, others: int, exact: int) -> str:
-    return f"The exact answer was not complete after {limit.seconds:g} s; {_by_numbers(others, exact)}."
-
-
-def _by_numbers(others: int, exact: int) -> str:
-    """Say which branches the numeric search has added; they stand last."""
+    """Say that the exact answer is not complete, and which branches were found by numbers; they stand last."""
     if not others:
-        return "a search by numbers found no other branch"
-    if not exact:
-        return "all branches were found by numbers"
-    return (
-        "the last branch was found by numbers" if others == 1 else f"the last {others} branches were found by numbers"
-    )
+        added = "a search by numbers found no other branch"
+    elif not exact:
+        added = "all branches were found by numbers"
+    elif others == 1:
+        added = "the last branch was found by numbers"
+    else:
+        added = f"the last {others} branches were found by numbers"
+    return f"The exact answer was not complete after {limit.seconds:g} s; {added}."
 
 
-def _note(search: "SymbolicSearch", answer: "Found") -> str:
+def _note(found: "Found") -> str:
     """Say which angles were made exact, and where the task has no Jacobian."""
     from robotics1.symbolic.writing.printing import line_text
 
     said = []
-    if search.cleaned > WORTH_TELLING:
-        said.append(f"Angles of the file were made exact multiples of π/12, by at most {search.cleaned:.1e} rad.")
-    if answer.undefined:
-        places = (" and ".join(map(line_text, piece.conditions)) for piece in answer.undefined)
+    if found.cleaned > WORTH_TELLING:
+        said.append(f"Angles of the file were made exact multiples of π/12, by at most {found.cleaned:.1e} rad.")
+    if found.undefined:
+        places = (" and ".join(map(line_text, piece.conditions)) for piece in found.undefined)
         said.append(f"Where {' or '.join(places)}, the task itself has no Jacobian.")
     return " ".join(said)

@@ -6,31 +6,35 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from robotics1.analysis.singular_points import SingularPoints
-from robotics1.analysis.spaces import Subspaces, subspaces_of_rank
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import pi_fraction
+from robotics1.results import Frozen
+from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
+from robotics1.singularities.spaces import Subspaces, subspaces_of_rank
 from robotics1.tasks.task import Task
 
 if TYPE_CHECKING:
     import sympy
 
-    from robotics1.analysis.symbolic_branches import SymbolicSearch
-    from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
+    from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas, SymbolicJacobian
+    from robotics1.symbolic.singular_sets.zeros import Zero
 
 
 @dataclass(frozen=True, eq=False)
-class SingularBranch:
+class SingularBranch(Frozen):
     """A smooth piece of the singular set; pieces that cross each other are told apart.
 
     In exact form it is all that its equations describe, which may be several loops. By numbers it is what walks on the
     set have connected.
 
     Attributes:
+        robot, task: whose Jacobian loses rank; a branch in exact form has the robot with exact angles.
+        box: where the samples lie: inside the joint limits, or anywhere.
+        generic_rank: ρ, the rank of J almost everywhere.
         dimension: of the piece in joint space: 0 for an isolated configuration, n − 1 for a hypersurface.
         values: joint name → the value it has everywhere on the branch [rad or m].
         free_joints: the joints that never matter: whatever their value, the configuration stays on the branch.
@@ -41,7 +45,10 @@ class SingularBranch:
         note: whether it lies at a joint limit, or outside of one by less than 1e-6 rad or reaches.
     """
 
-    points: SingularPoints = field(repr=False)
+    robot: Robot = field(repr=False)
+    task: Task = field(repr=False)
+    box: JointBox = field(repr=False)
+    generic_rank: int
     dimension: int
     values: Mapping[str, float]
     free_joints: tuple[str, ...]
@@ -60,7 +67,7 @@ class SingularBranch:
             return self.formulas.conditions
         import sympy
 
-        names = self.points.robot.joint_names
+        names = self.robot.joint_names
         symbols = dict(zip(names, sympy.symbols(f"q1:{len(names) + 1}", real=True), strict=True))
         equations = [sympy.Eq(symbols[name], _recognised(value)) for name, value in self.values.items()]
         tied = [symbols[name] for name in self.tied_joints]
@@ -81,7 +88,7 @@ class SingularBranch:
     @property
     def tied_joints(self) -> tuple[str, ...]:
         """The joints that are neither constant nor free: they move together on the branch."""
-        names = self.points.robot.joint_names
+        names = self.robot.joint_names
         return tuple(name for name in names if name not in self.values and name not in self.free_joints)
 
     @cached_property
@@ -106,28 +113,28 @@ class SingularBranch:
 
     def jacobian(self, q: Array) -> Array:
         """Return the task's J(q), (m, n)."""
-        return self.points.task.jacobian(self.points.robot, q)
+        return self.task.jacobian(self.robot, q)
 
     def sample(self, rng: np.random.Generator) -> Array:
         """Return a random configuration of the branch, (nq,): of a branch that was found by numbers, one of
         `samples` with the free joints drawn anew.
         """
         if self.formulas is not None:
-            drawn = self.formulas.configurations.random(self.points.box, rng)
+            drawn = self.formulas.draw(self.box, rng)
             if drawn is not None:
                 return drawn
         q: Array = self.samples[rng.integers(len(self.samples))].copy()
-        free = [self.points.robot.joint_names.index(name) for name in self.free_joints]
-        q[free] = self.points.box.random(rng, 1)[0, free]
+        free = [self.robot.joint_names.index(name) for name in self.free_joints]
+        q[free] = self.box.random(rng, 1)[0, free]
         return q
 
     def contains(self, q: Array) -> bool:
-        """Return whether q (nq,) is on the branch; told of a branch in exact form."""
-        return self.formulas is not None and self.formulas.configurations.contains(q)
+        """Return whether q (nq,) is on the branch; False of a branch that was found by numbers."""
+        return self.formulas is not None and self.formulas.contains(q)
 
     def explain(self) -> str:
         """Return what the branch means for the robot, in sentences."""
-        from robotics1.analysis.singularity_words import branch_sentences
+        from robotics1.singularities.explain import branch_sentences
 
         return printable(branch_sentences(self), keep="\n")
 
@@ -137,55 +144,44 @@ class SingularSet:
     """All singular configurations of a robot in a task.
 
     Attributes:
+        robot, task: whose.
+        box: where the branches lie: inside the joint limits.
         generic_rank: ρ, the rank of J almost everywhere; on the singular set the rank is lower.
         branches: its pieces, the larger first.
         method: "symbolic" or "numeric", how they were found; "both" when exact and numeric ones stand together.
         complete: whether the method proves that there are no others inside the joint limits.
         note: why the answer is not the exact one, if it is not.
         outside: the branches that lie outside the joint limits; found in exact form only.
+        time_limit: in which it was found; `find_intersections` and `parameter_conditions` have as much [s].
+        jacobian: the task's Jacobian in exact form, if it was found.
+        without_solution: the equations of the lengths, or of one joint, that were met and have no solution.
     """
 
     robot: Robot
     task: Task
+    box: JointBox = field(repr=False)
     generic_rank: int
     branches: tuple[SingularBranch, ...]
     method: str
     complete: bool
     note: str = ""
     outside: tuple[SingularBranch, ...] = ()
-    search: "SymbolicSearch | None" = field(default=None, repr=False)
+    time_limit: float = field(default=30.0, repr=False)
+    jacobian: "SymbolicJacobian | None" = field(default=None, repr=False)
+    without_solution: "tuple[Zero, ...]" = field(default=(), repr=False)
 
     @cached_property
-    def excluded(self) -> "tuple[sympy.Eq, ...]":
-        """The equations of the lengths, or of one joint, that have no solution at the robot's lengths; at lengths
-        where they have one, more configurations are singular. Of branches in exact form.
-        """
-        if self.search is None:
-            return ()
-        from robotics1.analysis.other_lengths import conditions_on_lengths
-
-        return conditions_on_lengths(self.search, [*self.branches, *self.outside])
-
-    @cached_property
-    def almost_everywhere(self) -> "BranchFormulas | None":
+    def generic_bases(self) -> "BranchFormulas | None":
         """The bases of N(J), R(J) and N(Jᵀ) in symbols where J has rank ρ; they hold almost everywhere, as all entries
         of a vector may vanish together. None of a set that was found by numbers.
         """
-        return None if self.search is None else self.search.almost_everywhere
+        if self.jacobian is None:
+            return None
+        from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
+        from robotics1.symbolic.singular_sets.locus import Piece
 
-    @property
-    def intersections(self) -> tuple[SingularBranch, ...]:
-        """Where branches meet, and where the rank falls further inside one: of branches in exact form."""
-        return self._intersections[0]
-
-    @property
-    def all_intersections(self) -> bool:
-        """Whether `intersections` are all: branches in exact form, and found within the time limit."""
-        return self._intersections[1]
-
-    @cached_property
-    def _intersections(self) -> tuple[tuple[SingularBranch, ...], bool]:
-        return ((), False) if self.search is None else self.search.intersections(self.branches)
+        everywhere = Piece(self.jacobian.everywhere, self.jacobian.parameters, {})
+        return BranchFormulas(self.jacobian, everywhere, self.generic_rank)
 
     @property
     def free_joints(self) -> tuple[str, ...]:
@@ -195,13 +191,26 @@ class SingularSet:
 
     def explain(self) -> str:
         """Return the singularities in sentences."""
-        from robotics1.analysis.singularity_words import set_sentences
+        from robotics1.singularities.explain import set_sentences
 
         return printable(set_sentences(self), keep="\n")
 
-    def explain_intersections(self) -> str:
-        """Return the rank where branches meet, a line for each piece. Raises as `intersections`."""
-        from robotics1.analysis.singularity_words import intersection_sentences
+
+@dataclass(frozen=True, eq=False)
+class Intersections:
+    """Where branches of a singular set meet, and where the rank falls further inside one.
+
+    Attributes:
+        branches: the pieces, the larger first.
+        complete: whether these are all: of branches in exact form, and found within the time limit.
+    """
+
+    branches: tuple[SingularBranch, ...]
+    complete: bool
+
+    def explain(self) -> str:
+        """Return the rank on each piece, a line for each."""
+        from robotics1.singularities.explain import intersection_sentences
 
         return printable(intersection_sentences(self), keep="\n")
 

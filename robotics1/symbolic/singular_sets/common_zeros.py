@@ -3,16 +3,18 @@
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
 import sympy
 
-from robotics1.symbolic.polynomials.laurent import Laurent
+from robotics1.symbolic.polynomials.determinants import minors_of_order
+from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import TimeLimit
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, coincidences, zeros
 
 
 @dataclass(frozen=True, eq=False)
-class CaseDistinction:
+class CommonZeros:
     """The search for common zeros at given lengths.
 
     Attributes:
@@ -75,6 +77,20 @@ class CaseDistinction:
     def _cases(self, f: Laurent) -> list[Zero]:
         self.limit.check()
         return zeros(f, self.parameters)
+
+
+def singular_loci(M: Matrix, rank: int, where: Locus, cases: CommonZeros) -> Iterator[Locus]:
+    """Yield pieces of a locus that together hold all its points at which the rank of M is below `rank`: there all
+    minors of that order vanish.
+
+    Raises:
+        OutOfTime: the time is over.
+    """
+    M = np.array([row for row in ([where.reduced(entry) for entry in row] for row in M) if any(row)], dtype=object)
+    if len(M) < rank:
+        return iter([where])  # J has fewer rows than the rank that is looked for: all of the locus
+    M = M[:, [j for j in range(M.shape[1]) if any(M[:, j])]]
+    return cases.common_zeros(list(minors_of_order(M, rank, cases.limit)), where)
 
 
 def _distinct(polynomials: list[Laurent]) -> list[Laurent]:

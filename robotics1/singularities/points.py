@@ -1,5 +1,6 @@
 """Points on the singular set, found by Newton's method on the part of J that loses rank."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +9,7 @@ from robotics1.differentiation import configuration_derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.least_squares import numeric_rank
+from robotics1.notation import enumeration
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.symbolic.polynomials.time_limit import check_time
@@ -22,6 +24,8 @@ EXACT = 1e-9  # of a step, in the box's units: near a zero of order m, σ is 1e-
 SHRINKS = (0.4, 0.9)  # ratios of two steps towards a zero of order 2 to 10, or nearly so
 STRAIGHT = 0.98  # cosine between these steps
 OF_ORDER_3 = 0.6  # a ratio that is larger: 2/3 and more
+NEAR = 1e-6  # from a limit, in units: rad, or reaches of the arm; a limit such as 3.14159265 is meant to be π
+ROUNDING = 1e-9  # outside of a limit by less than this is at the limit, in units
 ASIDE = 1e-3  # from which the steps towards such a zero are exact enough, in the box's units
 
 
@@ -176,3 +180,23 @@ def singular_points(robot: Robot, task: Task, box: JointBox, rng: np.random.Gene
     sigmas = [np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False) for q in box.random(rng, 16)]
     rank = max(numeric_rank(sigma) if sigma[0] > MOVES else 0 for sigma in sigmas)
     return SingularPoints(robot, task, box, rank, max(float(sigma[0]) for sigma in sigmas))
+
+
+def note_on_limits(samples: Array, limits: JointBox, names: Sequence[str]) -> str:
+    """Return which limits all samples (k, n) are at; or, if none of them is inside, which they are outside of, by less
+    than 1e-6. "" if neither.
+    """
+    sides = (("lower", samples - limits.lower), ("upper", limits.upper - samples))
+    at: list[str] = []
+    outside: list[str] = []
+    none_inside = not any(limits.contains(q, ROUNDING) for q in samples)
+    for word, distances in sides:
+        inside = distances / limits.unit
+        beyond = (inside < -ROUNDING).any(axis=0) & ~limits.circular & none_inside
+        near = (np.abs(inside).max(axis=0) <= NEAR) & ~limits.circular & ~beyond
+        at += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(near)]
+        outside += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(beyond)]
+    said = [f"It lies at {enumeration(at)}."] if at else []
+    if outside:
+        said.append(f"It lies outside {enumeration(outside)} by less than {NEAR:g}, so that the arm can come to it.")
+    return " ".join(said)

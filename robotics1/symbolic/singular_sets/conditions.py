@@ -1,4 +1,4 @@
-"""The values of a joint in closed form."""
+"""The equations of a piece, as they are written: values of joints in closed form, and polynomials that vanish."""
 
 from collections.abc import Mapping
 
@@ -7,14 +7,63 @@ import sympy
 
 from robotics1.symbolic.kinematics.exact import exact_turn
 from robotics1.symbolic.polynomials.evaluation import Evaluated
-from robotics1.symbolic.polynomials.factoring import Part
+from robotics1.symbolic.polynomials.factoring import Part, factors
 from robotics1.symbolic.polynomials.laurent import Laurent, polynomial
+from robotics1.symbolic.polynomials.substitution import Substitution
+from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.writing.recognition import recognised
+from robotics1.symbolic.writing.sums_of_angles import Groups, written, written_product
 
 ROUNDING = 1e-13  # of an angle [rad]
 
 
-def angle_of_turn(turn: Laurent) -> sympy.Expr:
+def conditions(piece: Piece, groups: Groups) -> tuple[sympy.Eq, ...]:
+    """Return the equations of a piece: joints that have a value, then polynomials that vanish."""
+    q = piece.locus.frequencies.q
+    values = [_value(s, groups) for s in piece.locus.substitutions if s.symbol in q]
+    implicit = [equation for part in piece.locus.implicit for equation in _equations(piece, part, groups)]
+    return (*sorted(values, key=lambda equation: str(equation.lhs)), *implicit)
+
+
+def relations_of_lengths(locus: Locus, groups: Groups) -> tuple[sympy.Eq, ...]:
+    """Return the lengths that have a value on a locus, such as a3 = a2."""
+    return tuple(_value(s, groups) for s in locus.substitutions if s.symbol not in locus.frequencies.q)
+
+
+def _value(substitution: Substitution, groups: Groups) -> sympy.Eq:
+    """Return joint = value; of angles with what is added on either side: q3 = q1, 2 q2 + q3 = π."""
+    symbol, value = substitution.symbol, substitution.value
+    if not substitution.is_angle:
+        return sympy.Eq(symbol, written(value, groups))
+    ((k, _),) = value.terms.items()
+    F = value.frequencies
+    turns = F.turns_of(symbol)
+    added, taken = F.angle([max(n, 0) for n in k]), F.angle([min(n, 0) for n in k])
+    return sympy.Eq(symbol - turns * taken, turns * (added + _angle_of_turn(value)))
+
+
+def _equations(piece: Piece, part: Part, groups: Groups) -> tuple[sympy.Eq, ...]:
+    """Return part = 0; or the value of its only joint, in closed form where it has a short one."""
+    (expression,) = recognised([_expression(part, groups).as_content_primitive()[1]])
+    plain = sympy.Eq(-expression if expression.could_extract_minus_sign() else expression, 0)
+    joints = [i for i, symbol in enumerate(part.frequencies.q) if symbol in part.symbols]
+    pinned = piece.pinned.get(joints[0]) if len(joints) == 1 else None
+    if pinned is None:
+        return (plain,)
+    symbol = part.frequencies.q[joints[0]]
+    root = root_of(part, symbol, pinned, piece.parameters)
+    return (plain, sympy.Eq(symbol, sympy.Float(pinned))) if root is None else (sympy.Eq(symbol, root),)
+
+
+def _expression(part: Part, groups: Groups) -> sympy.Expr:
+    """Return the part in SymPy, in half angles where it has some."""
+    if not any(part.parity):
+        return written_product(factors(part.in_angles), groups)
+    halves = {angle: angle / 2 for angle in part.frequencies.angles}
+    return written(part.in_half_angles, groups).subs(halves, simultaneous=True)
+
+
+def _angle_of_turn(turn: Laurent) -> sympy.Expr:
     """Return α of exp(i α), a constant times exponentials of other angles, which are left out."""
     ((_, c),) = turn.terms.items()
     number = Evaluated(turn.frequencies.constant(c), {}).complex(np.zeros(len(turn.frequencies.q)))

@@ -1,1 +1,0 @@
-"""What a Jacobian says: its subspaces, its singularities, the forces it balances."""

@@ -1,1 +1,0 @@
-"""Singularity measures over many configurations: sampling, chunks, reductions, and the worst refined."""
