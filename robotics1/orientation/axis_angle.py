@@ -13,6 +13,7 @@ from robotics1.orientation.elementary import turn, unit_vector
 from robotics1.orientation.expressions import Matrix, as_matrix, expression, expressions
 from robotics1.orientation.nearest import PRINTED, rotation_of
 from robotics1.orientation.quaternion import quaternion_of
+from robotics1.results import Frozen
 
 
 def axis_angle_to_rotation(axis: Any, angle: Any) -> Matrix:
@@ -40,7 +41,7 @@ def axis_angle_to_rotation(axis: Any, angle: Any) -> Matrix:
 
 
 @dataclass(frozen=True, eq=False)
-class AxisAngle:
+class AxisAngle(Frozen):
     """The axis and the angle of a rotation.
 
     Attributes:

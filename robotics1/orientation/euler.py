@@ -12,6 +12,7 @@ from robotics1.orientation.euler_inverse import canonical, completed, first_solu
 from robotics1.orientation.expressions import Matrix, angle_of, as_matrix, expressions
 from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
+from robotics1.results import Frozen
 
 
 def euler_to_rotation(sequence: str, angles: Any, *, fixed: bool = False) -> Matrix:
@@ -35,7 +36,7 @@ def euler_to_rotation(sequence: str, angles: Any, *, fixed: bool = False) -> Mat
 
 
 @dataclass(frozen=True, eq=False)
-class EulerSolutions:
+class EulerSolutions(Frozen):
     """The angles of a sequence that give a rotation.
 
     Attributes:

@@ -12,10 +12,11 @@ from robotics1.notation import joint_value
 from robotics1.orientation.elementary import cross_matrix, turn, unit_vector
 from robotics1.orientation.expressions import Matrix, as_matrix, expressions
 from robotics1.orientation.nearest import ROUNDING, SINGULAR, rotation_of
+from robotics1.results import Frozen
 
 
 @dataclass(frozen=True, eq=False)
-class Alignment:
+class Alignment(Frozen):
     """All rotations with R a = d: R(d, ψ) R₀ for every ψ.
 
     Attributes:
@@ -77,7 +78,7 @@ def align_direction(a: npt.ArrayLike, d: npt.ArrayLike, *, start: npt.ArrayLike 
 
 
 @dataclass(frozen=True, eq=False)
-class FrameAlignment:
+class FrameAlignment(Frozen):
     """The rotation that takes two directions of the body to two given ones, the first exactly.
 
     Attributes:

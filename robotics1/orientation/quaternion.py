@@ -12,6 +12,7 @@ from robotics1.inputs import Array, one_of, real_number
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.orientation.expressions import Matrix, as_matrix, expressions
 from robotics1.orientation.nearest import PRINTED, SINGULAR, NearestRotation, rotation_of
+from robotics1.results import Frozen
 
 
 def quaternion_to_rotation(quaternion: Any) -> Matrix:
@@ -71,7 +72,7 @@ def unit_quaternion(quaternion: Any) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class UnitQuaternions:
+class UnitQuaternions(Frozen):
     """The two unit quaternions of a rotation.
 
     Attributes:

@@ -13,6 +13,7 @@ from robotics1.orientation.euler_inverse import sine_squared
 from robotics1.orientation.expressions import Matrix, as_matrix, cosine_and_sine, expressions, root, simplified
 from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
+from robotics1.results import Frozen
 
 
 def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference: str = "world") -> Matrix:
@@ -75,7 +76,7 @@ def inverse_rate_map(sequence: EulerSequence, R: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class EulerRates:
+class EulerRates(Frozen):
     """The rates of the angles that produce an angular velocity.
 
     Attributes:
