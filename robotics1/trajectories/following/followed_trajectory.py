@@ -12,6 +12,7 @@ from robotics1.differentiation import derivative_inside
 from robotics1.inputs import Array
 from robotics1.results import require
 from robotics1.tasks.task import unitless_rows
+from robotics1.trajectories.following.integration import Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Peak, Side
@@ -27,20 +28,6 @@ class FollowingStatus(Enum):
     RETURNS = "the path is left, or begun beside, and regained: at the end |r_d − r| ≤ 1e-6, in radians and reaches"
     DEVIATES = "the end of the path is missed"
     STOPPED = "the joint velocities grow, or change, without bound, as near a singularity: stopped there"
-
-
-@dataclass(frozen=True, eq=False)
-class Segment:
-    """The solution from one switching time to the next.
-
-    Attributes:
-        start, end: [s].
-        state: t → the state.
-    """
-
-    start: float
-    end: float
-    state: Any
 
 
 @dataclass(frozen=True, eq=False)
