@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
-from robotics1.results import require
+from robotics1.results import Frozen, require
 from robotics1.trajectories.following.integration import integrated
 from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
@@ -19,7 +19,7 @@ LARGEST = 1e150  # rad or m: squares of such errors are finite
 
 
 @dataclass(frozen=True, eq=False)
-class Tracking:
+class Tracking(Frozen):
     """A simulated run of q̇ = q̇_d + K (q_d − q).
 
     Attributes:
@@ -106,7 +106,7 @@ class GainStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class GainChoice:
+class GainChoice(Frozen):
     """The smallest gain for a wanted final error, and whether the robot can follow its command.
 
     Attributes:

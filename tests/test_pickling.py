@@ -45,6 +45,33 @@ def test_a_copy_of_a_public_object_is_the_same(name):
             assert (x != other) in (True, False)
 
 
+READ_ONLY = [
+    *("FollowedTrajectory", "GainChoice", "IKBatch", "IKIterate", "IKIteration", "IKResult", "IKSolutions"),
+    *("JointAcceleration", "JointVelocity", "Tracking"),
+]
+
+
+def arrays_in(x):
+    """Arrays that a result holds itself, in tuples, or in the results in it."""
+    if isinstance(x, np.ndarray):
+        yield x
+    elif isinstance(x, tuple):
+        for value in x:
+            yield from arrays_in(value)
+    elif type(x).__name__ in READ_ONLY:
+        for value in vars(x).values():
+            yield from arrays_in(value)
+
+
+@pytest.mark.parametrize("name", READ_ONLY)
+def test_the_arrays_of_a_result_are_read_only_also_in_its_copies(name):
+    for x in INSTANCES[name]():
+        for other in (x, pickled(x), copy.deepcopy(x), copy.copy(x)):
+            found = list(arrays_in(other))
+            assert found
+            assert not any(array.flags.writeable for array in found)
+
+
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))  # SymPy, for a point, has no lower one
 def test_a_robot_can_be_pickled_by_every_protocol(protocol):
     for robot in robots().values():

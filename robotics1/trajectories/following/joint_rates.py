@@ -13,7 +13,7 @@ from robotics1.analysis.spaces import subspaces
 from robotics1.differentiation import directional_derivative
 from robotics1.inputs import Array, a_robot_and_a_task, real_array
 from robotics1.least_squares import RANK_TOLERANCE
-from robotics1.results import require
+from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
@@ -39,7 +39,7 @@ class RateStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Resolved:
+class Resolved(Frozen):
     """The inputs u that realise b = A u best.
 
     Attributes:
