@@ -2,16 +2,15 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from scipy.integrate import solve_ivp
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
-from robotics1.results import require
+from robotics1.results import Frozen, require
+from robotics1.trajectories.following.integration import integrated
 from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
 PRECISION = 1e-12  # of the integration, of the largest value of each joint
@@ -20,7 +19,7 @@ LARGEST = 1e150  # rad or m: squares of such errors are finite
 
 
 @dataclass(frozen=True, eq=False)
-class Tracking:
+class Tracking(Frozen):
     """A simulated run of q̇ = q̇_d + K (q_d − q).
 
     Attributes:
@@ -80,20 +79,19 @@ def simulate_tracking(
 
     size = np.maximum(np.abs(q0), np.abs(trajectory(t)).max(axis=0))
     precision = PRECISION * np.where(size > 0, size, 1.0)
-    q, now = np.empty((len(t), n)), q0
-    for start, end in pairwise(ends):
-
-        def rate(time: float, q: Array, start: float = start, end: float = end) -> Array:
-            inside = min(max(time, start), end)
-            side: Side = "right" if inside < end else "left"
-            return np.clip(wanted(inside, q, side), -limits, limits)
-
-        here = (t >= start) & (t <= end)
-        instants = np.union1d(t[here], end)  # the last value is where the next integration starts
-        run = solve_ivp(
-            rate, (start, end), now, t_eval=instants, rtol=1e-10, atol=precision, method="LSODA", max_step=ends[-1] / 50
-        )
-        q[here], now = run.y.T[: here.sum()], run.y[:, -1]
+    segments = integrated(
+        lambda time, q, side: np.clip(wanted(time, q, side), -limits, limits),
+        ends,
+        q0,
+        method="LSODA",
+        rtol=1e-10,
+        atol=precision,
+        max_step=ends[-1] / 50,
+    )
+    q = np.full((len(t), n), np.nan)
+    for segment in segments:
+        here = (t >= segment.start) & (t <= segment.end)
+        q[here] = segment.state(t[here]).T
     asked = np.array([wanted(time, position, "right") for time, position in zip(t, q, strict=True)])
     saturated = (np.abs(asked) > limits).any(axis=0)
     return Tracking(t, q, np.clip(asked, -limits, limits), trajectory(t) - q, saturated)
@@ -108,7 +106,7 @@ class GainStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class GainChoice:
+class GainChoice(Frozen):
     """The smallest gain for a wanted final error, and whether the robot can follow its command.
 
     Attributes:

@@ -262,7 +262,7 @@ CALLS = [
     (lambda r: r1.follow_trajectory(r, XY, MOTION, [0.1]), InputError, "q must have shape"),
     (lambda r: r1.follow_trajectory(r, XY, MOTION, START, gain=-1), InputError, "gain must not be negative"),
     (lambda r: r1.follow_trajectory(r, XY, MOTION, START, gain=[1, 2, 3]), InputError, "gain must have shape"),
-    (lambda r: r1.follow_trajectory(r, XY, MOTION, START, null_velocity=[1, 2, 3]), InputError, "the null motion must"),
+    (lambda r: r1.follow_trajectory(r, XY, MOTION, START, null_velocity=[1, 2, 3]), InputError, "null_velocity must"),
     (lambda r: r1.follow_trajectory(r, XY, r1.LinearMotion([1, 1], [0, 1]), START), InputError, "with a duration"),
     (lambda r: r1.follow_trajectory(r, r1.PositionTask("xy", reference="tool"), MOTION, START), TaskError, "move with"),
     (lambda r: r1.follow_trajectory_by_acceleration(r, XY, MOTION, START), InputError, "q must have shape"),

@@ -158,7 +158,7 @@ def test_public_functions_go_to_workers_by_their_names(pool):
         (r1.solve_ik, robot, PLANE, TARGET),
         (r1.ik_solutions, robot, PLANE, TARGET),
         (r1.iterate_ik, robot, PLANE, TARGET, q),
-        (r1.joint_velocity, robot, PLANE, q, [1, 0]),
+        (r1.joint_velocity, robot, PLANE, [1, 0], q),
         (r1.find_singularities, robot, PLANE),
         (r1.scan_singularities, robot, r1.PlanarPoseTask()),
         (r1.urdf_to_dh, robot),

@@ -57,8 +57,8 @@ def test_planar_tasks_and_functions_of_a_shared_robot():
         return [
             *(partial(t.jacobian, robot, q) for q in qs for t in tasks),
             *(partial(r1.jacobian_rate, robot, PLANE, q, [1, 2]) for q in qs),
-            *(partial(r1.joint_velocity, robot, PLANE, q, [1, 2]) for q in qs[:5]),
-            *(partial(r1.joint_acceleration, robot, PLANE, q, [1, 2], [0, 1]) for q in qs[:5]),
+            *(partial(r1.joint_velocity, robot, PLANE, [1, 2], q) for q in qs[:5]),
+            *(partial(r1.joint_acceleration, robot, PLANE, [0, 1], q, [1, 2]) for q in qs[:5]),
         ]
 
     assert_as_in_one_thread(calls)

@@ -11,7 +11,7 @@ from robotics1.errors import TaskError
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
-from robotics1.results import require
+from robotics1.results import Frozen, made_again, require
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -39,9 +39,12 @@ class IKIterate(NamedTuple):
     def __hash__(self) -> int:
         return hash(tuple(self))  # which says that an array has none
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return made_again, (type(self), *self)
+
 
 @dataclass(frozen=True, eq=False)
-class IKIteration:
+class IKIteration(Frozen):
     """What an iteration did.
 
     Attributes:

@@ -198,5 +198,5 @@ class PoseSolver:
         tried, error = self.kernel(target.homogeneous, start, from_q0, q)
         if not error <= self.tolerance:
             return self.carefully(target, q0)
-        q.flags.writeable = False
+        q.setflags(write=False)
         return IKResult(IKStatus.CONVERGED, q, error, tried)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.results import Frozen, require
+from robotics1.results import Frozen, made_again, require
 
 
 class IKStatus(Enum):
@@ -55,6 +55,9 @@ class IKResult(NamedTuple):
 
     def __hash__(self) -> int:
         return hash(tuple(self))  # which says that an array has none
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return made_again, (type(self), *self)
 
     @property
     def converged(self) -> bool:

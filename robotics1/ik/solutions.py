@@ -12,7 +12,7 @@ from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
-from robotics1.results import require
+from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.singularities.points import ON_THE_SET, SingularPoints, singular_points
 from robotics1.tasks.task import Task
@@ -24,7 +24,7 @@ FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a famil
 
 
 @dataclass(frozen=True, eq=False)
-class IKSolutions:
+class IKSolutions(Frozen):
     """The solutions of f(q) = r_d inside the joint limits, each told once: whole turns of a joint apart are one.
 
     Attributes:

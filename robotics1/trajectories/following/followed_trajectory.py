@@ -10,8 +10,9 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.differentiation import derivative_inside
 from robotics1.inputs import Array
-from robotics1.results import require
+from robotics1.results import Frozen, require
 from robotics1.tasks.task import unitless_rows
+from robotics1.trajectories.following.integration import Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Peak, Side
@@ -30,21 +31,7 @@ class FollowingStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Segment:
-    """The solution from one switching time to the next.
-
-    Attributes:
-        start, end: [s].
-        state: t → the state.
-    """
-
-    start: float
-    end: float
-    state: Any
-
-
-@dataclass(frozen=True, eq=False)
-class FollowedTrajectory:
+class FollowedTrajectory(Frozen):
     """q(t), (n,) for a number and (k, n) for (k,) times, from the inverse differential kinematics of a task trajectory.
 
     Attributes:
