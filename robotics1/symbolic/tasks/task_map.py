@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from robotics1.errors import FormulaError
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.symbolic.kinematics.exact import exact_length
-from robotics1.symbolic.tasks.readable import Readable
+from robotics1.symbolic.tasks.tracer import Tracer
 from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import FrameTask, Task
 
@@ -68,7 +68,7 @@ def task_map(task: Task, q: tuple[sympy.Symbol, ...]) -> TaskMap:
 
 def _read(task: FunctionTask, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]) -> Expressions:
     """Return f(p, R, q), (m,)."""
-    entries = [each(Readable, np.array(a, dtype=object)) for a in (p, R, q)]
+    entries = [each(Tracer, np.array(a, dtype=object)) for a in (p, R, q)]
     try:
         r = _exact(task.f(*entries))
     except Exception as error:
