@@ -30,9 +30,9 @@ def test_the_wheel_brings_its_robots_and_its_exams(tmp_path):
         wheel.extractall(tmp_path / "unpacked")
     program = """
 import robotics1
-from robotics1.cli.examples import module_of
+from robotics1.cli.exam import example
 robot = robotics1.load_robot("prr")
-print(robot.parameters["l2"], robot.path, module_of("exams.exam_2025_01_13.answers").__file__, sep="\\n")
+print(robot.parameters["l2"], robot.path, example("exams.exam_2025_01_13.answers").__file__, sep="\\n")
 """
     run = subprocess.run(
         [sys.executable, "-c", program], check=True, cwd=tmp_path / "unpacked", capture_output=True, text=True,

@@ -1,24 +1,53 @@
-"""The answer of `robotics1 check`: the verdict on a robot file, and what was understood of it."""
+"""The command `robotics1 check`: the verdict on a robot file, and what was understood of it."""
 
 import csv
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
-from rich.console import Console
+import typer
 from rich.table import Table
 from rich.text import Text
 from rich.tree import Tree
 
-from robotics1.cli.arguments import parse_number, read_text
+from robotics1.cli.arguments import parse_number, parse_parameters, read_text
+from robotics1.cli.options import AsJson, Parameters, RobotName, Tool
+from robotics1.cli.output import PlainConsole, write_json
 from robotics1.errors import InputError
 from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
 from robotics1.notation import count, joint_value
-from robotics1.robot.examination import AGREES, Examination, random_configurations
+from robotics1.report.tables import table
+from robotics1.robot.examination import AGREES, Examination, examine, random_configurations
 from robotics1.robot.model import Robot, tips
 
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
+
+
+def check(
+    robot: RobotName,
+    dh: Annotated[Path | None, typer.Option("--dh", help="A CSV file type,a,alpha,d,theta to compare with.")] = None,
+    convention: Annotated[str, typer.Option(help="Of the DH table: standard or modified.")] = "standard",
+    packages: Annotated[list[Path] | None, typer.Option(help="A folder in which package:// looks.")] = None,
+    trusted: Annotated[bool, typer.Option("--trusted", help="Let a xacro read YAML and the environment.")] = False,
+    param: Parameters = None,
+    tool: Tool = None,
+    json: AsJson = False,
+) -> None:
+    """The verdict on a robot file, and what was understood of it."""
+    from robotics1.robot.dh import robot_from_dh
+
+    values = parse_parameters(param or [])
+    found = examine(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
+    difference = None
+    if dh is not None and found.robot is not None:
+        table = robot_from_dh(read_dh_table(dh), convention=convention)
+        difference = _difference_from(found.robot, table)
+    if json:
+        write_json(_as_json(found, difference))
+    else:
+        _print(PlainConsole(), found, difference)
+    raise typer.Exit(0 if found.sound and (difference is None or difference <= AGREES) else 1)
 
 
 def read_dh_table(path: Path) -> list[tuple[str, float, float, float, float]]:
@@ -37,7 +66,7 @@ def read_dh_table(path: Path) -> list[tuple[str, float, float, float, float]]:
     return [(row[0], *(parse_number(cell) for cell in row[1:])) for row in rows[1:]]  # type: ignore[misc]
 
 
-def difference_from(robot: Robot, other: Robot) -> float:
+def _difference_from(robot: Robot, other: Robot) -> float:
     """Return the largest difference of the tools' poses of two robots with the same number of joints.
 
     Raises:
@@ -52,7 +81,7 @@ def difference_from(robot: Robot, other: Robot) -> float:
     return worst
 
 
-def as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
+def _as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
     """Return the examination as plain data."""
     answer: dict[str, Any] = {
         "path": str(found.path),
@@ -78,27 +107,27 @@ def as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
     return answer
 
 
-def print_examination(console: Console, found: Examination, dh_difference: float | None) -> None:
+def _print(out: PlainConsole, found: Examination, dh_difference: float | None) -> None:
     """Print the verdict, and the robot as it was understood."""
     for finding in found.errors:
-        console.print(Text.assemble(("error", "red"), f" {printable(str(finding))}"), soft_wrap=True)
+        out.print(Text.assemble(("error", "red"), f" {printable(str(finding))}"), soft_wrap=True)
     for finding in found.warnings:
-        console.print(Text.assemble(("warning", "yellow"), f" {printable(str(finding))}"), soft_wrap=True)
+        out.print(Text.assemble(("warning", "yellow"), f" {printable(str(finding))}"), soft_wrap=True)
     robot, path = found.robot, printable(str(found.path))
     if robot is None:
-        console.print(f"{path} is no robot: {count(len(found.errors), 'error')}.", soft_wrap=True)
+        out.print(f"{path} is no robot: {count(len(found.errors), 'error')}.", soft_wrap=True)
         return
-    console.print(link_tree(robot))
-    console.print(joint_table(robot))
+    out.print(_link_tree(robot))
+    out.print(_joint_table(robot))
     listed = ", ".join(map(printable, tips(robot.model)))
-    console.print(f"tips: {listed}; tool: {printable(robot.tool or 'open, name it with --tool')}")
-    console.print(_agreement("yourdfpy's parser", found.fk_difference))
+    out.print(f"tips: {listed}; tool: {printable(robot.tool or 'open, name it with --tool')}")
+    out.print(_agreement("yourdfpy's parser", found.fk_difference))
     if dh_difference is not None:
-        console.print(_agreement("the DH table", dh_difference))
-    console.print(f"{path} is a robot with {count(robot.nv, 'degree')} of freedom.", soft_wrap=True)
+        out.print(_agreement("the DH table", dh_difference))
+    out.print(f"{path} is a robot with {count(robot.nv, 'degree')} of freedom.", soft_wrap=True)
 
 
-def link_tree(robot: Robot) -> Tree:
+def _link_tree(robot: Robot) -> Tree:
     """Return the links as a tree, each with the joint it hangs on."""
     model = robot.model
     nodes: dict[int, Tree] = {}
@@ -115,11 +144,9 @@ def link_tree(robot: Robot) -> Tree:
     return tree
 
 
-def joint_table(robot: Robot) -> Table:
+def _joint_table(robot: Robot) -> Table:
     """Return the moving joints with their kind and limits."""
-    table = Table()
-    for heading in ("joint", "kind", "lower", "upper", "velocity", "effort"):
-        table.add_column(heading, justify="left" if heading in ("joint", "kind") else "right")
+    rows = []
     for name in robot.joint_names:
         joint = robot.model.joints[robot.model.getJointId(name)]
         kind = joint.shortname().removeprefix("JointModel")
@@ -129,8 +156,8 @@ def joint_table(robot: Robot) -> Table:
             rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
         else:
             limits, rates = ["", ""], ["", ""]
-        table.add_row(printable(name), _kind(kind), *limits, *rates)
-    return table
+        rows.append((printable(name), _kind(kind), *limits, *rates))
+    return table(("joint", "kind", "lower", "upper", "velocity", "effort"), rows, left=("joint", "kind"))
 
 
 def _kind(shortname: str) -> str:

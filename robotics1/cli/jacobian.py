@@ -1,89 +1,152 @@
-"""The numbers of `robotics1 jacobian`."""
+"""The command `robotics1 jacobian`: numbers at a configuration, or formulas."""
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from rich.console import Console
+import typer
 
-from robotics1.cli import output
-from robotics1.errors import InputError
-from robotics1.inputs import Array
+from robotics1.cli import arguments
+from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, write_json
+from robotics1.errors import FormulaError, InputError
 from robotics1.notation import enumeration, number, vector
 from robotics1.report.tables import matrix_table
-from robotics1.robot.model import Robot
 from robotics1.singularities.explain import directions
 from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
 from robotics1.singularities.spaces import Subspaces
-from robotics1.symbolic.kinematics.points import with_point
-from robotics1.symbolic.tasks.formula import row_places
-from robotics1.tasks.task import FrameTask
+
+if TYPE_CHECKING:
+    import sympy
+
+    from robotics1.symbolic.tasks.task_formulas import Formulas
+
+Point = Sequence[float | str]
 
 
-def print_jacobian(
-    console: Console,
-    robot: Robot,
-    task: FrameTask,
-    q: Array,
-    *,
-    name: str,
-    point: Sequence[float | str] | None,
-    rows: Sequence[str] | None,
-    degrees: bool,
-    json: bool,
+def jacobian(
+    robot: RobotName,
+    q: Q = None,
+    task: TaskName = "pose",
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    symbolic: Annotated[bool, typer.Option("--symbolic", help="Formulas instead of numbers; --q is not used.")] = False,
+    latex: Annotated[bool, typer.Option("--latex", help="Formulas in LaTeX.")] = False,
+    python: Annotated[bool, typer.Option("--python", help="J as a Python function that needs NumPy alone.")] = False,
+    angles: Annotated[str | None, typer.Option(help="Of orientation or pose: the analytic J of ZYZ, XYZ, ...")] = None,
+    rows: Annotated[str | None, typer.Option(help="Some rows, as in y,wz.")] = None,
+    point: Annotated[str | None, typer.Option(help="A point of the frame instead, as in 0,0,0.1 or 0,0,d.")] = None,
+    json: AsJson = False,
 ) -> None:
-    """Print J at a configuration, its rank, determinant and subspaces; of a point of the frame, of chosen rows.
+    """The Jacobian of a task, its rank and its subspaces; or its formulas, with determinant or minors."""
+    from robotics1.symbolic.kinematics.points import with_point
+    from robotics1.symbolic.tasks.formula import formulas, row_places
 
-    Raises:
-        InputError: the point has names without a value, or is none; the rows are none.
-    """
-    if point is not None:
-        robot, task = _at_point(robot, task, point)
-    places = list(row_places(task, rows))
-    row_names = tuple(task.row_names[i] for i in places)
-    rounded = rounded_configuration(lambda x: task.jacobian(robot, x)[places], robot, q)
-    spaces, there = rounded.spaces, rounded.at_singularity
-    J = spaces.J
+    arm = arguments.parse_robot(robot, param or [], tool)
+    what = arguments.parse_task(task, frame, angles)
+    chosen = None if rows is None else arguments.parse_names(rows)
+    at = None if point is None else arguments.parse_point(point)
+    if symbolic or latex or python:
+        if latex and python:
+            raise InputError("choose one of --latex and --python")
+        _print_formulas(formulas(arm, what, point=at, rows=chosen), latex=latex, python=python, json=json)
+        return
+    values = arguments.configuration(arm, q, degrees)
+    if at is not None:
+        named = arm.parameters
+        arm, moved = with_point(arm, what.frame, at)
+        what = replace(what, frame=moved)
+        unvalued = [name for name in arm.parameters if name not in named]
+        if unvalued:
+            raise InputError(f"{enumeration(unvalued)} of the point has no value; type a number, or ask for --symbolic")
+    places = list(row_places(what, chosen))
+    found = rounded_configuration(lambda x: what.jacobian(arm, x)[places], arm, values)
+    J = found.spaces.J
     det = float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
     if json:
-        answer = {"q": q, "jacobian": J, "rank": spaces.rank, "singular_values": spaces.singular_values}
-        answer |= {"determinant": det, "null": spaces.null.T, "left_null": spaces.left_null.T}
-        output.write_json(answer | {"status": rounded.status.name, "at_singularity": as_json(rounded)})
+        write_json(_as_json(found, det))
         return
-    output.say_outside_limits(console, robot, q)
-    at = vector(output.in_degrees(robot, q, degrees))
-    console.print(matrix_table(J, row_names, output.joint_names(robot), f"J of {name} at q = {at}, world axes"))
+    out = PlainConsole()
+    say_outside_limits(out, arm, values)
+    title = f"J of {task} at q = {vector(in_degrees(arm, values, degrees))}, world axes"
+    out.print(matrix_table(J, tuple(what.row_names[i] for i in places), joint_names(arm), title))
+    _print_rank(out, found, det)
+
+
+def _print_rank(out: PlainConsole, found: RoundedConfiguration, det: float | None) -> None:
     determinant = "" if det is None else f", det J = {number(det)}"
-    console.print(f"rank {spaces.rank}{determinant}, singular values {vector(spaces.singular_values)}")
-    print_spaces(console, spaces)
-    if there is not None:
-        console.print(rounded.explain(), style="yellow", markup=False)
-        console.print(f"there, singular values {vector(there.singular_values)}")
-        print_spaces(console, there)
+    out.print(f"rank {found.spaces.rank}{determinant}, singular values {vector(found.spaces.singular_values)}")
+    _print_spaces(out, found.spaces)
+    if found.at_singularity is not None:
+        out.print(found.explain(), style="yellow", markup=False)
+        out.print(f"there, singular values {vector(found.at_singularity.singular_values)}")
+        _print_spaces(out, found.at_singularity)
 
 
-def print_spaces(console: Console, spaces: Subspaces) -> None:
+def _print_spaces(out: PlainConsole, spaces: Subspaces) -> None:
     """Print what does not move the task, and what cannot be realised."""
     if spaces.null.size:
-        console.print(f"the task does not move with q̇ along {directions(spaces.null)}")
+        out.print(f"the task does not move with q̇ along {directions(spaces.null)}")
     if spaces.left_null.size:
         lost = directions(spaces.left_null)
-        console.print(f"velocities along {lost} cannot be realised; forces along it need no torque")
+        out.print(f"velocities along {lost} cannot be realised; forces along it need no torque")
 
 
-def as_json(rounded: RoundedConfiguration) -> dict[str, Any] | None:
+def _as_json(found: RoundedConfiguration, det: float | None) -> dict[str, Any]:
+    spaces = found.spaces
+    answer = {"q": found.q, "jacobian": spaces.J, "rank": spaces.rank, "singular_values": spaces.singular_values}
+    answer |= {"determinant": det, "null": spaces.null.T, "left_null": spaces.left_null.T}
+    return answer | {"status": found.status.name, "at_singularity": singularity_as_json(found)}
+
+
+def singularity_as_json(found: RoundedConfiguration) -> dict[str, Any] | None:
     """Return the singular configuration within the rounding of q, and its subspaces; None where there is none."""
-    there = rounded.at_singularity
+    there = found.at_singularity
     if there is None:
         return None
-    return {"q": rounded.singular_q, "rank": there.rank, "null": there.null.T, "left_null": there.left_null.T}
+    return {"q": found.singular_q, "rank": there.rank, "null": there.null.T, "left_null": there.left_null.T}
 
 
-def _at_point(robot: Robot, task: FrameTask, point: Sequence[float | str]) -> tuple[Robot, FrameTask]:
-    """Return the robot with a frame at the point, and the task on it."""
-    moved, frame = with_point(robot, task.frame, point)
-    unvalued = [name for name in moved.parameters if name not in robot.parameters]
-    if unvalued:
-        raise InputError(f"{enumeration(unvalued)} of the point has no value; type a number, or ask for --symbolic")
-    return moved, replace(task, frame=frame)
+def _print_formulas(found: "Formulas", *, latex: bool, python: bool, json: bool) -> None:
+    """Print the value, the Jacobian, and its determinant or minors; as LaTeX or JSON where asked; or a function."""
+    from robotics1.symbolic.writing.printing import latex_text, unicode_text
+
+    out = PlainConsole()
+    if python:
+        source = found.python()
+        if json:
+            write_json({"python": source})
+        else:
+            out.print(source, soft_wrap=True, end="")
+        return
+    minors, reason = _named_minors(found)
+    if json:
+        form = latex_text if latex else str
+        rows = [[form(entry) for entry in found.jacobian.row(i)] for i in range(found.jacobian.rows)]
+        named = {name: form(minor) for name, minor in minors}
+        write_json({"value": [form(entry) for entry in found.value], "jacobian": rows, "minors": named})
+        return
+    for name, formula in (("r", found.value), ("J", found.jacobian), *minors):
+        out.print(f"{name} =")
+        out.print(latex_text(formula) if latex else unicode_text(formula), soft_wrap=True)
+    if reason:
+        out.print(f"no minors: {reason}", soft_wrap=True)
+    if found.cleaned:
+        out.print(f"angles of the file were made exact, by at most {found.cleaned:.1e} rad")
+
+
+def _named_minors(found: "Formulas") -> "tuple[list[tuple[str, sympy.Expr]], str]":
+    """Return the determinant, or the minors with the joints or rows that are left out; or why there are none."""
+    wide = len(found.q) > len(found.row_names)
+    names = found.robot.joint_names if wide else found.row_names
+    try:
+        minors = found.minors
+    except FormulaError as error:
+        return [], str(error)
+    return [
+        (f"det J without {enumeration(names[i] for i in out)}" if out else "det J", minor)
+        for out, minor in minors.items()
+    ], ""

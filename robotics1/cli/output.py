@@ -2,6 +2,8 @@
 
 import json
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -64,3 +66,32 @@ def say_outside_limits(console: Console, robot: Robot, q: Array) -> None:
     for name, value, low, high in zip(joint_names(robot), q, robot.lower, robot.upper, strict=True):
         if not low - 1e-9 <= value <= high + 1e-9:
             console.print(f"{name} = {value:.4g} is outside its limits [{low:.4g}, {high:.4g}]", style="yellow")
+
+
+@contextmanager
+def progress_bar(doing: str, at_the_end: str = "", *, hidden: bool = False) -> Iterator[Callable[[int, int], None]]:
+    """Show a bar on stderr, if that is a terminal, from the first step on.
+
+    It is moved by a function of the number of steps done and the number of all.
+
+    Args:
+        doing: what is done.
+        at_the_end: what is done after the last step, which has no measure.
+        hidden: show nothing.
+    """
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    console = PlainConsole(stderr=True)
+    bar = Progress(*columns, console=console, transient=True, disable=hidden or not console.is_terminal)
+    task = bar.add_task(doing)
+
+    def show(done: int, total: int) -> None:
+        bar.start()
+        bar.update(task, completed=done, total=total, description=doing if done < total else at_the_end or doing)
+
+    try:
+        yield show
+    finally:
+        if bar.live.is_started:
+            bar.stop()

@@ -6,18 +6,16 @@ from typing import Any
 
 import numpy as np
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-from rich.table import Table
 
 from robotics1.cli.arguments import read_text
 from robotics1.cli.inverse import parse_target
-from robotics1.cli.output import PlainConsole, in_degrees, joint_names, write_json
+from robotics1.cli.output import in_degrees, joint_names, progress_bar, write_json
 from robotics1.errors import InputError
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.solver import IKSolver
 from robotics1.inputs import Array
 from robotics1.notation import count, vector
-from robotics1.report.tables import matrix_table
+from robotics1.report.tables import matrix_table, table
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
 
@@ -57,13 +55,8 @@ class RobustInverse:
         """Print the answers for the targets of a file, and return whether all are solutions."""
         targets = read_targets(path, self.task, self.degrees)
         solver = IKSolver(self.robot, self.task, **self.options)
-        console = PlainConsole(stderr=True)
-        columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-        with Progress(*columns, console=console, transient=True, disable=self.json or not console.is_terminal) as bar:
-            shown = bar.add_task("solving", total=len(targets))
-            batch = solver.solve_batch(
-                targets, self.q0, progress=lambda done, total: bar.update(shown, completed=done, total=total)
-            )
+        with progress_bar("solving", hidden=self.json) as progress:
+            batch = solver.solve_batch(targets, self.q0, progress=progress)
         if self.json:
             write_json([_as_json(batch[i]) for i in range(len(batch))])
         else:
@@ -75,16 +68,12 @@ class RobustInverse:
         self.console.print(f"{reached} of {count(len(batch), 'target')} reached")
         for status in dict.fromkeys(batch.status[~batch.converged]):
             self.console.print(f"{(batch.status == status).sum()} {status.name}: {status.value}")
-        table = Table(title_justify="left")
-        for heading in ("target", "status", "starts", "|e|", "q"):
-            table.add_column(heading, justify="left" if heading == "status" else "right")
         missed_first = np.argsort(batch.converged, kind="stable")
+        rows = []
         for i in sorted(missed_first[:SHOWN].tolist()):
-            q = in_degrees(self.robot, batch.q[i], self.degrees)
-            table.add_row(
-                str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error_norm[i]:.2g}", vector(q)
-            )
-        self.console.print(table)
+            q = vector(in_degrees(self.robot, batch.q[i], self.degrees))
+            rows.append((str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error_norm[i]:.2g}", q))
+        self.console.print(table(("target", "status", "starts", "|e|", "q"), rows, left=("status",)))
         if len(batch) > SHOWN:
             self.console.print(f"and {len(batch) - SHOWN} more; --json prints all")
 

@@ -1,12 +1,29 @@
-"""The command `robotics1 scan`."""
+"""The command `robotics1 scan`: in sentences, where the task is nearest to singular, and a histogram; or as JSON."""
 
-from typing import Annotated
+from collections.abc import Sequence
+from math import radians
+from typing import TYPE_CHECKING, Annotated, Any
 
+import numpy as np
 import typer
+from rich.table import Table
 
 from robotics1.cli import arguments
 from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, RobotName, TaskName, Tool
-from robotics1.cli.output import PlainConsole
+from robotics1.cli.output import PlainConsole, in_degrees, progress_bar, write_json
+from robotics1.errors import InputError
+from robotics1.inputs import counting_number
+from robotics1.notation import vector
+from robotics1.report.tables import table
+from robotics1.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robotics1.singularities.scan_result import SingularityScan
+
+QUANTILES = (0.0, 0.001, 0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 0.999, 1.0)
+ROWS = 12  # of the histogram, and one for the rest
+SHOWN = 5  # configurations that are printed; JSON has all
+WIDTH = 30  # of a bar
 
 
 def scan(
@@ -29,11 +46,8 @@ def scan(
     json: AsJson = False,
 ) -> None:
     """How near to singular a task is, over millions of configurations."""
-    from robotics1.cli.scan_answer import parse_box, print_scan, run_scan
-
     arm = arguments.parse_robot(robot, param or [], tool)
-    done = run_scan(
-        PlainConsole(stderr=True),
+    done = _run(
         workers,
         arm,
         arguments.parse_task(task, frame),
@@ -42,7 +56,130 @@ def scan(
         method=method,
         seed=seed,
         refine=refine,
-        box=parse_box(arm, box or [], degrees),
+        box=_parse_box(arm, box or [], degrees),
         length=arm.reach if length == "reach" else arguments.parse_number(length),
     )
-    print_scan(PlainConsole(), done, degrees=degrees, json=json)
+    if json:
+        write_json(_as_json(done))
+    else:
+        _print(done, degrees)
+
+
+def _parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, tuple[float, float]]:
+    """Return joint → (lower, upper), each typed as q1=-1:pi/2; of revolute joints in degrees where asked.
+
+    Raises:
+        InputError: one of them is not name=lower:upper.
+    """
+    box = {}
+    for text in texts:
+        name, _, interval = text.partition("=")
+        ends = [arguments.parse_number(end) for end in interval.split(":")] if interval else []
+        if len(ends) != 2:
+            raise InputError(f"{text!r} is not an interval; write it like q1=-1:pi/2")
+        turns = degrees and name in robot.joint_names and robot.revolute[robot.joint_names.index(name)]
+        lower, upper = (radians(end) if turns else end for end in ends)
+        box[name] = (lower, upper)
+    return box
+
+
+def _run(workers: int, *arguments: Any, **options: Any) -> "SingularityScan":
+    """Scan with a progress bar, in so many threads.
+
+    Raises:
+        Robotics1Error: what `scan_singularities` raises.
+    """
+    from concurrent.futures import ThreadPoolExecutor
+
+    from robotics1.singularities.scan import scan_singularities
+
+    counting_number("--workers", workers, least=1)
+    with progress_bar("scanning", "summing up") as progress:
+        if workers == 1:
+            return scan_singularities(*arguments, progress=progress, **options)
+        with ThreadPoolExecutor(workers) as executor:  # the kernels leave the interpreter free; processes start slowly
+            return scan_singularities(*arguments, progress=progress, executor=executor, **options)
+
+
+def _print(scan: "SingularityScan", degrees: bool) -> None:
+    """Print the scan in sentences, the worst configurations and a histogram."""
+    from robotics1.singularities.scan_result import symbols
+
+    lines = [
+        scan.explain(),
+        f"The {min(SHOWN, len(scan.worst))} nearest to singular, {symbols(scan)[scan.measures[0]]} and q:",
+    ]
+    for value, q in zip(scan.worst_values[:SHOWN], scan.worst, strict=False):
+        lines.append(f"  {value:<10.4g} {vector(in_degrees(scan.robot, q, degrees))}")
+    out = PlainConsole()
+    out.print("\n".join(lines), soft_wrap=True)
+    out.print(_histogram(scan))
+
+
+def _histogram(scan: "SingularityScan") -> Table:
+    """Return the histogram of the first measure, with a row from x to 2x; rare worst values share one row."""
+    from robotics1.singularities.reduction import WORST_IS_LARGEST
+    from robotics1.singularities.scan_result import symbols
+
+    edges, counts = scan.histogram()
+    largest = WORST_IS_LARGEST[scan.measures[0]]
+    if len(counts) > ROWS:
+        kept = slice(0, ROWS) if largest else slice(len(counts) - ROWS, None)
+        rest = counts.sum() - counts[kept].sum()
+        ends = [*edges[: ROWS + 1], edges[-1]] if largest else [edges[0], *edges[-ROWS - 1 :]]
+        edges, counts = np.array(ends), np.array([*counts[kept], rest] if largest else [rest, *counts[kept]])
+    bars = ["█" * round(WIDTH * inside / counts.max()) for inside in counts]
+    rows = [
+        (f"{low:.3g}", f"{high:.3g}", str(inside), bar)
+        for low, high, inside, bar in zip(edges[:-1], edges[1:], counts, bars, strict=True)
+    ]
+    title = f"{symbols(scan)[scan.measures[0]]} of all configurations"
+    return table(("from", "to", "configurations", ""), rows, title)
+
+
+def _as_json(scan: "SingularityScan") -> dict[str, Any]:
+    """Return the scan as what JSON knows."""
+    return {
+        "robot": scan.robot.name,
+        "rows": scan.task.row_names,
+        "method": scan.method,
+        "seed": scan.seed,
+        "count": scan.count,
+        "undefined": scan.undefined,
+        "rank": scan.rank,
+        "length": scan.length,
+        "measures": {measure: _distribution(scan, measure) for measure in scan.measures},
+        "worst": scan.worst,
+        "worst_values": scan.worst_values,
+        "refined": _refined(scan),
+    }
+
+
+def _distribution(scan: "SingularityScan", measure: str) -> dict[str, Any]:
+    edges, counts = scan.histogram(measure)
+    quantiles = {f"{p:g}": scan.quantile(p, measure) for p in QUANTILES}
+    return {"quantiles": quantiles, "histogram": {"edges": edges, "counts": counts}}
+
+
+def _refined(scan: "SingularityScan") -> dict[str, Any] | None:
+    if scan.refined is None:
+        return None
+    branches = scan.refined.branches
+    return {
+        "groups": [
+            {
+                "branch": group.branch,
+                "conditions": None if group.branch is None else [str(c) for c in branches[group.branch].conditions],
+                "values": dict(group.values),
+                "q": group.configurations,
+                "gaps": group.gaps,
+                "ranks": group.ranks,
+                "starts": group.starts,
+            }
+            for group in scan.refined.groups
+        ],
+        "unreached": scan.refined.unreached,
+        "branches": len(branches),
+        "note": scan.refined.note,
+        "missed": scan.refined.missed,
+    }

@@ -1,81 +1,112 @@
-"""The answers of `robotics1 singularities`: in sentences, as LaTeX, as Python, as JSON."""
+"""The command `robotics1 singularities`: in sentences, as LaTeX, as Python, as JSON."""
 
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-import sympy
-from rich.console import Console
+import typer
 
-from robotics1.cli.output import write_json
+from robotics1.cli import arguments
+from robotics1.cli.options import AsJson, Frame, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.output import PlainConsole, write_json
 from robotics1.errors import FormulaError, InputError
-from robotics1.singularities.intersections import find_intersections
-from robotics1.singularities.other_lengths import parameter_conditions
-from robotics1.singularities.result import SingularBranch, SingularSet
-from robotics1.symbolic.writing.printing import latex_text, python_function
+
+if TYPE_CHECKING:
+    import sympy
+
+    from robotics1.singularities.result import SingularBranch, SingularSet
 
 BASES = {"null": r"\mathcal{N}(J)", "range": r"\mathcal{R}(J)", "left_null": r"\mathcal{N}(J^T)"}
 
 
-def print_singularities(
-    console: Console, found: SingularSet, *, latex: bool, python: bool, intersections: bool, json: bool
+def singularities(
+    robot: RobotName,
+    task: TaskName = "pose",
+    frame: Frame = None,
+    method: Annotated[str, typer.Option(help="auto, symbolic or numeric.")] = "auto",
+    time_limit: Annotated[float, typer.Option(help="Of the exact answer, in seconds.")] = 30.0,
+    intersections: Annotated[bool, typer.Option("--intersections", help="The rank where branches meet too.")] = False,
+    latex: Annotated[bool, typer.Option("--latex", help="Conditions and bases in LaTeX.")] = False,
+    python: Annotated[bool, typer.Option("--python", help="Conditions and bases as Python functions.")] = False,
+    param: Parameters = None,
+    tool: Tool = None,
+    json: AsJson = False,
 ) -> None:
-    """Print the branches in the form that is asked for.
+    """All singular configurations of a task: where, what is lost there, and what does not move the tool."""
+    from robotics1.singularities.find import find_singularities
+    from robotics1.singularities.intersections import find_intersections
 
-    Raises:
-        InputError: both LaTeX and Python are asked for, or one of them with the intersections.
-        FormulaError: LaTeX or Python is asked for of branches that were found by numbers, or the intersections were
-            not found in time.
-    """
     if latex and python:
         raise InputError("choose one of --latex and --python")
     if intersections and (latex or python):
         raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
-    if latex or python:
-        form = _in_latex if latex else _in_python
-        text = "\n\n".join(form(found, number, branch) for number, branch in enumerate(found.branches, start=1))
-        text = f"import numpy as np\n\n\n{text}" if python else text
+    arm, out = arguments.parse_robot(robot, param or [], tool), PlainConsole()
+    with PlainConsole(stderr=True).status("searching"):
+        found = find_singularities(arm, arguments.parse_task(task, frame), method=method, time_limit=time_limit)
+        if latex or python:
+            text = _in_latex(found) if latex else _in_python(found)
+            if json:
+                write_json({"latex" if latex else "python": text})
+            else:
+                out.print(text, soft_wrap=True)
+            return
         if json:
-            write_json({"latex" if latex else "python": text})
-        else:
-            console.print(text, soft_wrap=True)
-    elif json:
-        write_json(_as_json(found, intersections))
-    else:
-        console.print(found.explain(), soft_wrap=True)
+            met = {"intersections": _branches(find_intersections(found).branches)} if intersections else {}
+            write_json(_as_json(found) | met)
+            return
+        out.print(found.explain(), soft_wrap=True)
         if intersections:
-            console.print(find_intersections(found).explain(), soft_wrap=True)
+            out.print(find_intersections(found).explain(), soft_wrap=True)
 
 
-def _in_latex(found: SingularSet, number: int, branch: SingularBranch) -> str:
-    formulas = branch.require_formulas()
-    where = r",\quad ".join(latex_text(condition) for condition in formulas.conditions)
-    lines = [rf"{where}\quad\Rightarrow\quad \mathrm{{rank}}\,J = {branch.rank}"]
-    for name, symbol in BASES.items():
-        basis = getattr(formulas, name)
-        if basis.cols:
-            vectors = ", ".join(latex_text(basis.col(i)) for i in range(basis.cols))
-            lines.append(rf"{symbol} = \mathrm{{span}}\left\{{{vectors}\right\}}")
-    return "\n".join(lines)
+def _in_latex(found: "SingularSet") -> str:
+    """Return the conditions and the bases of each branch.
+
+    Raises:
+        FormulaError: a branch was found by numbers.
+    """
+    from robotics1.symbolic.writing.printing import latex_text
+
+    blocks = []
+    for branch in found.branches:
+        formulas = branch.require_formulas()
+        where = r",\quad ".join(latex_text(condition) for condition in formulas.conditions)
+        lines = [rf"{where}\quad\Rightarrow\quad \mathrm{{rank}}\,J = {branch.rank}"]
+        for name, symbol in BASES.items():
+            basis = getattr(formulas, name)
+            if basis.cols:
+                vectors = ", ".join(latex_text(basis.col(i)) for i in range(basis.cols))
+                lines.append(rf"{symbol} = \mathrm{{span}}\left\{{{vectors}\right\}}")
+        blocks.append("\n".join(lines))
+    return "\n\n".join(blocks)
 
 
-def _in_python(found: SingularSet, number: int, branch: SingularBranch) -> str:
-    """Return functions of q: what vanishes on the branch, and its bases."""
-    formulas = branch.require_formulas()
-    symbols = formulas.piece.locus.frequencies.q
+def _in_python(found: "SingularSet") -> str:
+    """Return functions of q for each branch: what vanishes on it, and its bases.
+
+    Raises:
+        FormulaError: a branch was found by numbers.
+    """
+    from robotics1.symbolic.writing.printing import python_function
+
+    head = "import numpy as np\n\n\n"
     parameters: dict[str, float | None] = dict(found.robot.parameters)
-    residuals = [condition.lhs - condition.rhs for condition in formulas.conditions]
-    where = ", ".join(f"{condition.lhs} = {condition.rhs}" for condition in formulas.conditions)
-    functions = [("conditions", residuals, f"What vanishes where {where}; angles up to whole turns")]
-    functions += [(name, getattr(formulas, name), f"The columns span {name} of J where {where}") for name in BASES]
-    sources = [
-        python_function(f"{name}_{number}", formula, {"q": symbols}, parameters, summary)
-        for name, formula, summary in functions
-    ]
-    return "\n\n".join(source.removeprefix("import numpy as np\n\n\n") for source in sources)
+    sources = []
+    for number, branch in enumerate(found.branches, start=1):
+        formulas = branch.require_formulas()
+        residuals = [condition.lhs - condition.rhs for condition in formulas.conditions]
+        where = ", ".join(f"{condition.lhs} = {condition.rhs}" for condition in formulas.conditions)
+        functions = [("conditions", residuals, f"What vanishes where {where}; angles up to whole turns")]
+        functions += [(name, getattr(formulas, name), f"The columns span {name} of J where {where}") for name in BASES]
+        for name, formula, summary in functions:
+            source = python_function(f"{name}_{number}", formula, {"q": formulas.q}, parameters, summary)
+            sources.append(source.removeprefix(head))
+    return head + "\n\n".join(sources)
 
 
-def _as_json(found: SingularSet, intersections: bool) -> dict[str, Any]:
-    answer = {
+def _as_json(found: "SingularSet") -> dict[str, Any]:
+    from robotics1.singularities.other_lengths import parameter_conditions
+
+    return {
         "method": found.method,
         "complete": found.complete,
         "note": found.note,
@@ -84,10 +115,9 @@ def _as_json(found: SingularSet, intersections: bool) -> dict[str, Any]:
         "outside_limits": _branches(found.outside),
         "parameter_conditions": [str(equation) for equation in parameter_conditions(found)],
     }
-    return answer | ({"intersections": _branches(find_intersections(found).branches)} if intersections else {})
 
 
-def _branches(branches: Iterable[SingularBranch]) -> list[dict[str, Any]]:
+def _branches(branches: "Iterable[SingularBranch]") -> list[dict[str, Any]]:
     return [
         {
             "conditions": [str(condition) for condition in branch.conditions],
@@ -104,7 +134,7 @@ def _branches(branches: Iterable[SingularBranch]) -> list[dict[str, Any]]:
     ]
 
 
-def _bases(branch: SingularBranch) -> dict[str, list[list[str]]] | None:
+def _bases(branch: "SingularBranch") -> dict[str, list[list[str]]] | None:
     """Return the bases in symbols that are short."""
     if branch.formulas is None:
         return None

@@ -1,19 +1,23 @@
 """Numbers from trigonometric polynomials."""
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 import sympy
 
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent
-from robotics1.symbolic.polynomials.scaled import in_doubles, scaled
 
 VANISHES = 1e-12  # of a polynomial, beside its largest coefficient
+BITS = 64  # that are kept of a quotient
+LARGEST = 900  # the largest exponent, of either sign, of numbers that are left as they are
+NOTHING = -5000  # an exponent that makes zero of every double
 MOST_MULTIPLE = 4  # order of a zero that is found to rounding
 
 
@@ -45,7 +49,7 @@ class Evaluated:
         amplitudes, multiples, powers = [], [], []
         for k, c in self.f.terms.items():
             for m, a in c.terms():
-                value = scaled(a)
+                value = _scaled(a)
                 power, multiple = np.zeros(len(self.q)), np.zeros(len(self.q))
                 for symbol, e in zip(F.ring.symbols, m, strict=True):
                     if symbol in self.q:
@@ -60,7 +64,7 @@ class Evaluated:
                 amplitudes.append(value)
                 multiples.append(multiple)
                 powers.append(power)
-        return in_doubles(amplitudes), np.array(multiples), np.array(powers)
+        return _in_doubles(amplitudes), np.array(multiples), np.array(powers)
 
     def _number(self, symbol: sympy.Symbol) -> float:
         square = ROOTS.get(str(symbol))
@@ -155,3 +159,55 @@ def evaluated_part(part: Part, parameters: Mapping[sympy.Symbol, float]) -> Eval
     if any(part.parity):
         return Evaluated(part.in_half_angles, parameters, unit=0.5)
     return Evaluated(part.in_angles, parameters)
+
+
+class Scaled(NamedTuple):
+    """The number m 2ᵉ, |m| being about one: a coefficient may be a quotient of whole numbers of thousands of digits."""
+
+    m: complex
+    e: int
+
+    def times(self, x: float, power: int) -> "Scaled":
+        """Return the product with x to a power that is not negative."""
+        fraction, e = math.frexp(x)
+        return _normal(self.m * fraction**power, self.e + e * power)
+
+    def turned(self, angle: float) -> "Scaled":
+        """Return the product with exp(i angle)."""
+        return Scaled(self.m * complex(math.cos(angle), math.sin(angle)), self.e)
+
+
+def _scaled(a: Any) -> Scaled:
+    """Return an element of ℚ(i)."""
+    (x, e), (y, f) = _fraction(a.x), _fraction(a.y)
+    most = max(e, f)
+    return _normal(complex(math.ldexp(x, max(e - most, NOTHING)), math.ldexp(y, max(f - most, NOTHING))), most)
+
+
+def _in_doubles(numbers: Sequence[Scaled]) -> npt.NDArray[np.complex128]:
+    """Return the numbers; all divided by one power of two if the largest of them is beyond what a double can hold."""
+    largest = max((number.e for number in numbers if number.m), default=0)
+    shift = largest if abs(largest) > LARGEST else 0
+
+    def double(m: float, e: int) -> float:
+        return math.ldexp(m, max(e - shift, NOTHING))
+
+    return np.array([complex(double(n.m.real, n.e), double(n.m.imag, n.e)) for n in numbers], dtype=complex)
+
+
+def _fraction(x: Any) -> tuple[float, int]:
+    """Return m and e of a rational number, rounded once."""
+    p, q = int(x.numerator), int(x.denominator)
+    if p == 0:
+        return 0.0, NOTHING
+    shift = BITS + q.bit_length() - p.bit_length()
+    if abs(shift) <= LARGEST:
+        return math.frexp(p / q)
+    quotient = (p << shift) // q if shift >= 0 else p // (q << -shift)
+    m, e = math.frexp(quotient)
+    return m, e - shift
+
+
+def _normal(m: complex, e: int) -> Scaled:
+    shift = math.frexp(max(abs(m.real), abs(m.imag)))[1]
+    return Scaled(complex(math.ldexp(m.real, -shift), math.ldexp(m.imag, -shift)), e + shift)

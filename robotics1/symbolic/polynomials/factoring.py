@@ -13,7 +13,6 @@ import sympy
 from flint import fmpq, fmpq_mpoly
 
 from robotics1.caching import cached_property
-from robotics1.symbolic.polynomials.cost import check_time_to_factor
 from robotics1.symbolic.polynomials.half_tangents import (
     Degrees,
     context,
@@ -23,6 +22,7 @@ from robotics1.symbolic.polynomials.half_tangents import (
     numerator,
 )
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, gaussian
+from robotics1.symbolic.polynomials.time_limit import check_time_to_factor
 
 
 @dataclass(frozen=True)

@@ -18,9 +18,8 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyElement
 
-from robotics1.symbolic.polynomials.cost import check_time_to_divide
 from robotics1.symbolic.polynomials.laurent import ROOTS, Exponents, Frequencies, Laurent, gaussian
-from robotics1.symbolic.polynomials.time_limit import check_time
+from robotics1.symbolic.polynomials.time_limit import check_time, check_time_to_divide
 
 Degrees = tuple[int, ...]  # dⱼ, one for each angle
 

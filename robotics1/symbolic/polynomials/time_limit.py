@@ -1,4 +1,7 @@
-"""A limit to the time that exact computations take."""
+"""A limit to the time that exact computations take.
+
+Steps that cannot be interrupted are not begun when they would last longer than the time that is left.
+"""
 
 import math
 import time
@@ -6,6 +9,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from flint import fmpq_mpoly
+
+SHORT = 100  # terms of a polynomial that is factored at once
+SECONDS = 3e-9  # to factor a polynomial, for the square of its terms and each bit of its coefficients
+DIVISOR = 6  # times as long takes the greatest common divisor of two
 
 _deadline: ContextVar[float] = ContextVar("deadline", default=math.inf)  # of the limits that are kept [s]
 
@@ -68,3 +79,26 @@ def time_left() -> float:
     """Return the time until the limit that is kept is over [s]; infinite without one."""
     deadline = _deadline.get()
     return deadline - time.monotonic() if deadline < math.inf else math.inf
+
+
+def check_time_to_factor(N: "fmpq_mpoly") -> None:
+    """Raise OutOfTime when there is a limit, and factoring the polynomial would probably last beyond it."""
+    _check(len(N), N, SECONDS)
+
+
+def check_time_to_divide(f: "fmpq_mpoly", g: "fmpq_mpoly") -> None:
+    """Raise OutOfTime as above, for a common divisor or a remainder of two polynomials."""
+    longer = f if len(f) >= len(g) else g
+    _check(len(longer), longer, DIVISOR * SECONDS)
+
+
+def _check(terms: int, N: "fmpq_mpoly", seconds: float) -> None:
+    if terms <= SHORT:
+        return
+    left = time_left()
+    if left < terms**2 * _bits(N) * seconds:
+        raise OutOfTime
+
+
+def _bits(N: "fmpq_mpoly") -> int:
+    return max(int(c.p).bit_length() + int(c.q).bit_length() for c in N.coeffs())

@@ -24,8 +24,7 @@ from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.singular_sets.elimination import Row, primitive_row
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.locus_sampler import special_configurations
-from robotics1.symbolic.writing.recognition import recognised
-from robotics1.symbolic.writing.sums_of_angles import Groups, written
+from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written
 
 POINTS = 60  # special configurations of a piece, and half as many random ones
 INDEPENDENT = 1e-6  # σ_min of unit vectors that are independent

@@ -82,6 +82,11 @@ class BranchFormulas:
         """Return what is pickled and copied: not the bases before they are written, which hold polynomials of FLINT."""
         return {name: value for name, value in vars(self).items() if name not in ("_null", "_range", "_left_null")}
 
+    @property
+    def q(self) -> tuple[sympy.Symbol, ...]:
+        """The symbols of the joints."""
+        return self.piece.locus.frequencies.q
+
     @cached_property
     def conditions(self) -> tuple[sympy.Eq, ...]:
         """The equations: joints that have a value, then polynomials that vanish."""

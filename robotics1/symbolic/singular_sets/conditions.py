@@ -11,8 +11,7 @@ from robotics1.symbolic.polynomials.factoring import Part, factors
 from robotics1.symbolic.polynomials.laurent import Laurent, polynomial
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
-from robotics1.symbolic.writing.recognition import recognised
-from robotics1.symbolic.writing.sums_of_angles import Groups, written, written_product
+from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written, written_product
 
 ROUNDING = 1e-13  # of an angle [rad]
 

@@ -12,7 +12,6 @@ import numpy as np
 import sympy
 from flint import fmpq, fmpq_mpoly
 
-from robotics1.symbolic.polynomials.cost import check_time_to_divide
 from robotics1.symbolic.polynomials.half_tangents import (
     context,
     from_numerator,
@@ -22,7 +21,7 @@ from robotics1.symbolic.polynomials.half_tangents import (
     without_squares,
 )
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
-from robotics1.symbolic.polynomials.time_limit import TimeLimit, check_time
+from robotics1.symbolic.polynomials.time_limit import TimeLimit, check_time, check_time_to_divide
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, vanishing_lengths
 

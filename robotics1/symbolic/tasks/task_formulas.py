@@ -6,12 +6,12 @@ import numpy as np
 import sympy
 
 from robotics1.caching import cached_property
-from robotics1.differentiation import Estimate
+from robotics1.differentiation import Estimate, derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, one_of
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
-from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
+from robotics1.symbolic.polynomials.laurent import Matrix
 from robotics1.symbolic.tasks.rates import rate_of, velocity_product_of
 from robotics1.symbolic.tasks.reading import Reading
 from robotics1.symbolic.tasks.verification import (
@@ -20,7 +20,6 @@ from robotics1.symbolic.tasks.verification import (
     numeric_determinant,
     numeric_jacobian,
     numeric_product,
-    numeric_rate,
     numeric_value,
     rounded,
 )
@@ -154,13 +153,6 @@ class Formulas:
         return found
 
     @property
-    def determinant_factors(self) -> tuple[Laurent, ...]:
-        """Factors of det J; of a task with quotients, of the polynomials of which the rows of J are combined."""
-        _ = self.determinant
-        ((_, found),) = self.reading.minors[()]
-        return found
-
-    @property
     def chain(self) -> Chain:
         """The joints from the world to the frame."""
         return self.reading.chain
@@ -222,4 +214,7 @@ class Formulas:
         return Estimate(value[self._places], error[self._places])
 
     def _jacobian_rate_at(self, point: Point) -> Estimate:
-        return numeric_rate(lambda t: self._jacobian_at(point._replace(q=point.q + t * point.qdot)))
+        def J(t: float) -> Estimate:
+            return self._jacobian_at(point._replace(q=point.q + t * point.qdot))
+
+        return derivative(lambda t: J(t).value, noise=J(0.0).error)  # J may itself be a derivative

@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from robotics1.errors import FormulaError
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.symbolic.kinematics.exact import exact_length
-from robotics1.symbolic.tasks.readable import Readable
+from robotics1.symbolic.tasks.tracer import Tracer
 from robotics1.tasks.task import FrameMap
 
 Expressions = np.ndarray[Any, Any]  # of sympy.Expr
@@ -65,7 +65,7 @@ def task_map(form: FrameMap, m: int, q: tuple[sympy.Symbol, ...]) -> TaskMap:
 
 def _read(f: Callable[..., Any], m: int, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]) -> Expressions:
     """Return f(p, R, q), (m,)."""
-    entries = [each(Readable, np.array(a, dtype=object)) for a in (p, R, q)]
+    entries = [each(Tracer, np.array(a, dtype=object)) for a in (p, R, q)]
     try:
         r = _exact(f(*entries))
     except Exception as error:

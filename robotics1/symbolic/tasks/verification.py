@@ -103,11 +103,6 @@ def numeric_jacobian(task: Task, robot: Robot, q: Array) -> Estimate:
     return Estimate(*(np.stack(parts, axis=-1) for parts in zip(*columns, strict=True)))
 
 
-def numeric_rate(J: Callable[[float], Estimate]) -> Estimate:
-    """Return dJ/dt at t = 0: the error of J, which may itself be a derivative, counts as noise."""
-    return derivative(lambda t: J(t).value, noise=J(0.0).error)
-
-
 def numeric_determinant(J: Estimate) -> Estimate:
     """Return det J, with an error of one row in proportion to the product of the lengths of the rows (Hadamard)."""
     lengths = np.linalg.norm(J.value, axis=1)

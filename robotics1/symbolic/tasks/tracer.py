@@ -15,7 +15,7 @@ import sympy
 UNREADABLE = "its truth depends on q"
 
 
-class Readable:
+class Tracer:
     """An expression as an entry of a NumPy array."""
 
     def __init__(self, expression: sympy.Expr) -> None:
@@ -35,7 +35,7 @@ def _method(function: Callable[..., sympy.Expr], *, swapped: bool = False) -> Ca
         if any(isinstance(entry, np.ndarray) for entry in entries):
             return NotImplemented  # the array goes through its entries itself
         values = [sympy.sympify(entry, strict=True) for entry in (reversed(entries) if swapped else entries)]
-        return Readable(function(*values))
+        return Tracer(function(*values))
 
     return method
 
@@ -53,9 +53,9 @@ FUNCTIONS |= dict.fromkeys(("deg2rad", "radians"), lambda a: a * sympy.pi / 180)
 FUNCTIONS |= dict.fromkeys(("rad2deg", "degrees"), lambda a: a * 180 / sympy.pi)
 
 for _name in BINARY:
-    setattr(Readable, f"__{_name}__", _method(getattr(operator, _name)))
-    setattr(Readable, f"__r{_name}__", _method(getattr(operator, _name), swapped=True))
+    setattr(Tracer, f"__{_name}__", _method(getattr(operator, _name)))
+    setattr(Tracer, f"__r{_name}__", _method(getattr(operator, _name), swapped=True))
 for _name, _function in {**UNARY, **FUNCTIONS}.items():
-    setattr(Readable, _name, _method(_function))
+    setattr(Tracer, _name, _method(_function))
 for _name in ("eq", "ne", "lt", "le", "gt", "ge"):
-    setattr(Readable, f"__{_name}__", _comparison)
+    setattr(Tracer, f"__{_name}__", _comparison)

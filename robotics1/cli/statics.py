@@ -1,0 +1,53 @@
+"""The command `robotics1 statics`."""
+
+from typing import Annotated
+
+import typer
+
+from robotics1.cli import arguments
+from robotics1.cli.jacobian import singularity_as_json
+from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.output import PlainConsole, joint_names, say_outside_limits, write_json
+from robotics1.notation import vector
+
+
+def statics(
+    robot: RobotName,
+    force: Annotated[str, typer.Option(help="The force on the tool by the environment, one number a task row.")],
+    q: Q = None,
+    task: TaskName = "position",
+    frame: Frame = None,
+    param: Parameters = None,
+    tool: Tool = None,
+    degrees: Degrees = False,
+    json: AsJson = False,
+) -> None:
+    """The torques that balance a force on the tool, τ = −Jᵀ f."""
+    import numpy as np
+
+    from robotics1.singularities.explain import directions
+    from robotics1.singularities.rounding import singularity_within_rounding
+    from robotics1.singularities.statics import balancing_torque
+
+    arm = arguments.parse_robot(robot, param or [], tool)
+    values = arguments.configuration(arm, q, degrees)
+    what = arguments.parse_task(task, frame)
+    rounded = singularity_within_rounding(arm, what, values)
+    torque = balancing_torque(rounded.spaces.J, arguments.parse_vector(force))
+    free, there = rounded.spaces.left_null, rounded.at_singularity
+    within = np.abs(torque) <= arm.max_effort
+    if json:
+        answer = {"q": values, "torque": torque, "within_limits": within, "forces_without_torque": free.T}
+        write_json(answer | {"status": rounded.status.name, "at_singularity": singularity_as_json(rounded)})
+        return
+    out = PlainConsole()
+    say_outside_limits(out, arm, values)
+    out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(joint_names(arm))}) [N m, for a prismatic joint N]")
+    for name, value, ok, limit in zip(joint_names(arm), torque, within, arm.max_effort, strict=True):
+        if not ok:
+            out.print(f"{name} would need {value:.4g}, beyond its effort limit {limit:.4g}", style="yellow")
+    if free.size:
+        out.print(f"forces along {directions(free)} need no torque")
+    if there is not None:
+        out.print(rounded.explain(), style="yellow", markup=False)
+        out.print(f"there forces along {directions(there.left_null)} need no torque")
