@@ -9,20 +9,20 @@ import sympy
 from robotics1.analysis.singular_points import SingularPoints
 from robotics1.analysis.spaces import subspaces
 from robotics1.errors import FormulaError
-from robotics1.symbolic.kinematics.convenient_axes import Convenient
+from robotics1.symbolic.kinematics.mid_chain import MidChainJacobian
 from robotics1.symbolic.tasks.reading import Reading
 
 VERIFIED = 1e-9  # relative to the largest entry of J
 
 
-def exact_rows(reading: Reading, in_world: bool) -> Convenient:
+def exact_rows(reading: Reading, in_world: bool) -> MidChainJacobian:
     """Return J as X M, with M seen from the middle of the chain where the task's axes are the world's."""
-    rows = reading.convenient if in_world else Convenient(reading.rows)
+    rows = reading.mid_chain if in_world else MidChainJacobian(reading.rows)
     return replace(rows, leads_back=reading.factored.is_plain)
 
 
 def verify_rows(
-    rows: Convenient, points: SingularPoints, parameters: Mapping[sympy.Symbol, float], rng: np.random.Generator
+    rows: MidChainJacobian, points: SingularPoints, parameters: Mapping[sympy.Symbol, float], rng: np.random.Generator
 ) -> None:
     """Compare J = X M, or of a task with quotients the null space of M, with Pinocchio.
 

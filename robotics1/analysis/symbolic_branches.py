@@ -15,8 +15,8 @@ from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import TURN, JointBox
 from robotics1.robot.model import Robot
-from robotics1.symbolic.kinematics.cleaning import cleaned
-from robotics1.symbolic.kinematics.convenient_axes import Convenient
+from robotics1.symbolic.kinematics.exact import exact_robot
+from robotics1.symbolic.kinematics.mid_chain import MidChainJacobian
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 from robotics1.symbolic.singular_sets.configurations import Configurations
@@ -47,7 +47,7 @@ class SymbolicSearch:
     """
 
     points: SingularPoints
-    rows: Convenient
+    rows: MidChainJacobian
     groups: Groups
     cases: CaseDistinction
     anywhere: JointBox
@@ -261,7 +261,7 @@ def symbolic_search(
         FormulaError: there are no formulas of the robot or the task.
     """
     found = formulas(robot, task)
-    points = singular_points(cleaned(robot)[0], task, box, rng)
+    points = singular_points(exact_robot(robot)[0], task, box, rng)
     if points.rank == 0:
         raise TaskError(NOTHING_MOVES)
     in_world = isinstance(task, FrameTask) and task.reference == "world"

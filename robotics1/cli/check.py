@@ -15,8 +15,8 @@ from robotics1.errors import InputError
 from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
 from robotics1.notation import count, joint_value
-from robotics1.robot.examination import AGREES, Examination, random_configurations
 from robotics1.robot.model import Robot, tips
+from robotics1.robot.report import AGREES, RobotReport, random_configurations
 
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
 
@@ -52,8 +52,8 @@ def difference_from(robot: Robot, other: Robot) -> float:
     return worst
 
 
-def as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
-    """Return the examination as plain data."""
+def as_json(found: RobotReport, dh_difference: float | None) -> dict[str, Any]:
+    """Return the report as plain data."""
     answer: dict[str, Any] = {
         "path": str(found.path),
         "sound": found.sound and (dh_difference is None or dh_difference <= AGREES),
@@ -78,7 +78,7 @@ def as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
     return answer
 
 
-def print_examination(console: Console, found: Examination, dh_difference: float | None) -> None:
+def print_report(console: Console, found: RobotReport, dh_difference: float | None) -> None:
     """Print the verdict, and the robot as it was understood."""
     for finding in found.errors:
         console.print(Text.assemble(("error", "red"), f" {printable(str(finding))}"), soft_wrap=True)

@@ -254,11 +254,12 @@ def check(
 ) -> None:
     """The verdict on a robot file, and what was understood of it."""
     from robotics1.cli import check as checking
-    from robotics1.robot.dh import robot_from_dh
-    from robotics1.robot.examination import AGREES, examine
+    from robotics1.dh.to_robot import robot_from_dh
+    from robotics1.robot.loading import check_robot
+    from robotics1.robot.report import AGREES
 
     values = arguments.parse_parameters(param or [])
-    found = examine(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
+    found = check_robot(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
     difference = None
     if dh is not None and found.robot is not None:
         table = robot_from_dh(checking.read_dh_table(dh), convention=convention)
@@ -266,5 +267,5 @@ def check(
     if json:
         output.write_json(checking.as_json(found, difference))
     else:
-        checking.print_examination(out, found, difference)
+        checking.print_report(out, found, difference)
     raise typer.Exit(0 if found.sound and (difference is None or difference <= AGREES) else 1)

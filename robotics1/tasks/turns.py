@@ -1,7 +1,7 @@
 """After how many turns of a joint a task is back: more than one where others turn by fractions of its angle."""
 
 from robotics1.inputs import Array
-from robotics1.robot.followers import turns_of_followers
+from robotics1.robot.mimic import turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import FrameTask, Task

@@ -6,15 +6,15 @@ evaluator.py, reading.py, budget.py.
 
 import keyword
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 from xml.dom import minidom
 
 from robotics1.errors import RobotFileError, Robotics1Error, UnknownNameError
 from robotics1.robot.markup import parse_xml
 from robotics1.robot.xacro.arguments import argument, is_number
-from robotics1.robot.xacro.budget import Budget, Located, Refused, check_length, message, shortened
+from robotics1.robot.xacro.budget import MOST, Budget, Located, Refused, check_length, message, shortened
 from robotics1.robot.xacro.evaluator import evaluate
 from robotics1.robot.xacro.functions import global_names, tokenize
 from robotics1.robot.xacro.macro_parameters import macro_parameter
@@ -30,10 +30,24 @@ PIECE = re.compile(
 )
 
 
+class Expanded(NamedTuple):
+    """A xacro text, expanded.
+
+    Attributes:
+        urdf: the URDF text.
+        parameters: the arguments that are numbers, and their values.
+        effort: how much of what an expansion may use it took, from 0 to 1.
+    """
+
+    urdf: str
+    parameters: dict[str, float]
+    effort: float
+
+
 def expand_xacro(
-    text: str, path: Path, parameters: Mapping[str, Any], packages: list[Path], *, trusted: bool = False
-) -> tuple[str, dict[str, float]]:
-    """Return the URDF text of a xacro text and the values of its numeric arguments.
+    text: str, path: Path, parameters: Mapping[str, Any], packages: Sequence[Path], *, trusted: bool = False
+) -> Expanded:
+    """Return the URDF text of a xacro text, with the values of its numeric arguments.
 
     Args:
         text: the xacro.
@@ -58,7 +72,7 @@ def expand_xacro(
     unknown = [name for name in parameters if name not in {*expansion.declared, *expansion.used}]
     if unknown:
         raise UnknownNameError(f"parameter of {path.name} named", unknown[0], expansion.declared)
-    return expanded, expansion.numbers()
+    return Expanded(expanded, expansion.numbers(), expansion.effort)
 
 
 class Expansion:
@@ -69,7 +83,7 @@ class Expansion:
         used: the arguments that the caller gives and the file uses.
     """
 
-    def __init__(self, path: Path, given: Mapping[str, Any], packages: list[Path], trusted: bool):
+    def __init__(self, path: Path, given: Mapping[str, Any], packages: Sequence[Path], trusted: bool):
         self.declared: dict[str, str | None] = {}
         self.used: set[str] = set()
         self._path, self._given = path, given
@@ -113,6 +127,11 @@ class Expansion:
             if number is not None:
                 found[name] = number
         return found
+
+    @property
+    def effort(self) -> float:
+        """How much of what an expansion may use it took, from 0 to 1."""
+        return max(1 - left / MOST[what] for what, left in self._budget.left.items())
 
     def where(self) -> str:
         """Return which included file is being read, or nothing."""

@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from robotics1.caching import cached_property
-from robotics1.robot.encoding import decoded
-from robotics1.robot.markup import LARGEST_FILE
+from robotics1.robot.markup import LARGEST_FILE, decoded
 from robotics1.robot.packages import PACKAGE, Packages, own_package
 from robotics1.robot.xacro.budget import Budget, Refused
 from robotics1.robot.xacro.yaml_values import yaml_values

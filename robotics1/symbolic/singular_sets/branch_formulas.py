@@ -12,7 +12,7 @@ from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import one_of
 from robotics1.robot.box import JointBox
-from robotics1.symbolic.kinematics.convenient_axes import Convenient
+from robotics1.symbolic.kinematics.mid_chain import MidChainJacobian
 from robotics1.symbolic.polynomials.factoring import Part, factors
 from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.polynomials.substitution import Substitution
@@ -52,7 +52,7 @@ class BranchFormulas:
         anywhere: a box without the robot's limits.
     """
 
-    rows: Convenient
+    rows: MidChainJacobian
     groups: Groups
     configurations: Configurations
     rank: int

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy
 
+from robotics1.angles import clean_angle
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.robot.box import TURN, JointBox
@@ -180,7 +181,7 @@ class Configurations:
     def _completed(self, q: Array) -> Array:
         """Return q with the joints that have a value at it."""
         for i, is_angle, f in self._values:
-            q[i] = self._turns[i] * _angle(f.complex(q)) if is_angle else f(q)
+            q[i] = self._turns[i] * clean_angle(float(np.angle(f.complex(q)))) if is_angle else f(q)
         return q
 
     def contains(self, q: Array, tolerance: float = HOLDS) -> bool:
@@ -250,13 +251,6 @@ class Configurations:
             step = np.linalg.lstsq(slope, -f, rcond=1e-10)[0]
             q[moving] += step * min(1.0, 0.5 / max(float(np.abs(step).max()), 1e-300))
         return None
-
-
-def _angle(z: complex) -> float:
-    """Return the angle of exp(i α), a multiple of π/12 without rounding."""
-    angle = float(np.angle(z))
-    k = round(angle * 12 / np.pi)
-    return k * np.pi / 12 if abs(k * np.pi / 12 - angle) < 1e-14 else angle
 
 
 def into(box: JointBox, period: Array, q: Array) -> Array | None:
