@@ -11,9 +11,10 @@ from robotics1.analysis.exact_rows import exact_rows, verify_rows
 from robotics1.analysis.limits import NEAR, note_on_limits
 from robotics1.analysis.singular_points import NOTHING_MOVES, SingularPoints, singular_points
 from robotics1.analysis.singular_set import SingularBranch
+from robotics1.angles import TURN
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
-from robotics1.robot.box import TURN, JointBox
+from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.exact import exact_robot
 from robotics1.symbolic.kinematics.mid_chain import MidChainJacobian

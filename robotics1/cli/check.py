@@ -15,6 +15,7 @@ from robotics1.errors import InputError
 from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
 from robotics1.notation import count, joint_value
+from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot, tips
 from robotics1.robot.report import AGREES, RobotReport, random_configurations
 
@@ -120,33 +121,31 @@ def joint_table(robot: Robot) -> Table:
     table = Table()
     for heading in ("joint", "kind", "lower", "upper", "velocity", "effort"):
         table.add_column(heading, justify="left" if heading in ("joint", "kind") else "right")
-    for name in robot.joint_names:
-        joint = robot.model.joints[robot.model.getJointId(name)]
-        kind = joint.shortname().removeprefix("JointModel")
-        if joint.nq == joint.nv == 1:
-            i, j = joint.idx_q, joint.idx_v
-            limits = [_limit(robot.lower[i], kind), _limit(robot.upper[i], kind)]
+    for joint in robot.moving_joints:
+        number = robot.model.getJointId(joint.name)
+        limits, rates = ["", ""], ["", ""]
+        if joint.kind in ("revolute", "prismatic"):
+            i, j = robot.model.idx_qs[number], robot.model.idx_vs[number]
+            limits = [_limit(robot.lower[i], joint), _limit(robot.upper[i], joint)]
             rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
-        else:
-            limits, rates = ["", ""], ["", ""]
-        table.add_row(printable(name), _kind(kind), *limits, *rates)
+        table.add_row(printable(joint.name), _kind(joint), *limits, *rates)
     return table
 
 
-def _kind(shortname: str) -> str:
-    """Return Pinocchio's name of a joint in words, such as RZ or PrismaticUnaligned."""
-    if shortname in ("RX", "RY", "RZ", "PX", "PY", "PZ"):
-        return f"{'revolute' if shortname[0] == 'R' else 'prismatic'} about {shortname[1].lower()}".replace(
-            "prismatic about", "prismatic along"
-        )
-    words = {"RevoluteUnaligned": "revolute, skew axis", "PrismaticUnaligned": "prismatic, skew axis"}
-    return words.get(shortname, shortname.lower())
+def _kind(joint: Joint) -> str:
+    """Return what a joint is, in words."""
+    if joint.kind not in ("revolute", "prismatic"):
+        return joint.kind
+    aligned = [name for name, unit in zip("xyz", np.eye(3), strict=True) if np.abs(joint.axis - unit).max() <= 1e-12]
+    if not aligned:
+        return f"{joint.kind}, skew axis"
+    return f"{joint.kind} {'about' if joint.kind == 'revolute' else 'along'} {aligned[0]}"
 
 
-def _limit(value: float, kind: str) -> str:
+def _limit(value: float, joint: Joint) -> str:
     if not np.isfinite(value):
         return "none"
-    return joint_value(float(value)) if kind.startswith("R") else f"{value:g}"
+    return joint_value(float(value)) if joint.kind == "revolute" else f"{value:g}"
 
 
 def _agreement(other: str, difference: float | None) -> Text:

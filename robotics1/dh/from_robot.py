@@ -55,7 +55,7 @@ def urdf_to_dh(
     frame = robot.frame_id(tool)
     joints = _joints_to(robot, frame)
     pin.framesForwardKinematics(robot.model, robot.data, pin.neutral(robot.model))
-    kind_of = {joint.name: joint.kind for joint in robot.joints}
+    kind_of = {joint.name: joint.kind for joint in robot.moving_joints}
     base, steps = own_steps(robot, joints, frame, convention) or _walk(robot, joints, frame, tolerance)
     kinds = ["R" if kind_of[robot.model.names[joint]] == "revolute" else "P" for joint in joints]
     if convention == "standard":

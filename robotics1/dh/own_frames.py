@@ -32,7 +32,7 @@ def own_steps(robot: Robot, joints: list[int], frame: int, convention: str) -> t
         convention: "standard" or "modified".
     """
     model, data = robot.model, robot.data
-    axes = {joint.name: joint.axis for joint in robot.joints}
+    axes = {joint.name: joint.axis for joint in robot.moving_joints}
     if any(np.abs(axes[model.names[joint]] - Z).max() > EXACT for joint in joints):
         return None
     near = EXACT * max(1.0, robot.reach)

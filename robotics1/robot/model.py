@@ -129,14 +129,16 @@ class Robot:
         return int(self.model.nv)
 
     @cached_property
-    def _own_joints(self) -> tuple[int, ...]:
-        """The numbers of the joints that have a coordinate of their own: not the world, and no mimicking joint."""
-        return tuple(i for i in range(1, self.model.njoints) if self.model.joints[i].nq > 0)
+    def moving_joints(self) -> tuple[Joint, ...]:
+        """The joints with a coordinate of their own, which are those that mimic no other, in the order of q."""
+        named = {joint.name: joint for joint in self.joints}
+        numbers = [i for i in range(1, self.model.njoints) if self.model.joints[i].nq > 0]
+        return tuple(named[self.model.names[i]] for i in numbers)
 
     @property
     def joint_names(self) -> tuple[str, ...]:
         """The moving joints, in the order of q."""
-        return tuple(self.model.names[i] for i in self._own_joints)
+        return tuple(joint.name for joint in self.moving_joints)
 
     @cached_property
     def frame_names(self) -> tuple[str, ...]:
@@ -146,8 +148,7 @@ class Robot:
     @cached_property
     def revolute(self) -> npt.NDArray[np.bool_]:
         """One entry for each of `joint_names`: True where its coordinate is an angle, False where it is a length."""
-        kinds = {joint.name: joint.kind for joint in self.joints}
-        turns = np.array([kinds[name] == "revolute" for name in self.joint_names], dtype=bool)
+        turns = np.array([joint.kind == "revolute" for joint in self.moving_joints], dtype=bool)
         turns.flags.writeable = False
         return turns
 

@@ -11,10 +11,10 @@ import numpy.typing as npt
 from scipy.optimize import brentq
 
 from robotics1.analysis.spaces import Subspaces, pseudoinverse, subspaces
+from robotics1.angles import TURN
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.solutions import IKVerdict, ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
-from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.limits.violations import LimitViolation, limit_violations

@@ -7,10 +7,10 @@ import numpy as np
 import numpy.typing as npt
 import sympy
 
-from robotics1.angles import clean_angle
+from robotics1.angles import TURN, clean_angle
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
-from robotics1.robot.box import TURN, JointBox
+from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.singular_sets.locus import Locus
