@@ -7,6 +7,10 @@ from .control import (
     simulate_tracking,
     smallest_gain,
 )
+from .dh.from_robot import urdf_to_dh
+from .dh.table import DHRow, DHTable
+from .dh.to_robot import robot_from_dh
+from .dh.to_urdf import dh_to_urdf
 from .errors import (
     FormulaError,
     InputError,
@@ -77,12 +81,9 @@ from .paths.symbolic_path import (
     formula_path,
     frenet_formulas,
 )
-from .robot.dh import dh_to_urdf, robot_from_dh
-from .robot.dh_from_urdf import urdf_to_dh
-from .robot.dh_table import DHRow, DHTable
-from .robot.examination import Examination, examine
-from .robot.loading import load_robot
+from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
+from .robot.report import RobotReport
 from .singularities.find import find_singularities
 from .singularities.intersections import find_intersections
 from .singularities.other_lengths import parameter_conditions
@@ -202,7 +203,6 @@ __all__ = [
     "EulerRates",
     "EulerSequence",
     "EulerSolutions",
-    "Examination",
     "FollowedTrajectory",
     "FollowingStatus",
     "FormulaError",
@@ -264,6 +264,7 @@ __all__ = [
     "Resolution",
     "Robot",
     "RobotFileError",
+    "RobotReport",
     "RobotWarning",
     "Robotics1Error",
     "RoundedConfiguration",
@@ -297,6 +298,7 @@ __all__ = [
     "balancing_torque",
     "bang_bang",
     "by_arc_length",
+    "check_robot",
     "circle_path",
     "cosine",
     "cruise_profile",
@@ -312,7 +314,6 @@ __all__ = [
     "euler_rate_map",
     "euler_rates",
     "euler_to_rotation",
-    "examine",
     "exerting_torque",
     "fastest_along",
     "find_intersections",

@@ -143,7 +143,7 @@ INSTANCES = {
     "EulerRates": lambda: [r1.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
     "EulerSequence": lambda: [r1.euler_formulas("ZYZ").sequence],
     "EulerSolutions": lambda: [r1.rotation_to_euler("ZYZ", pin.exp3(np.ones(3)))],
-    "Examination": lambda: [r1.examine("prr")],
+    "RobotReport": lambda: [r1.check_robot("prr")],
     "FollowedTrajectory": followed,
     "FollowingStatus": lambda: list(r1.FollowingStatus),
     "FormulaPath": lambda: [r1.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],

@@ -170,7 +170,7 @@ def test_public_functions_go_to_workers_by_their_names(pool):
         (r1.frenet_frame, path, 0.3),
         (r1.robot_from_dh, [("R", 1, 0, 0, 0)]),
         (r1.load_robot, "prr"),
-        (r1.examine, "prr"),
+        (r1.check_robot, "prr"),
         (r1.FunctionTask(squared_distance, 1).jacobian, robot, q),
         (r1.PoseTask("XYZ").value, robot, q),
         (solver, TARGET),

@@ -182,7 +182,7 @@ def test_robots_from_files_have_their_own_lengths_and_errors(tmp_path):
 
     lengths = [(0.1 * i, 0.05 * i) for i in range(1, 4)]
     calls = [*(partial(reach, *pair) for pair in lengths), *(partial(refused, path) for path in broken)]
-    calls += [lambda: r1.load_robot(arm("six_r").path).joint_names, lambda: r1.examine("prr").fk_difference]
+    calls += [lambda: r1.load_robot(arm("six_r").path).joint_names, lambda: r1.check_robot("prr").fk_difference]
     wanted = [call() for call in calls]
     assert np.allclose(wanted[:3], [2 * l1 for l1, _ in lengths], rtol=0, atol=1e-12)
     with unchanged():

@@ -152,7 +152,7 @@ def nothing_moves(still, task, folder):
     }
 
 
-RESULTS = {"Examination", "Formulas", "SingularBranch", "SingularSet", "SingularityScan"}
+RESULTS = {"RobotReport", "Formulas", "SingularBranch", "SingularSet", "SingularityScan"}
 CALLS = sorted(
     name
     for name in r1.__all__

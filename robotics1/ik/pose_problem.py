@@ -4,12 +4,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from robotics1.angles import TURN
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
 from robotics1.kernels.inverse import start_table
 from robotics1.kinematics import reference_axes
-from robotics1.robot.box import TURN, JointBox, joint_box
+from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameMap, PoseError, Task
 

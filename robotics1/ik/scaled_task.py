@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import TURN
 from robotics1.ik.turns import WholeTurns, is_own_function, unknown_turns, whole_turns
 from robotics1.inputs import Array
-from robotics1.robot.box import TURN, JointBox, intervals, joint_box, refuse_open_ranges
+from robotics1.robot.box import JointBox, intervals, joint_box, refuse_open_ranges
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import TURN
 from robotics1.inputs import Array
 from robotics1.kinematics import frame_jacobian
-from robotics1.robot.box import TURN, JointBox
+from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 

@@ -12,7 +12,7 @@ import pinocchio as pin
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, text
 from robotics1.kinematics import forward_kinematics, frame_jacobian, reference_axes
-from robotics1.robot.followers import turns_of_followers
+from robotics1.robot.mimic import turns_of_followers
 from robotics1.robot.model import Robot
 
 

@@ -10,12 +10,12 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq
 
+from robotics1.angles import TURN
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
 from robotics1.least_squares import generalized_inverse
-from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
 from robotics1.tasks.task import Task

@@ -9,9 +9,8 @@ from robotics1.errors import FormulaError, InputError, UnknownNameError
 from robotics1.inputs import text
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain, chain_to
-from robotics1.symbolic.kinematics.cleaning import cleaned
-from robotics1.symbolic.kinematics.parameters import joints_to
-from robotics1.symbolic.kinematics.points import link_of, with_point
+from robotics1.symbolic.kinematics.exact import exact_robot
+from robotics1.symbolic.kinematics.points import with_point
 from robotics1.symbolic.polynomials.laurent import ROOTS
 from robotics1.symbolic.tasks.reading import Reading
 from robotics1.symbolic.tasks.task_formulas import Formulas
@@ -51,7 +50,7 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         task,
         tuple(task.row_names[i] for i in places),
         reading.chain.q,
-        cleaned(robot)[1],
+        exact_robot(robot)[1],
         tuple(name for name in robot.parameters if name not in given),
         reading,
     )
@@ -61,9 +60,9 @@ def _reading(robot: Robot, task: Task, places: tuple[int, ...]) -> Reading:
     """Return the task read in symbols."""
     form = _on_a_frame(task)
     axes = _link_of_axes(robot, form.reference)
-    chain = chain_to(robot, link_of(robot, form.frame), beside=axes)
+    chain = chain_to(robot, robot.link_of(form.frame), beside=axes)
     _check_names(robot, chain)
-    joints = () if axes is None else joints_to(robot, axes)
+    joints = () if axes is None else robot.joints_to(axes)
     return Reading(chain, joints, task_map(form, task.rows, chain.q).chosen(list(places)))
 
 
@@ -92,7 +91,7 @@ def _on_a_frame(task: Task) -> FrameMap:
 
 def _link_of_axes(robot: Robot, reference: str) -> str | None:
     """Return the link in whose axes the task is written; None for the world."""
-    return None if reference == "world" else link_of(robot, None if reference == "tool" else reference)
+    return None if reference == "world" else robot.link_of(None if reference == "tool" else reference)
 
 
 def _check_names(robot: Robot, chain: Chain) -> None:

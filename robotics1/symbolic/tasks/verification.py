@@ -13,7 +13,7 @@ from robotics1.differentiation import Estimate, derivative
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
-from robotics1.symbolic.kinematics.cleaning import cleaned
+from robotics1.symbolic.kinematics.exact import exact_robot
 from robotics1.symbolic.writing.numeric_functions import numpy_function
 from robotics1.tasks.task import Task
 
@@ -52,9 +52,9 @@ class Trials:
         found = []
         for _ in range(TRIALS):
             values = {key: value * rng.uniform(0.7, 1.3) for key, value in self.robot.parameters.items()}
-            robot = self.robot.with_parameters(values) if values else self.robot
             q, qdot = rng.uniform(-2, 2, self.robot.nq), rng.uniform(-1, 1, self.robot.nq)
-            found.append(Point(cleaned(robot)[0], list(values.values()), q, qdot / np.abs(qdot).sum()))
+            robot, _ = exact_robot(self.robot, values or None)
+            found.append(Point(robot, list(values.values()), q, qdot / np.abs(qdot).sum()))
         return found
 
     def verify(

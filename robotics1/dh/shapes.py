@@ -6,8 +6,9 @@ from collections import defaultdict
 import numpy as np
 import pinocchio as pin
 
+from robotics1.dh.joints import links_of_row
+from robotics1.dh.table import DHTable, X, Z
 from robotics1.inputs import Array
-from robotics1.robot.dh_table import DHTable, X, Z
 
 MATERIALS = {
     "base": "0.55 0.58 0.62 1",
@@ -24,7 +25,7 @@ def materials() -> list[str]:
 
 
 def visuals(table: DHTable) -> dict[str, list[str]]:
-    """Return link → its `<visual>` lines; the links are those of `dh_markup`."""
+    """Return link → its `<visual>` lines; the links are those of `links_of`."""
     size = _size(table)
     w = 0.03 * size  # the radius of a drum
     shapes: dict[str, list[str]] = defaultdict(list)
@@ -47,11 +48,6 @@ def visuals(table: DHTable) -> dict[str, list[str]]:
         f'<visual><geometry><sphere radius="{0.8 * w:.6g}"/></geometry><material name="tip"/></visual>'
     )
     return dict(shapes)
-
-
-def links_of_row(convention: str, i: int) -> tuple[str, str, str]:
-    """Return the frames of A_i: i − 1, the one after the first of its two screws, and i."""
-    return f"link{i - 1}", f"link{i}_{'z' if convention == 'standard' else 'x'}", f"link{i}"
 
 
 def _size(table: DHTable) -> float:

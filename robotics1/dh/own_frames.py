@@ -12,7 +12,9 @@ from math import atan2, hypot
 import numpy as np
 import pinocchio as pin
 
-from robotics1.robot.common_normals import Axis, Step, clean_angle, clean_placement, first_step
+from robotics1.angles import clean_angle
+from robotics1.dh.common_normals import Axis, Step, clean_placement, first_step
+from robotics1.dh.table import Z
 from robotics1.robot.model import Robot
 
 EXACT = 1e-12  # sine of an angle, and m for each metre of the arm: what is left of a table by rounding
@@ -30,7 +32,8 @@ def own_steps(robot: Robot, joints: list[int], frame: int, convention: str) -> t
         convention: "standard" or "modified".
     """
     model, data = robot.model, robot.data
-    if any(model.joints[joint].shortname() not in ("JointModelRZ", "JointModelPZ") for joint in joints):
+    axes = {joint.name: joint.axis for joint in robot.moving_joints}
+    if any(np.abs(axes[model.names[joint]] - Z).max() > EXACT for joint in joints):
         return None
     near = EXACT * max(1.0, robot.reach)
     F = [pin.SE3(data.oMi[joint]) for joint in joints]

@@ -14,8 +14,9 @@ from math import atan2, hypot, pi
 import numpy as np
 import pinocchio as pin
 
+from robotics1.angles import clean_angle
+from robotics1.dh.table import X, Z, screw
 from robotics1.inputs import Array
-from robotics1.robot.dh_table import X, Z, screw
 
 NEAR_TOOL = 1e-6  # rad and m: base and tool placement make up for what is overlooked, so that it costs nothing
 
@@ -114,12 +115,6 @@ def last_step(T: pin.SE3) -> Step:
     d = round(float(T.translation[2]), 14)
     theta = step.theta if step.a else clean_angle(atan2(T.rotation[1, 0], T.rotation[0, 0]))
     return Step(theta, d, step.alpha, step.a)
-
-
-def clean_angle(angle: float) -> float:
-    """Return the multiple of π/12 that an angle is but for rounding, else the angle."""
-    nearest = round(angle * 12 / pi) * pi / 12
-    return nearest if abs(nearest - angle) < 1e-14 else angle
 
 
 def clean_placement(T: pin.SE3) -> pin.SE3:

@@ -1,14 +1,23 @@
-"""A checked URDF brought to the form in which Pinocchio reads it right, without changing what it means."""
+"""A checked URDF brought to one simple form, without changing what it means, so that every reader takes it.
 
+Readers differ in what they stumble over: materials without colour, limits of joints that have none, tabs between
+numbers, the elements of other programs. What is neither kinematics nor shape nor inertia is left out.
+"""
+
+import math
 import xml.etree.ElementTree as ET
 
 import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.robot.checking import linked
+from robotics1.robot.checking import DEFINITIONS
 from robotics1.robot.checking_parts import MOMENTS, ON_AN_AXIS
-from robotics1.robot.trimming import trim
+from robotics1.robot.markup import linked
+
+ROBOT, LINK = ("link", "joint", "material"), ("inertial", "visual", "collision")
+FIXED, MOVING = ("parent", "child", "origin"), ("axis", "limit", "mimic", "dynamics")
+OF_ONE_COORDINATE = ("revolute", "prismatic", "continuous")
 
 
 def clean(root: ET.Element) -> None:
@@ -17,7 +26,7 @@ def clean(root: ET.Element) -> None:
     Axes become unit vectors, inertias that lack a part are left out, and a joint that mimics a mimicking joint
     follows the leader itself.
     """
-    trim(root)
+    _trim(root)
     tidy(root)
 
 
@@ -158,3 +167,65 @@ def _follow_leaders(root: ET.Element) -> None:
             mimic.set("multiplier", repr(a * factor(above, "multiplier", 1.0)))
             mimic.set("offset", repr(a * factor(above, "offset", 0.0) + b))
             mimic.set("joint", str(above.get("joint") if above is not None else ""))
+
+
+def _trim(root: ET.Element) -> None:
+    """Leave out what is neither kinematics nor shape nor inertia, and what of it is not whole."""
+    _drop_definitions(root)
+    root.attrib = {"name": root.get("name", "")}
+    _keep(root, ROBOT)
+    for link in root.findall("link"):
+        _keep(link, LINK)
+    for joint in root.findall("joint"):
+        axis = ("axis",) if joint.get("type") == "planar" else ()
+        _keep(joint, FIXED + (MOVING if joint.get("type") in OF_ONE_COORDINATE else axis))
+        for dynamics in joint.findall("dynamics"):
+            if not {"damping", "friction"} & set(dynamics.attrib):
+                joint.remove(dynamics)
+    _trim_materials(root)
+    for element in root.iter():
+        for key in ("xyz", "rpy", "size", "scale"):
+            if key in element.attrib:
+                element.set(key, " ".join(element.get(key, "").split()))
+
+
+def _keep(element: ET.Element, tags: tuple[str, ...]) -> None:
+    for part in [part for part in element if part.tag not in tags]:
+        element.remove(part)
+
+
+def _trim_materials(root: ET.Element) -> None:
+    """Give every shape its colour where it is named, and leave out other materials."""
+    colors: dict[str, str] = {}
+    for material in root.findall("material"):
+        if color := _color(material):
+            colors.setdefault(material.get("name", ""), color)
+        root.remove(material)
+    for visual in root.iterfind("link/visual"):
+        for material in visual.findall("material"):
+            name = material.get("name", "")
+            color = _color(material)
+            if color and name not in colors:
+                colors[name] = color
+            visual.remove(material)
+            if name in colors:
+                ET.SubElement(ET.SubElement(visual, "material", name=name), "color", rgba=colors[name])
+                break
+
+
+def _color(material: ET.Element) -> str:
+    """Return the numbers of a colour, or nothing where they are not four from 0 to 1."""
+    color = material.find("color")
+    texts = [] if color is None else color.get("rgba", "").split()
+    try:
+        whole = len(texts) == 4 and all(math.isfinite(float(text)) and 0 <= float(text) <= 1 for text in texts)
+    except ValueError:
+        whole = False
+    return " ".join(texts) if whole and material.get("name", "").strip() else ""
+
+
+def _drop_definitions(root: ET.Element) -> None:
+    """Take the definitions out of a tree that needs none of them."""
+    for element in list(root.iter()):
+        for part in [part for part in element if part.tag in DEFINITIONS]:
+            element.remove(part)

@@ -10,13 +10,12 @@ steps S_0 S_1 ⋯ S_n, S_i = Z_i X_i, with the brackets put in another place:
 import numpy as np
 import pinocchio as pin
 
+from robotics1.dh.common_normals import Axis, Step, clean_placement, first_step, last_step, step_to
+from robotics1.dh.own_frames import own_steps
+from robotics1.dh.table import CONVENTIONS, DHRow, DHTable
 from robotics1.errors import InputError
 from robotics1.inputs import one_of, real_number
-from robotics1.robot.common_normals import Axis, Step, clean_placement, first_step, last_step, step_to
-from robotics1.robot.dh_frames import own_steps
-from robotics1.robot.dh_table import CONVENTIONS, DHRow, DHTable
 from robotics1.robot.model import Robot
-from robotics1.robot.parameters import Parameters
 
 PARALLEL = 1e-8  # sine of an angle; nearer to parallel, the common normal is so far away that rounding loses more
 COINCIDENT = 1e-12  # m
@@ -56,8 +55,9 @@ def urdf_to_dh(
     frame = robot.frame_id(tool)
     joints = _joints_to(robot, frame)
     pin.framesForwardKinematics(robot.model, robot.data, pin.neutral(robot.model))
+    kind_of = {joint.name: joint.kind for joint in robot.moving_joints}
     base, steps = own_steps(robot, joints, frame, convention) or _walk(robot, joints, frame, tolerance)
-    kinds = [robot.model.joints[joint].shortname().removeprefix("JointModel")[0] for joint in joints]  # "R" or "P"
+    kinds = ["R" if kind_of[robot.model.names[joint]] == "revolute" else "P" for joint in joints]
     if convention == "standard":
         base = base * steps[0].placement
         rows = [DHRow(kind, s.a, s.alpha, s.d, s.theta) for kind, s in zip(kinds, steps[1:], strict=True)]
@@ -77,15 +77,22 @@ def _joints_to(robot: Robot, frame: int) -> list[int]:
         joints.insert(0, joint)
         joint = int(model.parents[joint])
     for joint in joints:
-        kind = model.joints[joint].shortname().removeprefix("JointModel")
         if model.nqs[joint] != 1 or model.nvs[joint] != 1:
             raise InputError(
-                f"joint {model.names[joint]!r} ({kind}) has no row in a DH table: each joint must be revolute or "
-                f"prismatic, with a coordinate of its own"
+                f"joint {model.names[joint]!r} ({_kind(robot, joint)}) has no row in a DH table: each joint must be "
+                f"revolute or prismatic, with a coordinate of its own"
             )
     if not joints:
         raise InputError(f"no joint moves {model.frames[frame].name!r}, so there is no row to write")
     return joints
+
+
+def _kind(robot: Robot, number: int) -> str:
+    """Return what a joint is that has no row."""
+    joint = next((joint for joint in robot.joints if joint.name == robot.model.names[number]), None)
+    if joint is None:
+        return "it leads a joint that comes before it"
+    return f"it mimics {joint.leader!r}" if joint.follows else joint.kind
 
 
 def _walk(robot: Robot, joints: list[int], frame: int, tolerance: float | None) -> tuple[pin.SE3, list[Step]]:
@@ -122,7 +129,7 @@ def _closed(robot: Robot, joints: list[int], frame: int, rows: list[DHRow], conv
     names = tuple(model.names[joint] for joint in joints)
 
     def table(tool: pin.SE3, residual: float = 0.0) -> DHTable:
-        return DHTable(tuple(rows), convention, base, tool, lower, upper, Parameters(), names, residual)
+        return DHTable(tuple(rows), convention, base, tool, lower, upper, {}, names, residual)
 
     def pose(q: np.ndarray) -> pin.SE3:
         whole = pin.neutral(model)
