@@ -155,8 +155,8 @@ def test_switching_times_are_kept_and_the_acceleration_is_told_from_both_sides()
     path = r1.polyline_path([p, p + np.array([-0.3, 0]), p + np.array([-0.3, 0.3])], blend=0.1)
     motion = timed(path)
     found = r1.follow_trajectory(robot, XY, motion, START)
-    assert found.switching_times == pytest.approx(motion.switching_times)
-    t = float(found.switching_times[0])
+    assert found.breakpoints == pytest.approx(motion.breakpoints)
+    t = float(found.breakpoints[0])
     q, qdot = found(t), found.velocity(t)
     drift = r1.jacobian_rate(robot, XY, q, qdot) @ qdot
     for side in ("left", "right"):

@@ -10,7 +10,7 @@ from test_paths_in_time import law_to, trapezoid
 
 import robotics1 as r1
 from robotics1 import InputError
-from robotics1.trajectories.limits.motion_limits import MotionLimits
+from robotics1.trajectories.limits import MotionLimits
 from robotics1.viewer import plot_curves, plot_laws, plot_motions
 from robotics1.viewer.plot_figures import line_style
 
@@ -57,7 +57,7 @@ def test_trajectory_is_drawn_with_its_derivatives_and_units(tmp_path, axes):
 def test_a_jump_is_drawn_upright_from_both_sides(tmp_path, axes):
     motion = r1.PathTrajectory(CORNER, law_to(CORNER.end))
     r1.plot_trajectory(motion, tmp_path / "a.svg")
-    switch = motion.switching_times[0]
+    switch = motion.breakpoints[0]
     t, a = axes()[2].lines[1].get_data()
     at = a[np.isclose(t, switch, atol=1e-12)]
     assert at == pytest.approx([motion.acceleration(switch, side="left")[1], motion.acceleration(switch)[1]])
@@ -128,7 +128,7 @@ def test_a_path_is_drawn_with_start_end_and_breaks(tmp_path, axes):
     assert line.get_xydata()[-1] == pytest.approx([1, 1])
     assert start.get_xydata() == pytest.approx(np.array([[0, 0]]))
     assert end.get_xydata() == pytest.approx(np.array([[1, 1]]))
-    assert breaks.get_xydata() == pytest.approx(CORNER(CORNER.breaks))
+    assert breaks.get_xydata() == pytest.approx(CORNER(CORNER.breakpoints))
     assert len({mark.get_marker() for mark in (line, start, end, breaks)}) == 4
     assert len(frames) == 4  # the four tangents: on the lines there is no normal
     assert (panel.get_xlabel(), panel.get_ylabel()) == ("x [m]", "y [m]")

@@ -4,11 +4,11 @@ import numpy as np
 import pinocchio as pin
 from rich.table import Table
 
+from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.ik.iterate import IKIteration
 from robotics1.inputs import Array
 from robotics1.notation import number, vector
 from robotics1.robot.model import Robot
-from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
 
 
 def matrix_table(values: Array, rows: tuple[str, ...] = (), columns: tuple[str, ...] = (), title: str = "") -> Table:
@@ -36,7 +36,7 @@ def iteration_table(run: IKIteration, title: str = "") -> Table:
     return table
 
 
-def polynomial_table(robot: Robot, trajectory: PolynomialTrajectory) -> Table:
+def polynomial_table(robot: Robot, trajectory: PiecewisePolynomial) -> Table:
     """Return the coefficients of q and q̇ in powers of τ = t/T and of t, joint by joint."""
     table = Table(title=f"T = {trajectory.duration:.4f} s, τ = t/T", title_justify="left")
     table.add_column("")

@@ -11,14 +11,15 @@ import numpy.typing as npt
 from scipy.optimize import brentq
 
 from robotics1.analysis.spaces import Subspaces, pseudoinverse, subspaces
+from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.solutions import IKVerdict, ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
 from robotics1.robot.box import TURN
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.trajectories.limits.violations import LimitViolation, limit_violations
-from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory, cubic
+from robotics1.trajectories.limits import LimitUse, limit_violations
+from robotics1.trajectories.polynomials import cubic
 from robotics1.trajectories.target_motion import TargetMotion
 
 INSTANTS = 4000  # at which an event is looked at before its zero is refined
@@ -49,10 +50,10 @@ class MeetingBranch:
 
     q: Array
     qdot: Array
-    trajectory: PolynomialTrajectory
+    trajectory: PiecewisePolynomial
     singular: bool
     velocity_error: Array
-    violations: tuple[LimitViolation, ...]
+    violations: tuple[LimitUse, ...]
 
     @property
     def matches(self) -> bool:
@@ -86,7 +87,7 @@ class Rendezvous:
     miss: float
 
     @property
-    def trajectory(self) -> PolynomialTrajectory:
+    def trajectory(self) -> PiecewisePolynomial:
         """The trajectory of the first branch.
 
         Raises:

@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.curves.composition import PathTrajectory
+from robotics1.curves.curve import Curve
+from robotics1.curves.frenet import frenet_frame
+from robotics1.curves.given import as_curve
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, text
-from robotics1.paths.course import Course
-from robotics1.paths.frenet import frenet_frame
-from robotics1.paths.path import Path as Curve
-from robotics1.trajectories.protocols import smooth_ends
 from robotics1.viewer.plot_figures import STYLES, new_figure, smooth_samples, write_svg
 
 AXIS = 0.12  # length of a drawn axis, of the size of the path
@@ -36,7 +36,8 @@ def plot_path(curve: Any, path: str | Path, *, frames: int = 0, unit: str = "m",
     """
     counting_number("frames", frames)
     text("unit", unit)
-    ends = [0.0, *curve.breaks, curve.end] if isinstance(curve, Course) else smooth_ends(curve)
+    curve = as_curve("curve", curve, derivatives=0)
+    ends = curve.ends
     points = np.concatenate([_points(curve, s) for _, s in smooth_samples(ends)])
     n = points.shape[1]
     if n not in (2, 3):
@@ -66,7 +67,7 @@ def plot_path(curve: Any, path: str | Path, *, frames: int = 0, unit: str = "m",
     return write_svg(figure, path)
 
 
-def _points(curve: Any, s: Array) -> Array:
+def _points(curve: Curve, s: Array) -> Array:
     """Return the positions, (k, n)."""
     values = curve(s)
     if len(values) and hasattr(values[0], "translation"):
@@ -76,14 +77,14 @@ def _points(curve: Any, s: Array) -> Array:
     return np.asarray(values)
 
 
-def _draw_frame(axes: Any, curve: Any, s: float, size: float, n: int) -> None:
+def _draw_frame(axes: Any, curve: Curve, s: float, size: float, n: int) -> None:
     """Draw the axes of a pose, or as many of the Frenet frame as there are."""
     value = curve(s)
     if hasattr(value, "rotation"):
         origin, directions = value.translation, list(value.rotation.T)
     else:
-        if not isinstance(curve, Curve):
-            curve, s = curve.path, float(curve.law(s))  # of a trajectory along a path
+        if isinstance(curve, PathTrajectory):  # of a motion at rest the path still has a tangent
+            s, curve = min(float(curve.law(s)), curve.path.end), curve.path
         frame = frenet_frame(curve, s)
         origin, directions = frame.position, [frame.tangent, frame.normal, frame.binormal]
     for direction, style in zip(directions[:n], STYLES[:2] + STYLES[3:], strict=False):

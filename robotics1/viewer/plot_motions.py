@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.curves.curve import Curve
+from robotics1.curves.given import as_curve
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
-from robotics1.trajectories.limits.motion_limits import MotionLimits
-from robotics1.trajectories.protocols import smooth_ends
+from robotics1.trajectories.limits import MotionLimits
 from robotics1.viewer.plot_figures import legend_text, line_style, names_of, new_figure, smooth_samples, write_svg
 
 TURNS = ("θx", "θy", "θz")
@@ -44,24 +45,25 @@ def plot_trajectory(
         MissingExtraError: Matplotlib is not installed.
         InputError: names or units are too many or too few, or the file cannot be written there.
     """
-    pieces = smooth_samples(smooth_ends(trajectory))
+    motion = as_curve("trajectory", trajectory, derivatives=2)
+    pieces = smooth_samples(motion.ends)
     t = np.concatenate([times for _, times in pieces])
-    values = [np.concatenate([_positions(trajectory, times) for _, times in pieces])]
+    values = [np.concatenate([_positions(motion, times) for _, times in pieces])]
     for quantity in ("velocity", "acceleration"):
-        rate = getattr(trajectory, quantity)
+        rate = getattr(motion, quantity)
         values.append(np.concatenate([np.asarray(rate(times, side=side)) for side, times in pieces]))
-    default = _labels(trajectory(0.0), values[0].shape[1], values[1].shape[1], robot)
+    default = _labels(motion(0.0), values[0].shape[1], values[1].shape[1], robot)
     names = names_of("names", names, default[0])
     units = names_of("units", [units] * len(names) if isinstance(units, str) else units, default[1])
-    bounds = {} if limits is None else limits.of_joints(len(names))
+    bounds = None if limits is None else limits.of_joints(len(names))
     figure = new_figure((6.4, 7.4))
     panels = figure.subplots(3, 1, sharex=True)
     same = len(set(units)) == 1
     for axes, (quantity, per), curves in zip(panels, PANELS, values, strict=True):
         for i, (name, unit) in enumerate(zip(names, units, strict=True)):
             axes.plot(t, curves[:, i], label=name if same else f"{name} [{unit}{per}]", **line_style(i))
-        if quantity in bounds:
-            _draw_bounds(axes, bounds[quantity])
+        if bounds is not None and quantity != "position":
+            _draw_bounds(axes, getattr(bounds, quantity))
         axes.set(ylabel=f"{quantity} [{units[0]}{per}]" if same else quantity)
         axes.grid(alpha=0.4)
         if names:
@@ -81,7 +83,7 @@ def _draw_bounds(axes: Any, bounds: Array) -> None:
                 axes.axhline(sign * bound, linewidth=0.8, **style)
 
 
-def _positions(trajectory: Any, t: Array) -> Array:
+def _positions(trajectory: Curve, t: Array) -> Array:
     """Return the positions, (k, n); of poses (p, log(R R₀ᵀ)), of orientations log(R R₀ᵀ)."""
     import pinocchio as pin
 

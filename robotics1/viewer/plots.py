@@ -4,26 +4,26 @@ from pathlib import Path
 
 import numpy as np
 
+from robotics1.curves.given import Motion, joint_motion
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
-from robotics1.trajectories.protocols import Trajectory, number_of_joints
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.plot_figures import SAMPLES, legend_text, line_style, new_figure as _figure, write_svg as _write
 
 
-def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *, title: str = "") -> Path:
+def plot_joint_motion(robot: Robot, trajectory: Motion, path: str | Path, *, title: str = "") -> Path:
     """Draw q(t) above q̇(t), write it as SVG and return the path.
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
         InputError: the trajectory is not of the robot's joints, or the file cannot be written there.
     """
-    number_of_joints("trajectory", trajectory, robot.nv)
+    motion = joint_motion("trajectory", trajectory, robot.nv)
     figure = _figure((6.4, 5.6))
     upper, lower = figure.subplots(2, 1, sharex=True)
-    t = np.linspace(0.0, trajectory.duration, SAMPLES)
+    t = np.linspace(0.0, motion.end, SAMPLES)
     units = ["rad" if angle else "m" for angle in robot.revolute]
-    for i, (name, q, v) in enumerate(zip(robot.joint_names, trajectory(t).T, trajectory.velocity(t).T, strict=True)):
+    for i, (name, q, v) in enumerate(zip(robot.joint_names, motion(t).T, motion.velocity(t).T, strict=True)):
         upper.plot(t, q, label=f"{legend_text(name)} [{units[i]}]", **line_style(i))
         lower.plot(t, v, label=f"{legend_text(name)} [{units[i]}/s]", **line_style(i))
     upper.set(ylabel="joint position", title=title)
@@ -37,7 +37,7 @@ def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *,
 
 def plot_tool_path(
     robot: Robot,
-    trajectory: Trajectory,
+    trajectory: Motion,
     path: str | Path,
     *,
     target: TargetMotion | None = None,
@@ -49,11 +49,11 @@ def plot_tool_path(
         MissingExtraError: Matplotlib is not installed.
         InputError: the trajectory is not of the robot's joints, or the file cannot be written there.
     """
-    number_of_joints("trajectory", trajectory, robot.nv)
+    motion = joint_motion("trajectory", trajectory, robot.nv)
     figure = _figure((6.4, 5.0))
     axes = figure.subplots()
-    t = np.linspace(0.0, trajectory.duration, SAMPLES)
-    x, y, _ = np.array([forward_kinematics(robot, q).translation for q in trajectory(t)]).T
+    t = np.linspace(0.0, motion.end, SAMPLES)
+    x, y, _ = np.array([forward_kinematics(robot, q).translation for q in motion(t)]).T
     axes.plot(x, y, "-", label="tool")
     axes.plot(x[0], y[0], "o", color="C0", label="start")
     axes.plot(x[-1], y[-1], "s", color="C3", label="end")

@@ -10,7 +10,7 @@ from robotics1.notation import vector
 from robotics1.report.tables import polynomial_text
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.trajectories.meeting import MeetingBranch
-from robotics1.trajectories.polynomials.symbolic_polynomial import polynomial_formula
+from robotics1.trajectories.symbolic_polynomial import polynomial_formula
 
 x0, y0, v, delta, t = sympy.symbols("x0 y0 v delta t", real=True)
 q_rv, qdot_rv, t_rv = sympy.symbols("q_rv qdot_rv t_rv", real=True)

@@ -2,18 +2,17 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.curve import Curve, Side
 from robotics1.inputs import Array, real_array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.tasks.units import unitless_rows
 from robotics1.trajectories.following.joint_rates import drifts
 from robotics1.trajectories.following.resolution import Resolution
-from robotics1.trajectories.protocols import Side
 
 SOFT = 1e-4  # σ/σ₁ below which an inverse without damping is softened; elsewhere it is exact
 Wish = npt.ArrayLike | Callable[..., npt.ArrayLike] | None
@@ -56,7 +55,7 @@ class VelocityFlow:
 
     robot: Robot
     task: Task
-    trajectory: Any
+    trajectory: Curve
     resolution: Resolution
     gain: Array
     wish: Wish
@@ -85,7 +84,7 @@ class AccelerationFlow:
 
     robot: Robot
     task: Task
-    trajectory: Any
+    trajectory: Curve
     resolution: Resolution
     gains: Array
     wish: Wish
