@@ -185,10 +185,7 @@ from .trajectories.target_motion import (
     TargetMotion,
 )
 from .viewer.animation import animate, view
-from .viewer.plot_curves import plot_path
-from .viewer.plot_laws import plot_timing_law
-from .viewer.plot_motions import plot_trajectory
-from .viewer.plots import plot_joint_motion, plot_tool_path
+from .viewer.plots import plot_path, plot_timing_law, plot_trajectory
 
 __all__ = [
     "RANK_TOLERANCE",
@@ -334,10 +331,8 @@ __all__ = [
     "nearest_rotation",
     "overfly",
     "peak_norm",
-    "plot_joint_motion",
     "plot_path",
     "plot_timing_law",
-    "plot_tool_path",
     "plot_trajectory",
     "polyline_path",
     "polynomial_formula",

@@ -249,8 +249,8 @@ def test_coupled_joints_follow_with_their_inputs():
 def test_a_followed_motion_is_plotted_and_animated_like_any_other(tmp_path):
     robot = two_r()
     found = r1.follow_trajectory(robot, XY, line_from(robot, START, [-0.6, 0.3]), START)
-    assert r1.plot_joint_motion(robot, found, tmp_path / "a.svg").is_file()
-    assert r1.plot_trajectory(found, tmp_path / "b.svg", robot=robot).is_file()
+    r1.plot_trajectory(found, file=tmp_path / "a.svg", robot=robot)
+    assert (tmp_path / "a.svg").is_file()
     assert r1.animate(robot, found, tmp_path / "c.html").is_file()
 
 

@@ -111,11 +111,11 @@ def test_junk_is_answered_or_refused_by_a_typed_error(name, a, b):
 def test_junk_is_drawn_or_refused_by_a_typed_error(tmp_path_factory, name, junk):
     folder = tmp_path_factory.mktemp("plots")
     drawings = [
-        lambda: r1.plot_path(junk, folder / name),
-        lambda: r1.plot_trajectory(junk, folder / name),
-        lambda: r1.plot_timing_law(junk, folder / name),
-        lambda: r1.plot_path(CURVE, folder / name, frames=junk),
-        lambda: r1.plot_trajectory(MOTION, folder / name, names=junk, units="m"),
+        lambda: r1.plot_path(junk, junk, file=folder / name),
+        lambda: r1.plot_trajectory(junk, file=folder / name),
+        lambda: r1.plot_timing_law(junk, file=folder / name),
+        lambda: r1.plot_path(CURVE, junk, file=folder / name, frames=junk),
+        lambda: r1.plot_trajectory(MOTION, file=folder / name, names=junk, units="m"),
     ]
     for drawing in drawings:
         with suppress(r1.Robotics1Error):

@@ -25,8 +25,10 @@ from robotics1.files import make_folder
 from robotics1.notation import count, vector
 from robotics1.report.formula_page import write_formula_page
 from robotics1.report.tables import iteration_table, polynomial_table
+from robotics1.tasks.position import PositionTask
+from robotics1.trajectories.following.task_rates import TaskTrajectory
 from robotics1.viewer.animation import animate
-from robotics1.viewer.plots import plot_joint_motion, plot_tool_path
+from robotics1.viewer.plots import plot_path, plot_trajectory
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,9 +88,12 @@ def work_exam(folder: Path) -> WorkedExam:
         joints = folder / f"figure-{first}-{name}-arm-joints.svg"
         path = folder / f"figure-{first + 1}-{name}-arm-path.svg"
         motion, robot = branch.trajectory, three.robot
+        plot_trajectory(motion, file=joints, robot=robot, derivatives=1, title=title)
+        tool = TaskTrajectory(robot, PositionTask("xy"), motion)
+        plot_path(tool, file=path, target=TARGET, title=title)
         files += [
-            plot_joint_motion(robot, motion, joints, title=title),
-            plot_tool_path(robot, motion, path, target=TARGET, title=title),
+            joints,
+            path,
             animate(
                 robot,
                 motion,
