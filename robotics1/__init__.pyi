@@ -7,6 +7,31 @@ from .control import (
     simulate_tracking,
     smallest_gain,
 )
+from .curves.arcs import (
+    arc_path,
+    arc_through,
+    circle_path,
+    ellipse_path,
+    helix_path,
+    line_path,
+)
+from .curves.composition import PathTrajectory, by_arc_length, stretched
+from .curves.curve import Curve
+from .curves.frenet import FrenetFrame, frenet_frame, frenet_path
+from .curves.harmonic import HarmonicCurve
+from .curves.interpolants import Extreme
+from .curves.piecewise_polynomial import PiecewisePolynomial
+from .curves.polyline import overfly, polyline_path
+from .curves.pose_path import PosePath, pose_line
+from .curves.rotations import axis_angle_path, euler_path, turn_path
+from .curves.sequence import CurveSequence, Join
+from .curves.stack import JointTrajectory, StackedCurve, stacked_path
+from .curves.symbolic_path import (
+    FormulaPath,
+    FrenetFormulas,
+    formula_path,
+    frenet_formulas,
+)
 from .dh.from_robot import urdf_to_dh
 from .dh.table import DHRow, DHTable
 from .dh.to_robot import robot_from_dh
@@ -63,24 +88,6 @@ from .orientation.sequence_formulas import (
     SingularAngle,
     euler_formulas,
 )
-from .paths.arc_length import StackedPath, by_arc_length
-from .paths.arcs import arc_path, arc_through, circle_path
-from .paths.euler_rotation import euler_path
-from .paths.frenet import FrenetFrame, frenet_frame
-from .paths.frenet_rotation import frenet_path
-from .paths.harmonic import ellipse_path, helix_path, line_path
-from .paths.path import Path
-from .paths.path_sequence import PathSequence
-from .paths.polyline import polyline_path
-from .paths.polynomial_path import spline_path
-from .paths.pose_path import PosePath, pose_line
-from .paths.rotations import axis_angle_path, turn_path
-from .paths.symbolic_path import (
-    FormulaPath,
-    FrenetFormulas,
-    formula_path,
-    frenet_formulas,
-)
 from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
 from .robot.report import RobotReport
@@ -109,10 +116,9 @@ from .tasks.pointing import PointingTask
 from .tasks.pose import OrientationTask, PoseTask
 from .tasks.position import PositionTask
 from .tasks.task import Task
-from .trajectories.composition.joint_laws import JointLaws
-from .trajectories.composition.path_trajectory import PathTrajectory
-from .trajectories.composition.stretching import stretched
-from .trajectories.composition.trajectory_sequence import Join, TrajectorySequence
+from .trajectories.along_path import TimingBounds, timing_bounds
+from .trajectories.coordination import MinimumTime, minimum_time
+from .trajectories.fastest_along_path import PathTiming, fastest_along
 from .trajectories.following.followed_trajectory import (
     FollowedTrajectory,
     FollowingStatus,
@@ -130,79 +136,71 @@ from .trajectories.following.path_following import (
 )
 from .trajectories.following.resolution import Resolution
 from .trajectories.following.task_rates import TaskTrajectory, jacobian_rate
-from .trajectories.laws.given_duration import (
-    bang_bang,
-    cruise_profile,
-    double_s,
-    trapezoidal,
+from .trajectories.limits import (
+    LimitUse,
+    MotionLimits,
+    NormLimits,
+    limit_violations,
 )
-from .trajectories.laws.profiles import ProfileLaw
-from .trajectories.laws.trigonometric import cosine, cycloidal
-from .trajectories.limits.bounds_along_path import TimingBounds, timing_bounds
-from .trajectories.limits.coordination import MinimumTime, minimum_time
-from .trajectories.limits.demands import Demand
-from .trajectories.limits.fastest_along_path import PathTiming, fastest_along
-from .trajectories.limits.minimum_duration import shortest_duration
-from .trajectories.limits.motion_limits import MotionLimits
-from .trajectories.limits.norm_limits import NormLimits
-from .trajectories.limits.time_scaling import TimeScaling, scale_to_limits
-from .trajectories.limits.violations import LimitViolation, limit_violations
 from .trajectories.meeting import (
     MeetingBranch,
     MeetingVerdict,
     Rendezvous,
     rendezvous,
 )
-from .trajectories.peaks.norm_peaks import (
+from .trajectories.norms import (
     AccelerationSplit,
-    NormPeak,
     acceleration_split,
     peak_norm,
 )
-from .trajectories.polynomials.piecewise import PiecewiseTrajectory
-from .trajectories.polynomials.polynomial import (
-    PolynomialTrajectory,
-    cubic,
-    quintic,
-    septic,
-)
-from .trajectories.polynomials.polynomial_law import PolynomialLaw
-from .trajectories.polynomials.symbolic_polynomial import (
-    PolynomialFormula,
-    polynomial_formula,
-)
-from .trajectories.protocols import Peak, TimingLaw, Trajectory
-from .trajectories.splines.cubic_splines import cubic_spline, cubics_through
-from .trajectories.splines.knot_times import times_of_points
-from .trajectories.splines.mixed_degrees import (
+from .trajectories.polynomial_splines import (
     mixed_spline,
     polynomial_through,
     virtual_point_spline,
 )
-from .trajectories.splines.passing_over import overfly
+from .trajectories.polynomials import cubic, quintic, septic
+from .trajectories.profiles import (
+    VelocityProfile,
+    bang_bang,
+    cruise_profile,
+    double_s,
+    trapezoidal,
+)
+from .trajectories.scaling import TimeScaling, scale_to_limits
+from .trajectories.shortest import shortest_duration
+from .trajectories.sines import cosine, cycloidal
+from .trajectories.splines import (
+    cubic_spline,
+    cubics_through,
+    spline_path,
+    times_of_points,
+)
+from .trajectories.symbolic_polynomial import (
+    PolynomialFormula,
+    polynomial_formula,
+)
 from .trajectories.target_motion import (
     FunctionMotion,
     LinearMotion,
     TargetMotion,
 )
 from .viewer.animation import animate, view
-from .viewer.plot_curves import plot_path
-from .viewer.plot_laws import plot_timing_law
-from .viewer.plot_motions import plot_trajectory
-from .viewer.plots import plot_joint_motion, plot_tool_path
+from .viewer.plots import plot_path, plot_timing_law, plot_trajectory
 
 __all__ = [
     "RANK_TOLERANCE",
     "AccelerationSplit",
     "Alignment",
     "AxisAngle",
+    "Curve",
+    "CurveSequence",
     "DHRow",
     "DHTable",
-    "Demand",
     "EulerFormulas",
     "EulerRates",
     "EulerSequence",
     "EulerSolutions",
+    "Extreme",
     "FollowedTrajectory",
     "FollowingStatus",
     "FormulaError",
@@ -215,6 +213,7 @@ __all__ = [
     "FunctionTask",
     "GainChoice",
     "GainStatus",
+    "HarmonicCurve",
     "IKBatch",
     "IKIterate",
     "IKIteration",
@@ -226,9 +225,9 @@ __all__ = [
     "Intersections",
     "Join",
     "JointAcceleration",
-    "JointLaws",
+    "JointTrajectory",
     "JointVelocity",
-    "LimitViolation",
+    "LimitUse",
     "LinearMotion",
     "MeasureDistribution",
     "MeetingBranch",
@@ -238,24 +237,17 @@ __all__ = [
     "MotionLimits",
     "NearestRotation",
     "NormLimits",
-    "NormPeak",
     "NotConverged",
     "OrientationTask",
-    "Path",
-    "PathSequence",
     "PathTiming",
     "PathTrajectory",
-    "Peak",
-    "PiecewiseTrajectory",
+    "PiecewisePolynomial",
     "PlanarPoseTask",
     "PointingTask",
     "PolynomialFormula",
-    "PolynomialLaw",
-    "PolynomialTrajectory",
     "PosePath",
     "PoseTask",
     "PositionTask",
-    "ProfileLaw",
     "RankStatus",
     "RateStatus",
     "RefinedGroup",
@@ -272,7 +264,7 @@ __all__ = [
     "SingularBranch",
     "SingularSet",
     "SingularityScan",
-    "StackedPath",
+    "StackedCurve",
     "Subspaces",
     "TargetMotion",
     "Task",
@@ -280,12 +272,10 @@ __all__ = [
     "TaskTrajectory",
     "TimeScaling",
     "TimingBounds",
-    "TimingLaw",
     "Tracking",
-    "Trajectory",
-    "TrajectorySequence",
     "UnitQuaternions",
     "UnknownNameError",
+    "VelocityProfile",
     "acceleration_split",
     "align_direction",
     "align_two_directions",
@@ -343,10 +333,8 @@ __all__ = [
     "overfly",
     "parameter_conditions",
     "peak_norm",
-    "plot_joint_motion",
     "plot_path",
     "plot_timing_law",
-    "plot_tool_path",
     "plot_trajectory",
     "polyline_path",
     "polynomial_formula",
@@ -370,6 +358,7 @@ __all__ = [
     "smallest_gain",
     "solve_ik",
     "spline_path",
+    "stacked_path",
     "stretched",
     "subspaces",
     "times_of_points",

@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.curve import Side
+from robotics1.curves.given import Motion, joint_motion
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
 from robotics1.results import Frozen, require
 from robotics1.trajectories.following.integration import integrated
-from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
 PRECISION = 1e-12  # of the integration, of the largest value of each joint
 FASTEST = 1e9  # gain times duration: a faster loop follows at once, and cannot be integrated
@@ -43,7 +44,7 @@ class Tracking(Frozen):
 
 
 def simulate_tracking(
-    trajectory: Trajectory,
+    trajectory: Motion,
     q0: npt.ArrayLike,
     gain: npt.ArrayLike,
     *,
@@ -67,7 +68,8 @@ def simulate_tracking(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1, with joint errors.
     """
-    n, ends = number_of_joints("trajectory", trajectory), smooth_ends(trajectory)
+    motion = joint_motion("trajectory", trajectory, derivatives=2)
+    n, ends = motion.dimension, motion.ends
     q0 = real_array("q0", q0, (n,), "one number for each joint")
     k = _non_negative("gain", gain, n)
     _refuse_what_is_too_large(k, ends[-1], q0)
@@ -75,9 +77,9 @@ def simulate_tracking(
     t = np.linspace(0.0, ends[-1], counting_number("samples", samples, least=2))
 
     def wanted(time: float, q: Array, side: Side) -> Array:
-        return trajectory.velocity(time, side=side) + k * (trajectory(time) - q)
+        return np.asarray(motion.velocity(time, side=side) + k * (motion(time) - q))
 
-    size = np.maximum(np.abs(q0), np.abs(trajectory(t)).max(axis=0))
+    size = np.maximum(np.abs(q0), np.abs(motion(t)).max(axis=0))
     precision = PRECISION * np.where(size > 0, size, 1.0)
     segments = integrated(
         lambda time, q, side: np.clip(wanted(time, q, side), -limits, limits),
@@ -94,7 +96,7 @@ def simulate_tracking(
         q[here] = segment.state(t[here]).T
     asked = np.array([wanted(time, position, "right") for time, position in zip(t, q, strict=True)])
     saturated = (np.abs(asked) > limits).any(axis=0)
-    return Tracking(t, q, np.clip(asked, -limits, limits), trajectory(t) - q, saturated)
+    return Tracking(t, q, np.clip(asked, -limits, limits), motion(t) - q, saturated)
 
 
 class GainStatus(Enum):
@@ -133,7 +135,7 @@ class GainChoice(Frozen):
 
 
 def smallest_gain(
-    trajectory: Trajectory,
+    trajectory: Motion,
     q0: npt.ArrayLike,
     final_error: float,
     *,
@@ -155,11 +157,12 @@ def smallest_gain(
         InputError: final_error is not positive, or a shape is wrong.
     """
     wanted = real_number("final_error", final_error, positive=True)
-    n = number_of_joints("trajectory", trajectory)
+    motion = joint_motion("trajectory", trajectory)
+    n = motion.dimension
     q0 = real_array("q0", q0, (n,), "one number for each joint")
-    start = float(np.hypot.reduce(trajectory(0.0) - q0))
-    k = max(0.0, float(np.log(start) - np.log(wanted)) / trajectory.duration) if start > 0 else 0.0
-    run = simulate_tracking(trajectory, q0, k, rate_limits=rate_limits)
+    start = float(np.hypot.reduce(motion(0.0) - q0))
+    k = max(0.0, float(np.log(start) - np.log(wanted)) / motion.end) if start > 0 else 0.0
+    run = simulate_tracking(motion, q0, k, rate_limits=rate_limits)
     if not run.saturated.any():
         status = GainStatus.FEEDBACK
     elif run.final_error <= wanted * (1 + 1e-6):

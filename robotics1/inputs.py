@@ -169,3 +169,92 @@ def _kind(value: Any) -> str:
     if isinstance(value, str):
         return repr(value)
     return f"the class {value.__name__}" if isinstance(value, type) else f"a {type(value).__name__}"
+
+
+# --- magnitudes of motions and paths, so that no power or quotient of them leaves the range of floating-point numbers
+
+LARGEST = 1e30  # of any number; of durations, bounds and lengths the inverse is the smallest
+
+
+def moderate(name: str, values: Array, *, smallest: float = 0.0) -> Array:
+    """Return numbers, if none is larger than 1e30 in magnitude, or smaller than `smallest`; infinity is let pass.
+
+    Raises:
+        InputError: one is.
+    """
+    sizes = np.abs(values[np.isfinite(values)])
+    if sizes.size and (sizes.max() > LARGEST or sizes.min() < smallest):
+        raise InputError(f"{name} must not be larger than {LARGEST:g}, or unreasonably small; it is {values.tolist()}")
+    return values
+
+
+def moderate_array(
+    name: str, value: npt.ArrayLike, shape: tuple[int | None, ...] = (None,), meaning: str = "a point"
+) -> Array:
+    """Return a point or a vector, or several as rows, of a size whose squares can be computed with.
+
+    Raises:
+        InputError: it is none of this shape, not finite, or larger than 1e30.
+    """
+    return moderate(name, real_array(name, value, shape, meaning))
+
+
+def positive_number(name: str, value: Any) -> float:
+    """Return a duration, a length or a rate from 1e-30 to 1e30.
+
+    Raises:
+        InputError: it is no positive number, or too large or small.
+    """
+    return float(moderate(name, np.array(real_number(name, value, positive=True)), smallest=1 / LARGEST))
+
+
+def positive_numbers(name: str, value: npt.ArrayLike, n: int) -> Array:
+    """Return positive numbers from 1e-30, (n,); a single number is for all.
+
+    Raises:
+        InputError: one is not positive, or their number is wrong.
+    """
+    array = moderate(name, per_joint(name, value, n))
+    if (array < 1 / LARGEST).any():
+        raise InputError(f"{name} must be positive; it is {array.tolist()}")
+    return array
+
+
+def joint_numbers(name: str, value: npt.ArrayLike, n: int | None = None) -> Array:
+    """Return one number for each joint, (n,); a single number is one joint's.
+
+    Raises:
+        InputError: it has another shape, or is not finite.
+    """
+    listed: Any = [value] if dimensions(name, value) == 0 else value
+    return moderate_array(name, listed, (n,), "one number for each joint")
+
+
+def joint_rates(name: str, value: npt.ArrayLike, n: int) -> Array:
+    """Return one number for each joint, (n,); a single number is for all.
+
+    Raises:
+        InputError: it has another shape, or is not finite.
+    """
+    return moderate(name, per_joint(name, value, n))
+
+
+def positive_bound(name: str, value: npt.ArrayLike | None, n: int | None = None) -> Array:
+    """Return a bound as positive numbers, (n,), or as many as it has for n = None; infinite where there is none.
+
+    Raises:
+        InputError: it is not positive, or of another length.
+    """
+    if value is None:
+        return np.full(n or 1, np.inf)
+    what = f"the bound on the {name.replace('_', ' ')}"
+    shape = () if dimensions(what, value) == 0 else (n,)
+    raw = np.asarray(value)
+    unbounded = np.isposinf(raw) if raw.dtype.kind == "f" else np.zeros(raw.shape, dtype=bool)
+    finite = np.where(unbounded, 1.0, raw) if unbounded.any() else value
+    bound = real_array(what, finite, shape, "one number for all, or one for each joint")
+    if not (bound > 0).all() or bound.size == 0:
+        raise InputError(f"{what} must be positive; it is {bound.tolist()}")
+    moderate(what, bound, smallest=1 / LARGEST)
+    bound[unbounded] = np.inf
+    return bound if n is None else np.broadcast_to(bound, (n,)).copy()

@@ -12,7 +12,7 @@ RATES = ("velocity", "acceleration", "jerk")
 
 def ends_of(motion):
     """0, the switching times, T."""
-    return np.array([0.0, *motion.switching_times, motion.duration])
+    return np.array([0.0, *motion.breakpoints, motion.duration])
 
 
 def inside(motion, count=7):

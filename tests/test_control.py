@@ -166,7 +166,7 @@ def trajectories():
         "bang-bang": r1.bang_bang([0, 0], [1, -1], 2),
         "spline": r1.cubic_spline([[0, 0], [1, -1], [0.5, 0]], [0, 1, 2.5]),
         "path": path,
-        "sequence": r1.TrajectorySequence((cubic([0, 0], [1, 1], 1, v1=[2, 0]), cubic([1, 1], [0, 1], 1))),
+        "sequence": r1.CurveSequence((cubic([0, 0], [1, 1], 1, v1=[2, 0]), cubic([1, 1], [0, 1], 1))),
         "stretched": r1.stretched(path, 2.0),
     }
 
@@ -183,7 +183,14 @@ def test_the_error_along_any_trajectory_decays_as_exp_minus_k_t_also_where_the_v
 
 @pytest.mark.parametrize(
     "motion",
-    [3, None, cubic, r1.line_path([0, 0], [1, 1]), r1.LinearMotion([0, 0], [1, 1]), r1.bang_bang(0, 1, 1).joint()],
+    [
+        3,
+        None,
+        cubic,
+        r1.turn_path(np.eye(3), [0, 0, 1], 1.0),
+        r1.LinearMotion([0, 0], [1, 1]),
+        r1.bang_bang(0, 1, 1).joint(),
+    ],
 )
 def test_what_is_no_trajectory_of_joints_is_an_input_error(motion):
     with pytest.raises(InputError, match="trajectory must be"):

@@ -155,8 +155,8 @@ def test_switching_times_are_kept_and_the_acceleration_is_told_from_both_sides()
     path = r1.polyline_path([p, p + np.array([-0.3, 0]), p + np.array([-0.3, 0.3])], blend=0.1)
     motion = timed(path)
     found = r1.follow_trajectory(robot, XY, motion, START)
-    assert found.switching_times == pytest.approx(motion.switching_times)
-    t = float(found.switching_times[0])
+    assert found.breakpoints == pytest.approx(motion.breakpoints)
+    t = float(found.breakpoints[0])
     q, qdot = found(t), found.velocity(t)
     drift = r1.jacobian_rate(robot, XY, q, qdot) @ qdot
     for side in ("left", "right"):
@@ -249,8 +249,8 @@ def test_coupled_joints_follow_with_their_inputs():
 def test_a_followed_motion_is_plotted_and_animated_like_any_other(tmp_path):
     robot = two_r()
     found = r1.follow_trajectory(robot, XY, line_from(robot, START, [-0.6, 0.3]), START)
-    assert r1.plot_joint_motion(robot, found, tmp_path / "a.svg").is_file()
-    assert r1.plot_trajectory(found, tmp_path / "b.svg", robot=robot).is_file()
+    r1.plot_trajectory(found, file=tmp_path / "a.svg", robot=robot)
+    assert (tmp_path / "a.svg").is_file()
     assert r1.animate(robot, found, tmp_path / "c.html").is_file()
 
 

@@ -122,12 +122,12 @@ def test_the_page_on_differential_kinematics_says_what_it_finds(run):
 
 def test_the_page_on_timing_says_which_peaks_switching_times_and_durations_it_finds(run):
     page = run("timing")[0][-1]
-    assert (page.law.peak_velocity.value, page.law.peak_velocity.time) == pytest.approx((2.25, 1.0))
-    assert (page.law.peak_acceleration.value, page.law.peak_acceleration.time) == (4.5, 0.0)
+    assert (page.law.peak(1).value, page.law.peak(1).time) == pytest.approx((2.25, 1.0))
+    assert (page.law.peak(2).value, page.law.peak(2).time) == (4.5, 0.0)
     trapezoid = page.trapezoid
-    assert trapezoid.switching_times == pytest.approx([1, 3])
+    assert trapezoid.breakpoints == pytest.approx([1, 3])
     assert (trapezoid.acceleration(1.0), trapezoid.acceleration(1.0, side="left")) == (0, 1)
-    coefficients = [piece.coefficients_t[:, 0] for piece in trapezoid.pieces]
+    coefficients = [piece.coefficients_t for piece in trapezoid.pieces]
     assert np.array(coefficients) == pytest.approx(np.array([[0, 0, 0.5], [0.5, 1, 0], [2.5, 1, -0.5]]))
     phases = [phase.duration for phase in page.smooth.laws[0].phases]
     assert phases == pytest.approx([0.4, 0.1, 0.4, 0.6, 0.4, 0.1, 0.4])
@@ -143,8 +143,8 @@ def test_the_page_on_timing_says_which_bounds_are_active(run):
     assert answer.slack == pytest.approx([0, 0.5])
     assert not answer.unique
     assert [str(demand) for demand in answer.active] == [
-        "joint 0's velocity is 1 at t = 0.5 s, its bound 1",
-        "joint 0's acceleration is 2 at t = 0 s, its bound 2",
+        "joint 0's velocity is 1 at t = 0.5 s, its limit 1",
+        "joint 0's acceleration is 2 at t = 0 s, its limit 2",
     ]
     assert page.scaling.factor == pytest.approx(1.5)
     assert [demand.quantity for demand in page.scaling.active] == ["velocity"]
@@ -155,7 +155,7 @@ def test_the_page_on_splines_says_what_it_finds(run):
     page = run("splines")[0][-1]
     times, spline = page.times, page.spline
     assert spline.velocity(times)[[0, -1]] == pytest.approx(np.zeros((2, 2)), abs=1e-12)
-    assert spline.switching_times == pytest.approx(times[1:-1])
+    assert spline.breakpoints == pytest.approx(times[1:-1])
     assert page.moving.velocity(0) == pytest.approx([0.3, 0])
     first, second = (piece.coefficients_t[:, 0] for piece in page.via.pieces)
     assert first == pytest.approx([0, 0, 1], abs=1e-12)

@@ -72,7 +72,7 @@ def test_a_finer_grid_needs_less_correction_and_no_more_time():
 @pytest.mark.parametrize(
     ("arguments", "options", "message"),
     [
-        ((3, LIMITS), {}, "path in joint space"),
+        ((3, LIMITS), {}, "path must be a path of points"),
         ((CURVE, (1, 1)), {}, "must be MotionLimits"),
         ((CURVE, r1.MotionLimits(1)), {}, "each joint needs a bound on the acceleration"),
         ((CURVE, r1.MotionLimits(acceleration=1)), {}, "each joint needs a bound on the velocity"),

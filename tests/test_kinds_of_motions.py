@@ -22,7 +22,7 @@ ONE = {
     "least time": r1.minimum_time(0, 1, LIMITS).trajectory,
     "along a line": r1.PathTrajectory(r1.line_path([0], [1.0]), LAW),
     "slowed": r1.stretched(r1.PathTrajectory(r1.line_path([0], [1.0]), LAW), 2.0),
-    "in a row": r1.TrajectorySequence((r1.cubic(0, 0.5, 1.0, 0, 1), r1.cubic(0.5, 1, 1.0, 1, 0))),
+    "in a row": r1.CurveSequence((r1.cubic(0, 0.5, 1.0, 0, 1), r1.cubic(0.5, 1, 1.0, 1, 0))),
 }
 THINGS = ONE | {
     "law": LAW,
@@ -46,7 +46,7 @@ THINGS = ONE | {
     "task": TASK,
     "kind of task": r1.PoseTask,
     "formula": r1.polynomial_formula((0,), (1,), 1),
-    "class": r1.JointLaws,
+    "class": r1.JointTrajectory,
     "none": None,
     "number": 1.0,
     "text": "line",
@@ -54,14 +54,14 @@ THINGS = ONE | {
     "pose": r1.forward_kinematics(ROBOT, [0, 0]),
 }
 CALLS = {
-    "JointLaws": lambda x: r1.JointLaws((x,)),
-    "JointLaws with": lambda x: r1.JointLaws((LAW, x)),
+    "JointTrajectory": lambda x: r1.JointTrajectory((x,)),
+    "JointTrajectory with": lambda x: r1.JointTrajectory((LAW, x)),
     "PathTrajectory": lambda x: r1.PathTrajectory(x, LAW),
     "PathTrajectory law": lambda x: r1.PathTrajectory(LINE, x),
     "PathTrajectory of a turn": lambda x: r1.PathTrajectory(TURN, x),
-    "TrajectorySequence": lambda x: r1.TrajectorySequence((x,)),
-    "TrajectorySequence of": lambda x: r1.TrajectorySequence((ONE["polynomial"], x)),
-    "joins": lambda x: r1.TrajectorySequence((x, x)).joins,
+    "TrajectorySequence": lambda x: r1.CurveSequence((x,)),
+    "TrajectorySequence of": lambda x: r1.CurveSequence((ONE["polynomial"], x)),
+    "joins": lambda x: r1.CurveSequence((x, x)).joins,
     "stretched": lambda x: r1.stretched(x, 2.0),
     "scale_to_limits": lambda x: r1.scale_to_limits(x, LIMITS),
     "scale_to_limits of norms": lambda x: r1.scale_to_limits(x, r1.NormLimits(1, 1)),
@@ -96,8 +96,8 @@ CALLS = {
     "joint_acceleration": lambda x: r1.joint_acceleration(x, TASK, [0, 0], [0, 1.0], [0, 1.0]),
     "joint_acceleration, task": lambda x: r1.joint_acceleration(ROBOT, x, [0, 0], [0, 1.0], [0, 1.0]),
     "by_arc_length": r1.by_arc_length,
-    "StackedPath": lambda x: r1.StackedPath((x,)),
-    "PathSequence": lambda x: r1.PathSequence((x,)),
+    "StackedPath": lambda x: r1.stacked_path((x,)),
+    "PathSequence": lambda x: r1.CurveSequence((x,)),
     "PosePath": lambda x: r1.PosePath(x, TURN),
     "PosePath, turn": lambda x: r1.PosePath(LINE_IN_SPACE, x),
     "euler_path": lambda x: r1.euler_path("ZYX", x),
@@ -105,7 +105,9 @@ CALLS = {
     "frenet_path": r1.frenet_path,
     "frenet_formulas": r1.frenet_formulas,
     "pose_line": lambda x: r1.pose_line(x, x),
-    "PiecewiseTrajectory": lambda x: r1.PiecewiseTrajectory((x,)),
+    "PiecewisePolynomial": lambda x: r1.PiecewisePolynomial(x, [0, 1]),
+    "PiecewisePolynomial, x": lambda x: r1.PiecewisePolynomial([[1.0]], x),
+    "from_ppoly": r1.PiecewisePolynomial.from_ppoly,
     "cubic": lambda x: r1.cubic(x, 1, 1.0),
     "cubic, duration": lambda x: r1.cubic(0, 1, x),
     "formula_path": lambda x: r1.formula_path([x], "s", 1.0),
@@ -132,7 +134,7 @@ def assert_consistent(found, what):
         one = f(times[1])
         if not hasattr(one, "rotation"):
             assert np.shape(f(times)) == (3, *np.shape(one)), what
-    if isinstance(found, r1.JointLaws):
+    if isinstance(found, r1.JointTrajectory):
         assert found(times[1]).shape == (len(found.laws),), what
 
 
@@ -141,7 +143,7 @@ def test_a_motion_of_one_joint_is_a_timing_law(name):
     """p(s(t)) = s(t) along a line of length 1, and q(t) = (s(t), 2 s(t)) of two joints."""
     motion = ONE[name]
     t = np.linspace(0, motion.duration, 7)
-    along, joints = r1.PathTrajectory(LINE, motion), r1.JointLaws((motion, motion))
+    along, joints = r1.PathTrajectory(LINE, motion), r1.JointTrajectory((motion, motion))
     assert along(t)[:, 0] == pytest.approx(motion(t)[:, 0], abs=1e-12)
     assert along.velocity(t)[:, :1] == pytest.approx(motion.velocity(t), abs=1e-12)
     assert along.acceleration(t)[:, :1] == pytest.approx(motion.acceleration(t), abs=1e-12)
@@ -156,7 +158,7 @@ def test_a_law_of_several_joints_is_refused():
     with pytest.raises(r1.InputError, match="law must be a timing law"):
         r1.PathTrajectory(LINE, JOINTS)
     with pytest.raises(r1.InputError, match="a law must be a timing law"):
-        r1.JointLaws((JOINTS,))
+        r1.JointTrajectory((JOINTS,))
 
 
 EMPTY = np.empty(0)
@@ -173,12 +175,12 @@ OF_NO_JOINTS = {
     "mixed_spline": lambda: r1.mixed_spline(np.empty((4, 0)), [0, 1, 2, 3], (4, 3, 4)),
     "overfly": lambda: r1.overfly(np.empty((3, 0)), 1, 0.1),
     "extremes": lambda: r1.cubic(EMPTY, EMPTY, 1.0).extremes(1),
-    "switching_times": lambda: r1.PiecewiseTrajectory((r1.cubic(EMPTY, EMPTY, 1.0),) * 2).switching_times,
+    "breakpoints": lambda: r1.PiecewisePolynomial(np.empty((4, 2, 0)), [0, 1, 2]).breakpoints,
     "scale_to_limits": lambda: r1.scale_to_limits(r1.cubic(EMPTY, EMPTY, 1.0), LIMITS),
     "shortest_duration": lambda: r1.shortest_duration(lambda T: r1.cubic(EMPTY, EMPTY, T), LIMITS),
     "simulate_tracking": lambda: r1.simulate_tracking(r1.cubic(EMPTY, EMPTY, 1.0), EMPTY, 1.0),
     "smallest_gain": lambda: r1.smallest_gain(r1.cubic(EMPTY, EMPTY, 1.0), EMPTY, 1e-3),
-    "joins": lambda: r1.TrajectorySequence((r1.cubic(EMPTY, EMPTY, 1.0),) * 2).joins,
+    "joins": lambda: r1.CurveSequence((r1.cubic(EMPTY, EMPTY, 1.0),) * 2).joins,
     "line_path": lambda: r1.line_path(EMPTY, EMPTY),
     "spline_path": lambda: r1.spline_path(np.empty((3, 0))),
     "peak_norm": lambda: r1.peak_norm(r1.cubic(EMPTY, EMPTY, 1.0)),
@@ -191,6 +193,6 @@ OF_NO_JOINTS = {
 def test_motions_of_no_joints_are_answered_or_refused(name):
     with suppress(r1.Robotics1Error):
         found = OF_NO_JOINTS[name]()
-        if isinstance(found, r1.PolynomialTrajectory):
+        if isinstance(found, r1.PiecewisePolynomial):
             assert found(0.5).shape == found.velocity(0.5).shape == (0,)
             assert found([0.0, 1.0]).shape == (2, 0)

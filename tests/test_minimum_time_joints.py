@@ -63,8 +63,8 @@ def test_slowed_joints_take_the_time_of_the_slowest_with_velocities_divided_by_k
     for fast, slow in zip(alone.laws, together.laws, strict=True):
         k = T / fast.duration
         assert slow.duration == pytest.approx(T)
-        assert slow.peak_velocity.value == pytest.approx(fast.peak_velocity.value / k)
-        assert slow.peak_acceleration.value == pytest.approx(fast.peak_acceleration.value / k**2)
+        assert slow.peak(1).value == pytest.approx(fast.peak(1).value / k)
+        assert slow.peak(2).value == pytest.approx(fast.peak(2).value / k**2)
     assert {demand.joint for demand in together.active} == {int(alone.joint_durations.argmax())}
     assert {demand.joint for demand in alone.active} == {0, 1, 2}
 
@@ -138,13 +138,13 @@ def test_a_wait_for_one_joint_may_be_too_short_for_another():
 def test_switching_times_that_are_one_but_for_rounding_are_told_once():
     limits = r1.MotionLimits([0.3, 0.1], [0.7, 0.7 / 3], deceleration=[0.9, 0.3])
     answer = r1.minimum_time([0, 0], [1.1, 1.1 / 3], limits)
-    assert len(answer.trajectory.switching_times) == 2
+    assert len(answer.trajectory.breakpoints) == 2
     assert [demand.quantity for demand in answer.active].count("deceleration") == 2
 
 
 def test_str_of_an_active_bound_says_who_what_and_when():
     answer = r1.minimum_time([0, 0], [0.1, 2], r1.MotionLimits(1, 4))
     assert [str(demand) for demand in answer.active] == [
-        "joint 1's velocity is 1 at t = 0.25 s, its bound 1",
-        "joint 1's acceleration is 4 at t = 0 s, its bound 4",
+        "joint 1's velocity is 1 at t = 0.25 s, its limit 1",
+        "joint 1's acceleration is 4 at t = 0 s, its limit 4",
     ]

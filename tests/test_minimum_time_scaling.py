@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 import robotics1 as r1
-from robotics1.trajectories.peaks.extremes import extremes_of
+from robotics1.curves.given import as_curve
 
 bound = st.floats(0.2, 5)
 
@@ -41,7 +41,7 @@ def test_factor_is_the_largest_of_v_ratio_root_of_a_ratio_cube_root_of_j_ratio(V
     assert scaling.factor == pytest.approx(max(ratios.values()))
     assert scaling.duration == pytest.approx(scaling.factor)
     assert max(ratios, key=ratios.get) in {demand.quantity for demand in scaling.active}
-    assert {demand.quantity: demand.stretch for demand in scaling.demands} == pytest.approx(ratios)
+    assert {use.quantity: use.stretch for use in scaling.uses} == pytest.approx(ratios)
 
 
 @given(st.tuples(bound, bound), st.tuples(bound, bound), st.tuples(bound, bound))
@@ -50,7 +50,7 @@ def test_a_scaled_motion_keeps_every_bound_and_touches_one(q1, V, A):
     scaling = r1.scale_to_limits(motion, r1.MotionLimits(V, A))
     used = [np.abs(scaling.trajectory.extremes(k)[1]).max(axis=0) / b for k, b in ((1, V), (2, A))]
     assert np.max(used) == pytest.approx(1)
-    assert isinstance(scaling.trajectory, r1.JointLaws)
+    assert isinstance(scaling.trajectory, r1.JointTrajectory)
     touched = {(int(j), k) for k, row in enumerate(used) for j in np.flatnonzero(row > 1 - 1e-7)}
     names = ["velocity", "acceleration"]
     assert touched <= {(demand.joint, names.index(demand.quantity)) for demand in scaling.active}
@@ -76,24 +76,24 @@ def test_any_motion_is_scaled_by_the_exact_extremes_of_its_interpolants():
     assert slow.velocity(2 * t) == pytest.approx(Lissajous().velocity(t) / 2)
     assert slow.acceleration(2 * t, side="left") == pytest.approx(Lissajous().acceleration(t) / 4)
     assert slow.jerk(1.0) == pytest.approx(Lissajous().jerk(0.5) / 8)
-    assert slow.switching_times.size == 0
+    assert slow.breakpoints.size == 0
     with pytest.raises(r1.InputError):
         slow(4.1)
 
 
 def test_extremes_of_any_motion_are_those_of_the_formula():
-    times, values = extremes_of(Lissajous(), 1)
+    times, values = as_curve("motion", Lissajous()).extremes(1)
     assert values == pytest.approx(np.array([[np.cos(2), -6], [1, 6]]), abs=1e-12)
     assert times == pytest.approx(np.array([[2, pi / 6], [0, pi / 2]]), abs=1e-6)
     motion = r1.quintic([0, 1], [1, -1], 2, 0.4, -0.3)
     plain = type("Plain", (), {n: getattr(motion, n) for n in ("velocity", "acceleration", "jerk", "duration")})
     plain.__call__ = lambda self, t: motion(t)
     for order in range(4):
-        assert extremes_of(plain(), order)[1] == pytest.approx(motion.extremes(order)[1], abs=1e-10)
+        assert as_curve("motion", plain()).extremes(order)[1] == pytest.approx(motion.extremes(order)[1], abs=1e-10)
 
 
 def test_extremes_of_a_law_are_of_shape_2():
-    times, values = extremes_of(r1.cubic(0, 2, 1).joint(), 1)
+    times, values = r1.cubic(0, 2, 1).joint().extremes(1)
     assert times.shape == values.shape == (2,)
 
 
@@ -291,7 +291,7 @@ def test_the_acceleration_in_a_sharp_bend_of_a_spline_is_found_to_the_rounding_o
 def test_a_motion_that_is_noise_is_an_input_error():
     class Noise:
         duration = 1.0
-        switching_times = ()
+        breakpoints = ()
 
         def __call__(self, t, side="right"):
             return np.sin(1e9 * np.atleast_1d(t) ** 2)[:, None] if np.ndim(t) else np.zeros(1)

@@ -24,7 +24,7 @@ CALLS = {
     ).duration,
     "timing_bounds": lambda a, b, c, d: r1.timing_bounds(r1.arc_path([0, 0], [a, b], 1.0), c, d).velocity,
     "overfly": lambda a, b, c, d: r1.overfly([[0, 0], [a, 0], [a, b]], c, d).duration,
-    "joins": lambda a, b, c, d: r1.TrajectorySequence(
+    "joins": lambda a, b, c, d: r1.CurveSequence(
         (r1.cubic(a, b, c), r1.cubic(b, a, d))
     ).joins[0].jumps,
     "stretched": lambda a, b, c, d: r1.stretched(r1.cubic(a, b, c), d).velocity(0.0),

@@ -183,6 +183,5 @@ def test_a_page_of_a_robot_holds_its_name_as_text(name, tmp_path):
 def test_a_plot_holds_the_names_of_joints_as_text(name, tmp_path):
     motion = r1.cubic([0, 0], [1, 1], 1.0)
     named = r1.load_robot(arm_file(tmp_path, name))
-    path = r1.plot_joint_motion(named, motion, tmp_path / "a.svg")
-    assert ElementTree.parse(path).getroot().tag.endswith("svg")
-    assert r1.plot_trajectory(motion, tmp_path / "b.svg", robot=named).is_file()
+    r1.plot_trajectory(motion, file=tmp_path / "a.svg", robot=named)
+    assert ElementTree.parse(tmp_path / "a.svg").getroot().tag.endswith("svg")

@@ -12,7 +12,7 @@ from scipy.special import ellipe
 
 import robotics1 as r1
 from robotics1 import InputError
-from robotics1.paths.interpolants import largest
+from robotics1.curves.interpolants import largest
 
 s = sympy.Symbol("s")
 HELIX = r1.helix_path([1, 2, 0], [1.5, 2, 0], pitch=0.4, turns=2.5)
@@ -33,7 +33,7 @@ PATHS = {
     "formula": LISSAJOUS,
     "ellipse by arc length": r1.by_arc_length(r1.ellipse_path([0, 1], [2, 0], [0, 1])),
     "spline by arc length": r1.by_arc_length(r1.spline_path([[0, 0], [1, 2], [3, 1], [4, 4]])),
-    "stacked": r1.StackedPath((r1.line_path([0, 0], [3, 4]), r1.arc_path([0, 0], [1, 0], 2.0)), 2.0),
+    "stacked": r1.stacked_path((r1.line_path([0, 0], [3, 4]), r1.arc_path([0, 0], [1, 0], 2.0)), 2.0),
 }
 
 
@@ -147,7 +147,7 @@ def test_circle_begins_at_x_and_closes():
 def test_ellipse_has_the_curvature_a_over_b_squared_at_the_end_of_its_long_axis():
     path = r1.ellipse_path([0, 0], [3, 0], [0, 1])
     assert path.curvature(np.array([0, pi / 2])) == pytest.approx([3, 1 / 9])
-    most = path.largest(lambda x, side: path.curvature(x, side=side))
+    most = largest(lambda x, side: path.curvature(x, side=side), path.ends)
     assert most.value == pytest.approx(3, rel=1e-12)
     assert most.resolved
 
@@ -231,7 +231,8 @@ def test_spline_is_scipys_at_the_chords(ends, kind):
     other = CubicSpline(knots, points, bc_type=kind)
     x = np.linspace(0, path.end, 31)
     assert path.end == pytest.approx(knots[-1])
-    assert path.breaks == pytest.approx(knots[1:-1])
+    assert path.x == pytest.approx(knots)
+    assert path.breakpoints == pytest.approx(knots[2:-2] if kind == "not-a-knot" else knots[1:-1])
     for order in (0, 1, 2):
         assert path.derivative(x, order) == pytest.approx(other(x, order), abs=1e-12)
     assert path(knots) == pytest.approx(points, abs=1e-12)
@@ -283,7 +284,7 @@ def test_circular_blend_has_the_radius_d_over_tan_half_the_turn_and_its_clearanc
     corner, end = np.array([2.0, 0]), np.array([2 + cos(turn), sin(turn)])
     path = r1.polyline_path([[0, 0], corner, end], blend=d)
     r = d / np.tan(turn / 2)
-    assert path.breaks == pytest.approx([2 - d, 2 - d + r * turn])
+    assert path.breakpoints == pytest.approx([2 - d, 2 - d + r * turn])
     assert path.curvature(2 - d + r * turn / 2) == pytest.approx(1 / r)
     middle = path(2 - d + r * turn / 2)
     assert np.linalg.norm(middle - corner) == pytest.approx(r * (1 / cos(turn / 2) - 1))
@@ -299,7 +300,7 @@ def test_parabolic_blend_passes_at_half_d_sine_of_half_the_turn_and_slows_to_its
     path = r1.polyline_path(
         [[0, 0, 1], corner, corner + np.array([cos(turn), sin(turn), 0])], blend=d, kind="parabolic"
     )
-    assert path.breaks == pytest.approx([2 - d, 2 + d])
+    assert path.breakpoints == pytest.approx([2 - d, 2 + d])
     assert np.linalg.norm(path(2.0) - corner) == pytest.approx(d / 2 * sin(turn / 2))
     assert np.linalg.norm(path.derivative(2.0)) == pytest.approx(cos(turn / 2))
     assert path.end == pytest.approx(3)
@@ -310,11 +311,11 @@ def test_a_blended_polyline_has_a_continuous_tangent_and_touches_its_lines(kind)
     rng = np.random.default_rng(4)
     points = rng.normal(size=(6, 3))
     path = r1.polyline_path(points, blend=0.2, kind=kind)
-    assert len(path.breaks) == 8
-    for place in path.breaks:
+    assert len(path.breakpoints) == 8
+    for place in path.breakpoints:
         assert path.derivative(place, side="left") == pytest.approx(path.derivative(place), abs=1e-12)
         assert path.derivative(place, 0, side="left") == pytest.approx(path(place), abs=1e-12)
-    assert path(path.breaks[0]) == pytest.approx(points[1] - 0.2 * path.derivative(0.0))
+    assert path(path.breakpoints[0]) == pytest.approx(points[1] - 0.2 * path.derivative(0.0))
 
 
 def test_without_a_blend_the_tangent_jumps_and_a_straight_corner_has_none():
@@ -331,21 +332,21 @@ def test_without_a_blend_the_tangent_jumps_and_a_straight_corner_has_none():
 
 def test_paths_in_a_row_must_meet():
     line, arc = r1.line_path([0, 0], [1, 0]), r1.arc_path([1, 1], [1, 0], pi / 2)
-    path = r1.PathSequence((line, arc))
+    path = r1.CurveSequence((line, arc))
     assert path.length == pytest.approx(1 + pi / 2)
     assert path(path.end) == pytest.approx([2, 1])
     assert path.is_unit_speed
     assert path.curvature(1.0) == pytest.approx(1)
     assert path.curvature(1.0, side="left") == 0
     with pytest.raises(InputError, match=r"piece 1 must begin where piece 0 ends; it begins 1\.414 from there"):
-        r1.PathSequence((arc, arc))
+        r1.CurveSequence((arc, arc))
 
 
 def test_stacked_paths_go_from_start_to_end_together():
     path = PATHS["stacked"]
     assert path(1.0) == pytest.approx([1.5, 2, cos(1), sin(1)])
     assert path.derivative(0.0) == pytest.approx([1.5, 2, 0, 1])
-    assert r1.StackedPath((HELIX,)).end == HELIX.end
+    assert r1.stacked_path((HELIX,)).end == HELIX.end
 
 
 # --- extremes of smooth functions
@@ -359,7 +360,7 @@ def test_the_largest_of_many_narrow_peaks_is_found():
     x = np.linspace(1.9, 2.1, 2_000_001)
     assert found.resolved
     assert found.value == pytest.approx(f(x).max(), abs=1e-10)
-    assert found.at == pytest.approx(x[f(x).argmax()], abs=1e-6)
+    assert found.time == pytest.approx(x[f(x).argmax()], abs=1e-6)
 
 
 def test_a_jump_is_seen_from_its_larger_side_and_the_first_of_equals_counts():
@@ -367,8 +368,8 @@ def test_a_jump_is_seen_from_its_larger_side_and_the_first_of_equals_counts():
         return np.where(x < 1, x, 0.0) if side == "right" else np.where(x <= 1, x, 0.0)
 
     found = largest(step, [0.0, 1.0, 3.0])
-    assert (found.at, found.value) == (1.0, 1.0)
-    assert largest(lambda x, side: np.cos(x) ** 2, [0.0, 7.0]).at == 0
+    assert (found.time, found.value) == (1.0, 1.0)
+    assert largest(lambda x, side: np.cos(x) ** 2, [0.0, 7.0]).time == 0
     assert not largest(lambda x, side: np.sqrt(np.abs(x - 1 / pi)), [0.0, 1.0]).resolved
 
 

@@ -11,9 +11,6 @@ from test_paths import PATHS, rate
 
 import robotics1 as r1
 from robotics1 import InputError
-from robotics1.trajectories.polynomials.piecewise import PiecewiseTrajectory
-from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
-from robotics1.trajectories.polynomials.polynomial_law import PolynomialLaw
 
 
 def law_to(end, duration=2.0, start=0.0):
@@ -21,23 +18,21 @@ def law_to(end, duration=2.0, start=0.0):
     return r1.cubic([start], [end], duration).joint(0)
 
 
+def pieces_of_tau(*pieces):
+    """A law of polynomials of τ = (t − tᵢ)/T, with ascending coefficients, each given with its T."""
+    return r1.PiecewisePolynomial.from_pieces(pieces)
+
+
 def trapezoid(end, ramp, cruise):
     """Accelerate for `ramp`, cruise, decelerate."""
     v = end / (ramp + cruise)
     up, down = v * ramp / 2, v * ramp / 2
-    pieces = [([0, 0, up], ramp), ([up, v * cruise], cruise), ([end - down, v * ramp, -down], ramp)]
-    return PolynomialLaw(
-        PiecewiseTrajectory(tuple(PolynomialTrajectory(np.array(c, float)[:, None], T) for c, T in pieces))
-    )
+    return pieces_of_tau(([0, 0, up], ramp), ([up, v * cruise], cruise), ([end - down, v * ramp, -down], ramp))
 
 
 def linear(points, times):
     """A law that is straight from value to value: ṡ jumps."""
-    pieces = [
-        PolynomialTrajectory(np.array([[a], [b - a]], float), T)
-        for a, b, T in zip(points, points[1:], np.diff(times), strict=False)
-    ]
-    return PolynomialLaw(PiecewiseTrajectory(tuple(pieces)))
+    return pieces_of_tau(*(([a, b - a], T) for a, b, T in zip(points, points[1:], np.diff(times), strict=False)))
 
 
 MOTIONS = {name: r1.PathTrajectory(path, law_to(path.end)) for name, path in PATHS.items()}
@@ -46,7 +41,7 @@ MOTIONS = {name: r1.PathTrajectory(path, law_to(path.end)) for name, path in PAT
 @pytest.mark.parametrize("name", MOTIONS)
 def test_velocity_acceleration_and_jerk_are_the_derivatives(name):
     motion = MOTIONS[name]
-    ends = np.array([0, *motion.switching_times, motion.duration])
+    ends = np.array([0, *motion.breakpoints, motion.duration])
     t = np.array([x for x in np.linspace(0.05, 1.95, 9) if np.abs(ends - x).min() > 5e-3])
     for f, g in [(motion, motion.velocity), (motion.velocity, motion.acceleration), (motion.acceleration, motion.jerk)]:
         assert g(t) == pytest.approx(rate(f, t, 4e-4), abs=2e-7 * (1 + np.abs(g(t)).max()))
@@ -79,7 +74,7 @@ def test_at_rest_the_acceleration_is_tangential():
 def test_at_a_corner_the_velocity_is_told_from_the_side_that_is_asked():
     path = r1.polyline_path([[0, 0], [1, 0], [1, 1]])
     motion = r1.PathTrajectory(path, linear([0, 2], [0, 4]))
-    assert motion.switching_times == pytest.approx([2.0])
+    assert motion.breakpoints == pytest.approx([2.0])
     assert motion.velocity(2.0) == pytest.approx([0, 0.5])
     assert motion.velocity(2.0, side="left") == pytest.approx([0.5, 0])
     back = r1.PathTrajectory(path, linear([2, 0], [0, 4]))
@@ -91,15 +86,10 @@ def test_at_a_corner_the_velocity_is_told_from_the_side_that_is_asked():
 
 def test_a_stop_at_a_corner_accelerates_along_the_next_segment_and_a_return_along_the_same():
     path = r1.polyline_path([[0, 0], [1, 0], [1, 1]])
-    pieces = [
-        PolynomialTrajectory(np.array([[0], [2], [-1.0]]), 1.0),
-        PolynomialTrajectory(np.array([[1], [0], [1.0]]), 1.0),
-    ]
-    there = r1.PathTrajectory(path, PolynomialLaw(PiecewiseTrajectory(tuple(pieces))))
+    there = r1.PathTrajectory(path, pieces_of_tau(([0, 2, -1], 1), ([1, 0, 1], 1)))
     assert there.acceleration(1.0) == pytest.approx([0, 2])
     assert there.acceleration(1.0, side="left") == pytest.approx([-2, 0])
-    pieces[1] = PolynomialTrajectory(np.array([[1], [0], [-1.0]]), 1.0)
-    home = r1.PathTrajectory(path, PolynomialLaw(PiecewiseTrajectory(tuple(pieces))))
+    home = r1.PathTrajectory(path, pieces_of_tau(([0, 2, -1], 1), ([1, 0, -1], 1)))
     assert home.acceleration(1.0) == pytest.approx([-2, 0])
     assert home.acceleration(1.0, side="left") == pytest.approx([-2, 0])
     assert home.jerk(1.0) == pytest.approx([0, 0])
@@ -118,11 +108,11 @@ def test_switching_times_are_the_laws_and_where_the_path_has_a_break():
     path = PATHS["polyline"]
     law = trapezoid(path.end, 0.4, 1.2)
     motion = r1.PathTrajectory(path, law)
-    times = motion.switching_times
-    assert len(times) == 2 + len(path.breaks)
-    assert set(law.switching_times) <= set(times)
-    crossing = np.setdiff1d(times, law.switching_times)
-    assert law(crossing) == pytest.approx(path.breaks, abs=1e-12)
+    times = motion.breakpoints
+    assert len(times) == 2 + len(path.breakpoints)
+    assert set(law.breakpoints) <= set(times)
+    crossing = np.setdiff1d(times, law.breakpoints)
+    assert law(crossing) == pytest.approx(path.breakpoints, abs=1e-12)
     jumps = [np.abs(motion.acceleration(t) - motion.acceleration(t, side="left")).max() for t in times]
     assert min(jumps) > 1e-3
     for t in times:
@@ -138,7 +128,7 @@ def test_switching_times_are_the_laws_and_where_the_path_has_a_break():
 def test_peak_of_a_norm_is_not_below_any_sample_and_is_reached(name, quantity):
     motion = MOTIONS[name]
     peak = r1.peak_norm(motion, quantity)
-    t = np.unique(np.concatenate([np.linspace(0, 2, 4001), motion.switching_times]))
+    t = np.unique(np.concatenate([np.linspace(0, 2, 4001), motion.breakpoints]))
 
     def norms(side):
         kind, _, of = quantity.rpartition(" ")
@@ -233,9 +223,9 @@ def test_a_velocity_whose_normal_acceleration_is_too_large_is_refused_with_the_l
 def test_a_sequence_tells_what_jumps_at_its_joins():
     first, second = r1.cubic([0, 0], [1, 2], 1.0), r1.cubic([1, 2], [0, 0], 2.0)
     moving = r1.cubic([0, 0], [1, 1], 1.0, v0=[0.5, 0])
-    motion = r1.TrajectorySequence((first, second, moving))
+    motion = r1.CurveSequence((first, second, moving))
     assert motion.duration == 4
-    assert motion.switching_times == pytest.approx([1, 3])
+    assert motion.breakpoints == pytest.approx([1, 3])
     a, b = motion.joins
     assert a.continuity == 1
     assert a.jumps[2] == pytest.approx(second.acceleration(0.0) - first.acceleration(1.0))
@@ -250,7 +240,7 @@ def test_a_sequence_tells_what_jumps_at_its_joins():
     assert motion.velocity(3.0, side="left") == pytest.approx([0, 0])
     assert motion.acceleration(1.0, side="left") == pytest.approx(first.acceleration(1.0))
     assert motion.jerk(1.0) == pytest.approx(second.jerk(0.0))
-    gap = r1.TrajectorySequence((first, moving))
+    gap = r1.CurveSequence((first, moving), jumps=True)
     assert gap.continuity == -1
     assert gap.joins[0].jumps[0] == pytest.approx([-1, -2])
 
@@ -260,8 +250,8 @@ def test_a_sequence_of_one_law_cut_in_two_is_smooth():
     halves = []
     for a in (0.0, 1.0):
         c = [[whole(a)], [whole.velocity(a)], [whole.acceleration(a) / 2], [whole.jerk(a) / 6]]
-        halves.append(PolynomialTrajectory(np.array(c), 1.0))
-    motion = r1.TrajectorySequence(halves)
+        halves.append(r1.PiecewisePolynomial.from_pieces([(c, 1.0)]))
+    motion = r1.CurveSequence(halves)
     assert motion.continuity == 3
     assert str(motion.joins[0]) == "at t = 1 s nothing jumps, up to the jerk"
     t = np.linspace(0, 2, 9)
@@ -271,11 +261,11 @@ def test_a_sequence_of_one_law_cut_in_two_is_smooth():
 def test_poses_in_a_row():
     T = [pin.SE3(pin.exp3(np.array([0, 0, a])), np.array([x, 0, 0])) for a, x in ((0, 0), (1, 1), (1, 2))]
     paths = [r1.pose_line(T[0], T[1]), r1.pose_line(T[1], T[2])]
-    motion = r1.TrajectorySequence([r1.PathTrajectory(path, law_to(path.end)) for path in paths])
+    motion = r1.CurveSequence([r1.PathTrajectory(path, law_to(path.end)) for path in paths])
     assert motion.continuity == 1
     assert motion(3.0).isApprox(paths[1](0.5), 1e-12)
     assert len(motion([0.0, 4.0])) == 2
-    apart = r1.TrajectorySequence([r1.PathTrajectory(path, law_to(path.end)) for path in (paths[0], paths[0])])
+    apart = r1.CurveSequence([r1.PathTrajectory(path, law_to(path.end)) for path in (paths[0], paths[0])], jumps=True)
     assert apart.joins[0].jumps[0] == pytest.approx([-1, 0, 0, 0, 0, -1])
 
 
@@ -288,7 +278,7 @@ def test_overfly_leaves_at_v1_t_over_2_before_the_corner_and_accelerates_by_the_
     motion = r1.overfly([A, B, C], [v1, v2], T)
     leaves = 2 / v1 - T / 2
     assert motion.duration == pytest.approx(2 / v1 + 3 / v2)
-    assert motion.switching_times == pytest.approx([leaves, leaves + T])
+    assert motion.breakpoints == pytest.approx([leaves, leaves + T])
     assert motion(leaves) == pytest.approx(B - [v1 * T / 2, 0, 0])
     assert motion(leaves + T) == pytest.approx(B + np.array([0, v2 * T / 2, 0]))
     assert motion.velocity(leaves + T / 2) == pytest.approx([v1 / 2, v2 / 2, 0])
@@ -301,7 +291,7 @@ def test_overfly_leaves_at_v1_t_over_2_before_the_corner_and_accelerates_by_the_
 def test_overfly_of_many_points_is_c1_and_passes_where_the_blends_do_not_reach():
     points = np.random.default_rng(7).normal(size=(6, 2))
     motion = r1.overfly(points, 1.0, [0.2, 0.1, 0.15, 0.2])
-    for t in motion.switching_times:
+    for t in motion.breakpoints:
         assert motion(t, side="left") == pytest.approx(motion(t), abs=1e-12)
         assert motion.velocity(t, side="left") == pytest.approx(motion.velocity(t), abs=1e-12)
     assert r1.peak_norm(motion).value == pytest.approx(1.0)
@@ -318,17 +308,17 @@ MISUSE = [
     (lambda: r1.PathTrajectory(PATHS["line"], r1.cubic([0], [4.9], 1.0, v1=-9.0).joint(0)), "stay on the path"),
     (lambda: r1.PathTrajectory(3, law_to(1)), "path must be a path"),
     (lambda: r1.PathTrajectory(PATHS["line"], lambda t: t), "law must be a motion"),
-    (lambda: MOTIONS["line"](2.1), r"t must be in \[0, 2\]"),
-    (lambda: MOTIONS["line"].velocity(-0.1), r"t must be in \[0, 2\]"),
-    (lambda: MOTIONS["line"].velocity(np.nan), "t must be finite"),
+    (lambda: MOTIONS["line"](2.1), r"the parameter must be in \[0, 2\]"),
+    (lambda: MOTIONS["line"].velocity(-0.1), r"the parameter must be in \[0, 2\]"),
+    (lambda: MOTIONS["line"].velocity(np.nan), "the parameter must be finite"),
     (lambda: MOTIONS["line"].velocity(1.0, side="both"), "side must be one of"),
     (lambda: r1.peak_norm(MOTIONS["line"], "speed"), "quantity must be one of"),
     (lambda: r1.peak_norm(MOTIONS["line"], rows=3), "rows must be a slice"),
     (lambda: r1.timing_bounds(PATHS["line"], 0, 1), "velocity must be a positive number"),
     (lambda: r1.timing_bounds("line", 1, 1), "path must be a path"),
-    (lambda: r1.TrajectorySequence(()), "pieces must be one trajectory or several"),
-    (lambda: r1.TrajectorySequence((MOTIONS["line"], MOTIONS["ellipse"])), "the same coordinates"),
-    (lambda: r1.TrajectorySequence((MOTIONS["line"],))(2.5), r"t must be in \[0, 2\]"),
+    (lambda: r1.CurveSequence(()), "pieces must be one curve or several"),
+    (lambda: r1.CurveSequence((MOTIONS["line"], MOTIONS["ellipse"])), "the same coordinates"),
+    (lambda: r1.CurveSequence((MOTIONS["line"],))(2.5), r"the parameter must be in \[0, 2\]"),
     (lambda: r1.overfly([[0, 0], [1, 0]], 1.0, 0.1), "three points at least"),
     (lambda: r1.overfly([[0, 0], [1, 0], [1, 0]], 1.0, 0.1), "points 1 and 2 are both"),
     (lambda: r1.overfly([[0, 0], [1, 0], [1, 1]], 1.0, 2.1), "from point 0 to point 1 there is 1, and they need 1.05"),

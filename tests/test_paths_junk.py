@@ -42,10 +42,10 @@ CALLS = {
     "frenet_formulas": lambda a, b: r1.frenet_formulas(a),
     "frenet_frame": r1.frenet_frame,
     "frenet_frame s": lambda a, b: r1.frenet_frame(CURVE, a, side=b),
-    "PathSequence": lambda a, b: r1.PathSequence(a),
-    "PathSequence of": lambda a, b: r1.PathSequence((LINE, a)),
-    "StackedPath": r1.StackedPath,
-    "StackedPath last": lambda a, b: r1.StackedPath((LINE,), a),
+    "PathSequence": lambda a, b: r1.CurveSequence(a),
+    "PathSequence of": lambda a, b: r1.CurveSequence((LINE, a)),
+    "StackedPath": r1.stacked_path,
+    "StackedPath last": lambda a, b: r1.stacked_path((LINE,), a),
     "by_arc_length": lambda a, b: r1.by_arc_length(a),
     "path(s)": lambda a, b: CURVE(a, side=b),
     "path.derivative": CURVE.derivative,
@@ -71,8 +71,8 @@ CALLS = {
     "peak_norm rows": lambda a, b: r1.peak_norm(MOTION, rows=a),
     "timing_bounds": lambda a, b: r1.timing_bounds(CURVE, a, b),
     "timing_bounds path": lambda a, b: r1.timing_bounds(a, 1.0, 1.0),
-    "TrajectorySequence": lambda a, b: r1.TrajectorySequence(a),
-    "TrajectorySequence of": lambda a, b: r1.TrajectorySequence((MOTION, a)),
+    "TrajectorySequence": lambda a, b: r1.CurveSequence(a),
+    "TrajectorySequence of": lambda a, b: r1.CurveSequence((MOTION, a)),
     "overfly": lambda a, b: r1.overfly(a, b, 0.1),
     "overfly speeds": lambda a, b: r1.overfly([[0, 0], [1, 0], [1, 1]], a, b),
     "frame_jacobian_rate": lambda a, b: r1.frame_jacobian_rate(ROBOT, a, b),
@@ -111,11 +111,11 @@ def test_junk_is_answered_or_refused_by_a_typed_error(name, a, b):
 def test_junk_is_drawn_or_refused_by_a_typed_error(tmp_path_factory, name, junk):
     folder = tmp_path_factory.mktemp("plots")
     drawings = [
-        lambda: r1.plot_path(junk, folder / name),
-        lambda: r1.plot_trajectory(junk, folder / name),
-        lambda: r1.plot_timing_law(junk, folder / name),
-        lambda: r1.plot_path(CURVE, folder / name, frames=junk),
-        lambda: r1.plot_trajectory(MOTION, folder / name, names=junk, units="m"),
+        lambda: r1.plot_path(junk, junk, file=folder / name),
+        lambda: r1.plot_trajectory(junk, file=folder / name),
+        lambda: r1.plot_timing_law(junk, file=folder / name),
+        lambda: r1.plot_path(CURVE, junk, file=folder / name, frames=junk),
+        lambda: r1.plot_trajectory(MOTION, file=folder / name, names=junk, units="m"),
     ]
     for drawing in drawings:
         with suppress(r1.Robotics1Error):

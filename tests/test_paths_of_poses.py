@@ -35,7 +35,7 @@ ORIENTATIONS = {
 
 def clear_of_breaks(course, count=7):
     places = np.linspace(0, course.end, count + 2)[1:-1] + 0.00123 * course.end
-    ends = np.array([0, *course.breaks, course.end])
+    ends = np.array([0, *course.breakpoints, course.end])
     return [float(x) for x in places if np.abs(ends - x).min() > 0.02 * course.end]
 
 
@@ -168,8 +168,8 @@ def test_breaks_of_a_pose_are_those_of_its_position_and_its_orientation():
     orientation = r1.euler_path("XYZ", CURVED)
     corner = r1.polyline_path([[0, 0, 0], [1, 0, 0], [1, 1, 0]])
     path = r1.PosePath(corner, orientation)
-    expected = sorted([1.0, orientation.breaks[0] * 2 / orientation.end])
-    assert path.breaks == pytest.approx(expected)
+    expected = sorted([1.0, orientation.breakpoints[0] * 2 / orientation.end])
+    assert path.breakpoints == pytest.approx(expected)
     assert path.derivative(1.0, side="left")[:3] == pytest.approx([1, 0, 0])
     still = r1.PosePath([1, 2, 3], orientation)
     assert still.end == orientation.end
@@ -191,7 +191,7 @@ MISUSE = [
     (lambda: r1.pose_line(np.eye(4), 2 * np.eye(4)), "T1"),
     (lambda: r1.PosePath([0, 0, 0], r1.axis_angle_path(IDENTITY, IDENTITY)), "the pose must change"),
     (lambda: r1.PosePath(LINE, LINE), "orientation must be such as axis_angle_path"),
-    (lambda: r1.PosePath(r1.line_path([0, 0], [1, 1]), r1.turn_path(IDENTITY, [0, 0, 1], 1)), "path in space"),
+    (lambda: r1.PosePath(r1.line_path([0, 0], [1, 1]), r1.turn_path(IDENTITY, [0, 0, 1], 1)), "path of 3 coordinates"),
     (lambda: r1.PosePath([0, 0], r1.turn_path(IDENTITY, [0, 0, 1], 1)), r"position must have shape \(3,\)"),
     (lambda: r1.axis_angle_path(IDENTITY, IDENTITY, long_way=True), "has no axis"),
     (lambda: r1.axis_angle_path(2 * IDENTITY, IDENTITY), "R0 is no rotation"),
@@ -199,12 +199,12 @@ MISUSE = [
     (lambda: r1.turn_path(IDENTITY, [0, 0, 0], 1.0), "axis must have a direction"),
     (lambda: r1.euler_path("ZZX", [[0, 0, 0], [1, 1, 1]]), "consecutive axes"),
     (lambda: r1.euler_path("ZYX", [[0, 0, 0]]), "the first and the last angles"),
-    (lambda: r1.euler_path("ZYX", r1.line_path([0, 0], [1, 1])), "three angles; it has 2"),
+    (lambda: r1.euler_path("ZYX", r1.line_path([0, 0], [1, 1])), "path of 3 coordinates; it has 2"),
     (lambda: r1.euler_path("ZYX", [[0, 0, 0], [0, 0, 0]]), "different points"),
     (lambda: ORIENTATIONS["ZYZ"].derivative(0.1, 4), "up to the third"),
     (lambda: r1.frenet_path(LINE), "straight"),
-    (lambda: r1.frenet_path("helix"), "two or three coordinates"),
-    (lambda: ORIENTATIONS["turn"](7.1), r"s must be in \[0, 7\]"),
+    (lambda: r1.frenet_path("helix"), "path of points"),
+    (lambda: ORIENTATIONS["turn"](7.1), r"the parameter must be in \[0, 7\]"),
 ]  # fmt: skip
 
 

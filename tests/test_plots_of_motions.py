@@ -10,24 +10,11 @@ from test_paths_in_time import law_to, trapezoid
 
 import robotics1 as r1
 from robotics1 import InputError
-from robotics1.trajectories.limits.motion_limits import MotionLimits
-from robotics1.viewer import plot_curves, plot_laws, plot_motions
+from robotics1.trajectories.limits import MotionLimits
 from robotics1.viewer.plot_figures import line_style
 
 CORNER = r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
 SPACE = r1.polyline_path([[0, 0, 0], [1, 0, 0], [1, 1, 1]], blend=0.2)
-
-
-@pytest.fixture
-def axes(monkeypatch):
-    """Return the axes of the figure that was drawn last."""
-    drawn = []
-    for module in (plot_motions, plot_laws, plot_curves):
-        write = module.write_svg
-        monkeypatch.setattr(
-            module, "write_svg", lambda figure, path, write=write: (drawn.append(figure), write(figure, path))[1]
-        )
-    return lambda: drawn[-1].axes
 
 
 def is_svg(path):
@@ -40,10 +27,10 @@ def pose_motion():
     return r1.PathTrajectory(path, law_to(path.end))
 
 
-def test_trajectory_is_drawn_with_its_derivatives_and_units(tmp_path, axes):
+def test_trajectory_is_drawn_with_its_derivatives_and_units(tmp_path):
     motion = r1.PathTrajectory(CORNER, law_to(CORNER.end))
-    assert is_svg(r1.plot_trajectory(motion, tmp_path / "a.svg", names=["x", "y"], units="m", title="over a corner"))
-    panels = axes()
+    panels = r1.plot_trajectory(motion, file=tmp_path / "a.svg", names=["x", "y"], units="m", title="over a corner")
+    assert is_svg(tmp_path / "a.svg")
     assert [panel.get_ylabel() for panel in panels] == ["position [m]", "velocity [m/s]", "acceleration [m/s²]"]
     assert panels[-1].get_xlabel() == "t [s]"
     assert panels[0].get_title() == "over a corner"
@@ -54,21 +41,20 @@ def test_trajectory_is_drawn_with_its_derivatives_and_units(tmp_path, axes):
     assert [text.get_text() for text in panels[1].get_legend().get_texts()] == ["x", "y"]
 
 
-def test_a_jump_is_drawn_upright_from_both_sides(tmp_path, axes):
+def test_a_jump_is_drawn_upright_from_both_sides(tmp_path):
     motion = r1.PathTrajectory(CORNER, law_to(CORNER.end))
-    r1.plot_trajectory(motion, tmp_path / "a.svg")
-    switch = motion.switching_times[0]
-    t, a = axes()[2].lines[1].get_data()
+    drawn = r1.plot_trajectory(motion)
+    switch = motion.breakpoints[0]
+    t, a = drawn[2].lines[1].get_data()
     at = a[np.isclose(t, switch, atol=1e-12)]
     assert at == pytest.approx([motion.acceleration(switch, side="left")[1], motion.acceleration(switch)[1]])
     assert abs(at[1] - at[0]) > 1
 
 
-def test_joints_have_the_robots_names_and_units_of_each_kind(tmp_path, axes):
+def test_joints_have_the_robots_names_and_units_of_each_kind(tmp_path):
     robot = arm("prr")
     motion = r1.cubic([0, 0, 0], [1, 2, 3], 1.0)
-    r1.plot_trajectory(motion, tmp_path / "a.svg", robot=robot, limits=MotionLimits(velocity=[1.0, 2.0, 3.0]))
-    panels = axes()
+    panels = r1.plot_trajectory(motion, robot=robot, limits=MotionLimits(velocity=[1.0, 2.0, 3.0]))
     legends = [[text.get_text() for text in panel.get_legend().get_texts()] for panel in panels]
     assert legends[0] == ["q1 [m]", "q2 [rad]", "q3 [rad]"]
     assert legends[2] == ["q1 [m/s²]", "q2 [rad/s²]", "q3 [rad/s²]"]
@@ -76,36 +62,36 @@ def test_joints_have_the_robots_names_and_units_of_each_kind(tmp_path, axes):
     levels = sorted(line.get_ydata()[0] for line in panels[1].lines[3:])
     assert levels == [-3, -2, -1, 1, 2, 3]
     assert len(panels[2].lines) == 3
-    r1.plot_trajectory(motion, tmp_path / "b.svg", robot=robot, limits=MotionLimits(acceleration=4.0))
-    assert sorted(line.get_ydata()[0] for line in axes()[2].lines[3:]) == [-4, 4]
+    drawn = r1.plot_trajectory(motion, robot=robot, limits=MotionLimits(acceleration=4.0))
+    assert sorted(line.get_ydata()[0] for line in drawn[2].lines[3:]) == [-4, 4]
 
 
-def test_twenty_lines_differ_without_colour(tmp_path, axes):
+def test_twenty_lines_differ_without_colour(tmp_path):
     styles = [line_style(i) for i in range(20)]
     assert len({(style["linestyle"], style["marker"]) for style in styles}) == 20
     robot = arm("redundant")
-    r1.plot_trajectory(r1.cubic(random_q(robot, 1), random_q(robot, 2), 1.0), tmp_path / "a.svg", robot=robot)
-    lines = axes()[0].lines
+    drawn = r1.plot_trajectory(r1.cubic(random_q(robot, 1), random_q(robot, 2), 1.0), robot=robot)
+    lines = drawn[0].lines
     assert len({(line.get_linestyle(), line.get_marker()) for line in lines}) == 7
 
 
-def test_poses_are_drawn_as_a_position_and_a_rotation_vector(tmp_path, axes):
+def test_poses_are_drawn_as_a_position_and_a_rotation_vector(tmp_path):
     motion = pose_motion()
     units = ["m"] * 3 + ["rad"] * 3
-    r1.plot_trajectory(motion, tmp_path / "a.svg", names=["x", "y", "z", "a", "b", "c"], units=units)
-    lines = axes()[0].lines
+    drawn = r1.plot_trajectory(motion, names=["x", "y", "z", "a", "b", "c"], units=units)
+    lines = drawn[0].lines
     assert lines[5].get_ydata()[-1] == pytest.approx(1.2)
     assert lines[1].get_ydata()[-1] == pytest.approx(2)
     turning = r1.PathTrajectory(motion.path.orientation, law_to(1.2))
-    r1.plot_trajectory(turning, tmp_path / "b.svg")
-    assert axes()[0].lines[2].get_ydata()[-1] == pytest.approx(1.2)
+    drawn = r1.plot_trajectory(turning)
+    assert drawn[0].lines[2].get_ydata()[-1] == pytest.approx(1.2)
 
 
-def test_timing_law_is_drawn_with_bounds_peaks_and_switching_times(tmp_path, axes):
+def test_timing_law_is_drawn_with_bounds_peaks_and_switching_times(tmp_path):
     law = trapezoid(2.0, 0.5, 1.0)
     limits = MotionLimits(velocity=1.5, acceleration=4.0)
-    assert is_svg(r1.plot_timing_law(law, tmp_path / "a.svg", limits=limits, unit="rad", title="trapezoid"))
-    panels = axes()
+    panels = r1.plot_timing_law(law, file=tmp_path / "a.svg", limits=limits, unit="rad", title="trapezoid")
+    assert is_svg(tmp_path / "a.svg")
     labels = [panel.get_ylabel() for panel in panels]
     assert labels == ["s [rad]", "ds/dt [rad/s]", "d²s/dt² [rad/s²]", "d³s/dt³ [rad/s³]"]
     t, v = panels[1].lines[0].get_data()
@@ -120,59 +106,86 @@ def test_timing_law_is_drawn_with_bounds_peaks_and_switching_times(tmp_path, axe
     assert a[np.isclose(t, 0.5)] == pytest.approx([8 / 3, 0])
 
 
-def test_a_path_is_drawn_with_start_end_and_breaks(tmp_path, axes):
-    assert is_svg(r1.plot_path(CORNER, tmp_path / "a.svg", frames=4))
-    (panel,) = axes()
+def test_a_path_is_drawn_with_start_end_and_breaks(tmp_path):
+    panel = r1.plot_path(CORNER, file=tmp_path / "a.svg", frames=4)
+    assert is_svg(tmp_path / "a.svg")
     line, start, end, breaks, *frames = panel.lines
     assert line.get_xydata()[0] == pytest.approx([0, 0])
     assert line.get_xydata()[-1] == pytest.approx([1, 1])
     assert start.get_xydata() == pytest.approx(np.array([[0, 0]]))
     assert end.get_xydata() == pytest.approx(np.array([[1, 1]]))
-    assert breaks.get_xydata() == pytest.approx(CORNER(CORNER.breaks))
+    assert breaks.get_xydata() == pytest.approx(CORNER(CORNER.breakpoints))
     assert len({mark.get_marker() for mark in (line, start, end, breaks)}) == 4
     assert len(frames) == 4  # the four tangents: on the lines there is no normal
     assert (panel.get_xlabel(), panel.get_ylabel()) == ("x [m]", "y [m]")
 
 
-def test_frames_along_an_arc_are_its_tangents_and_normals(tmp_path, axes):
-    r1.plot_path(r1.arc_path([0, 0], [1, 0], 1.0), tmp_path / "a.svg", frames=1)
-    tangent, normal = axes()[0].lines[3:]
+def test_frames_along_an_arc_are_its_tangents_and_normals(tmp_path):
+    drawn = r1.plot_path(r1.arc_path([0, 0], [1, 0], 1.0), frames=1)
+    tangent, normal = drawn.lines[3:]
     directions = [np.diff(line.get_xydata(), axis=0)[0] for line in (tangent, normal)]
     assert directions[0] / np.linalg.norm(directions[0]) == pytest.approx([0, 1])
     assert directions[1] / np.linalg.norm(directions[1]) == pytest.approx([-1, 0])
     assert (tangent.get_linestyle(), normal.get_linestyle()) == ("-", "--")
 
 
-def test_paths_in_space_poses_and_trajectories_are_drawn(tmp_path, axes):
-    assert is_svg(r1.plot_path(SPACE, tmp_path / "a.svg", frames=3, unit="mm"))
-    (panel,) = axes()
+def test_paths_in_space_poses_and_trajectories_are_drawn(tmp_path):
+    panel = r1.plot_path(SPACE, file=tmp_path / "a.svg", frames=3, unit="mm")
+    assert is_svg(tmp_path / "a.svg")
     assert panel.get_zlabel() == "z [mm]"
     assert np.array(panel.lines[0].get_data_3d())[:, -1] == pytest.approx([1, 1, 1])
-    r1.plot_path(pose_motion().path, tmp_path / "b.svg", frames=3)
-    assert len(axes()[0].lines) == 3 + 9
-    r1.plot_path(pose_motion(), tmp_path / "c.svg", frames=2)
+    drawn = r1.plot_path(pose_motion().path, frames=3)
+    assert len(drawn.lines) == 3 + 9
+    r1.plot_path(pose_motion(), frames=2)
     motion = r1.PathTrajectory(SPACE, law_to(SPACE.end))
-    r1.plot_path(motion, tmp_path / "d.svg", frames=2)
-    assert np.array(axes()[0].lines[0].get_data_3d())[:, -1] == pytest.approx([1, 1, 1])
+    drawn = r1.plot_path(motion, frames=2)
+    assert np.array(drawn.lines[0].get_data_3d())[:, -1] == pytest.approx([1, 1, 1])
 
 
 def test_the_same_figure_is_the_same_bytes(tmp_path):
-    files = [r1.plot_path(SPACE, tmp_path / name, frames=2) for name in ("a.svg", "b.svg")]
+    files = [tmp_path / "a.svg", tmp_path / "b.svg"]
+    for file in files:
+        r1.plot_path(SPACE, file=file, frames=2)
     assert files[0].read_bytes() == files[1].read_bytes()
+
+
+def test_a_tool_path_ends_on_the_target_which_is_dotted(planar_2r):
+    tool = r1.TaskTrajectory(planar_2r, r1.PositionTask("xy"), r1.cubic([0, 0], [0, 0], 1.0))
+    drawing = r1.plot_path(tool, target=r1.LinearMotion([1, 1], [1, -1]))
+    assert drawing.lines[0].get_xydata()[-1] == pytest.approx([2.0, 0.0])
+    assert drawing.lines[3].get_xydata()[-1] == pytest.approx([2.0, 0.0])
+    assert drawing.lines[3].get_linestyle() == ":"
+
+
+def test_joints_are_drawn_above_their_rates_into_axes_that_are_given():
+    from matplotlib.figure import Figure
+
+    robot, motion = arm("prr"), r1.cubic([0, 1, 2], [1, 0, -1], 2.0, 0.0, [0.5, 0, 0])
+    given = Figure().subplots(2)
+    upper, lower = r1.plot_trajectory(motion, given, robot=robot, derivatives=1, title="A motion")
+    assert (upper, lower) == tuple(given)
+    for i in range(3):
+        t, q = upper.lines[i].get_data()
+        assert q == pytest.approx(motion(t)[:, i])
+        assert lower.lines[i].get_ydata() == pytest.approx(motion.velocity(t)[:, i])
+    assert [text.get_text() for text in upper.get_legend().get_texts()] == ["q1 [m]", "q2 [rad]", "q3 [rad]"]
+    assert len({line.get_linestyle() for line in upper.lines}) == 3  # to be told apart without colour
 
 
 MOTION = r1.cubic([0, 0], [1, 1], 1.0)
 CALLS = [
-    (lambda d: r1.plot_trajectory(MOTION, d / "no" / "a.svg"), "there is no folder"),
-    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", names=["x"]), "names must be 2 texts"),
-    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", names=[1, 2]), "one of names must be a text"),
-    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", units=["m"]), "units must be 2 texts"),
-    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg", robot=arm("prr")), "has 3 joints; the trajectory moves 2"),
-    (lambda d: r1.plot_timing_law(MOTION.joint(0), d / "a.svg", unit=3), "unit must be a text"),
-    (lambda d: r1.plot_timing_law(MOTION.joint(0), d / "a.svg", limits=MotionLimits(velocity=[1, 2])), "velocity"),
-    (lambda d: r1.plot_path(r1.line_path([0], [1]), d / "a.svg"), "two or three coordinates can be drawn; this one"),
-    (lambda d: r1.plot_path(pose_motion().path.orientation, d / "a.svg"), "a path of points or of poses"),
-    (lambda d: r1.plot_path(CORNER, d / "a.svg", frames=-1), "frames must be an integer"),
+    (lambda d: r1.plot_trajectory(MOTION, file=d / "no" / "a.svg"), "there is no folder"),
+    (lambda d: r1.plot_trajectory(MOTION, file=d / "a.svg", names=["x"]), "names must be 2 texts"),
+    (lambda d: r1.plot_trajectory(MOTION, file=d / "a.svg", names=[1, 2]), "one of names must be a text"),
+    (lambda d: r1.plot_trajectory(MOTION, file=d / "a.svg", units=["m"]), "units must be 2 texts"),
+    (lambda d: r1.plot_trajectory(MOTION, file=d / "a.svg", robot=arm("prr")), "has 3 joints; the trajectory moves 2"),
+    (lambda d: r1.plot_timing_law(MOTION.joint(0), file=d / "a.svg", unit=3), "unit must be a text"),
+    (lambda d: r1.plot_timing_law(MOTION.joint(0), file=d / "a.svg", limits=MotionLimits(velocity=[1, 2])), "velocity"),
+    (lambda d: r1.plot_path(r1.line_path([0], [1]), file=d / "a.svg"), "two or three coordinates can"),
+    (lambda d: r1.plot_path(pose_motion().path.orientation, file=d / "a.svg"), "a path of points or of poses"),
+    (lambda d: r1.plot_path(CORNER, d / "a.svg"), "ax must be Matplotlib axes of 2 dimensions"),
+    (lambda d: r1.plot_trajectory(MOTION, d / "a.svg"), "ax must be 3 Matplotlib axes"),
+    (lambda d: r1.plot_path(CORNER, file=d / "a.svg", frames=-1), "frames must be an integer"),
 ]  # fmt: skip
 
 
@@ -182,18 +195,18 @@ def test_misuse_of_plots_is_an_input_error(tmp_path, call, message):
         call(tmp_path)
 
 
-@pytest.mark.parametrize("draw", [r1.animate, r1.plot_joint_motion, r1.plot_tool_path])
 @pytest.mark.parametrize(
     ("motion", "message"),
-    [
-        (3, "must be a motion"),
-        (r1.line_path([0, 0], [1, 1]), "must be a motion"),
-        (r1.cubic([0], [1], 1), "the robot has 2"),
-    ],
+    [(3, "must be a motion"), (r1.turn_path(np.eye(3), [0, 0, 1], 1.0), "joints"), (r1.cubic([0], [1], 1), "joints")],
 )
-def test_what_is_no_motion_of_the_robots_joints_is_an_input_error(draw, motion, message, planar_2r, tmp_path):
-    with pytest.raises(r1.InputError, match=message):
-        draw(planar_2r, motion, tmp_path / "motion.out")
+def test_what_is_no_motion_of_the_robots_joints_is_an_input_error(motion, message, planar_2r, tmp_path):
+    for draw in (
+        lambda: r1.animate(planar_2r, motion, tmp_path / "motion.out"),
+        lambda: r1.plot_trajectory(motion, robot=planar_2r),
+        lambda: r1.TaskTrajectory(planar_2r, r1.PositionTask("xy"), motion),
+    ):
+        with pytest.raises(r1.InputError, match=message):
+            draw()
 
 
 def test_a_profile_is_animated(planar_2r, tmp_path):
@@ -201,16 +214,15 @@ def test_a_profile_is_animated(planar_2r, tmp_path):
     assert r1.animate(planar_2r, motion, tmp_path / "profile.html").stat().st_size > 100_000
 
 
-def test_poses_are_drawn_in_metres_and_radians(tmp_path, axes):
-    r1.plot_trajectory(pose_motion(), tmp_path / "a.svg")
-    texts = [text.get_text() for text in axes()[1].get_legend().get_texts()]
+def test_poses_are_drawn_in_metres_and_radians(tmp_path):
+    drawn = r1.plot_trajectory(pose_motion())
+    texts = [text.get_text() for text in drawn[1].get_legend().get_texts()]
     assert texts == ["x [m/s]", "y [m/s]", "z [m/s]", "θx [rad/s]", "θy [rad/s]", "θz [rad/s]"]
 
 
 @pytest.mark.parametrize("path", [r1.helix_path([0, 0, 0], [0.5, 0, 0], 0.2, 2), SPACE])
-def test_the_labels_of_three_axes_are_inside_the_figure(tmp_path, axes, path):
-    r1.plot_path(path, tmp_path / "a.svg")
-    (space,) = axes()
+def test_the_labels_of_three_axes_are_inside_the_figure(tmp_path, path):
+    space = r1.plot_path(path, file=tmp_path / "a.svg")
     space.figure.canvas.draw()
     for axis, name in ((space.xaxis, "x [m]"), (space.yaxis, "y [m]"), (space.zaxis, "z [m]")):
         assert axis.label.get_text() == name

@@ -6,7 +6,7 @@ import pytest
 from arms import arm
 from hypothesis import given, strategies as st
 
-from robotics1 import InputError, PolynomialTrajectory, cubic, limit_violations
+from robotics1 import InputError, PiecewisePolynomial, cubic, limit_violations
 
 value = st.floats(-10, 10)
 pair = st.tuples(value, value).map(np.array)
@@ -92,7 +92,7 @@ def test_a_single_joint_may_be_a_number():
 
 def test_extremes_are_where_the_quadratic_formula_puts_them():
     """q = 0.96 τ − 3 τ² + 2 τ³ has q' = 6 (τ − 0.2) (τ − 0.8), with q = 0.088 and −0.128 there."""
-    times, values = PolynomialTrajectory(np.array([[0.0], [0.96], [-3], [2]]), 2.0).extremes()
+    times, values = PiecewisePolynomial.from_pieces([([[0.0], [0.96], [-3], [2]], 2.0)]).extremes()
     assert times[:, 0] == pytest.approx([1.6, 0.4], abs=1e-12)
     assert values[:, 0] == pytest.approx([-0.128, 0.088], abs=1e-12)
 

@@ -134,12 +134,12 @@ def test_shared_trajectories_and_paths():
         limits = r1.MotionLimits(1.0, 3.0)
         path = r1.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})
         blend = r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
-        stacked = r1.StackedPath([blend, r1.by_arc_length(blend)])
+        stacked = r1.stacked_path([blend, r1.by_arc_length(blend)])
         return [
             lambda: (motion(t), motion.velocity(t)),
-            lambda: r1.minimum_time([0, 0], [1, 2], limits).trajectory.switching_times,
+            lambda: r1.minimum_time([0, 0], [1, 2], limits).trajectory.breakpoints,
             lambda: (path(0.3), path.derivative(0.3), path.derivative(1.1, 2)),
-            lambda: (stacked(0.5), stacked.derivative(0.2), stacked.breaks),
+            lambda: (stacked(0.5), stacked.derivative(0.2), stacked.breakpoints),
             lambda: r1.by_arc_length(path)(0.4),
             lambda: r1.fastest_along(blend, limits, grid=30).duration,
         ]
@@ -207,7 +207,7 @@ class WaitingLaw:
         return self.law(t)
 
     @property
-    def switching_times(self):
+    def breakpoints(self):
         self.begun.set()
         if not self.other_done.wait(LONGEST):
             raise TimeoutError
@@ -217,11 +217,11 @@ class WaitingLaw:
 def test_a_thread_that_finds_a_property_lets_others_find_theirs():
     """One motion waits for its law while the same property of another motion is found."""
     begun, done = Event(), Event()
-    slow = r1.JointLaws((WaitingLaw(begun, done),))
-    thread = Thread(target=lambda: slow.switching_times, daemon=True)
+    slow = r1.JointTrajectory((WaitingLaw(begun, done),))
+    thread = Thread(target=lambda: slow.breakpoints, daemon=True)
     thread.start()
     assert begun.wait(60)
-    other = Thread(target=lambda: (r1.cosine(0, 1, 2.0).switching_times, done.set()), daemon=True)
+    other = Thread(target=lambda: (r1.cosine(0, 1, 2.0).breakpoints, done.set()), daemon=True)
     other.start()
     other.join(60)
     assert done.is_set()

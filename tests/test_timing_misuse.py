@@ -47,9 +47,9 @@ FUNCTIONS = {
     "mixed_spline, conditions": lambda a, b, c, d: r1.mixed_spline(VIA, [0, 1, 2], (3, 3), [(0, 1, a), (b, c, d)]),
     "virtual_point_spline": lambda a, b, c, d: r1.virtual_point_spline(VIA, [0, 1, 2], a, b, c, d),
     "times_of_points": lambda a, b, c, d: r1.times_of_points(a, b, c),
-    "JointLaws": lambda a, b, c, d: r1.JointLaws(a),
-    "JointLaws, one": lambda a, b, c, d: r1.JointLaws((r1.cubic(0, 1, 1).joint(), a)),
-    "PiecewiseTrajectory": lambda a, b, c, d: r1.PiecewiseTrajectory(a),
+    "JointTrajectory": lambda a, b, c, d: r1.JointTrajectory(a),
+    "JointTrajectory, one": lambda a, b, c, d: r1.JointTrajectory((r1.cubic(0, 1, 1).joint(), a)),
+    "PiecewisePolynomial": lambda a, b, c, d: r1.PiecewisePolynomial(a, b),
 }
 
 

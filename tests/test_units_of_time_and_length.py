@@ -34,10 +34,10 @@ def limits(k, c, jerk=True):
 def motion(m):
     """What a motion is: duration, switching times, values and derivatives, with their powers of length and time."""
     T = m.duration
-    readings = {"duration": (T, 0, 1), "switching": (np.asarray(getattr(m, "switching_times", ())), 0, 1)}
+    readings = {"duration": (T, 0, 1), "switching": (np.asarray(m.breakpoints), 0, 1)}
     for order, f in enumerate((m, m.velocity, m.acceleration, m.jerk)):
         readings[f"order {order}"] = (f(MOMENTS * T), 1, -order)
-        if hasattr(m, "extremes"):
+        if type(m).extremes is not r1.Curve.extremes:  # closed forms; interpolants take long
             times, values = m.extremes(order)
             readings[f"extremes {order}"] = (values, 1, -order)
             if order and hasattr(m, "rate"):  # at rest the position is stationary, so that its instants are rounding
@@ -46,7 +46,7 @@ def motion(m):
 
 
 def law(m):
-    peaks = (m.peak_velocity, m.peak_acceleration, m.peak_jerk)
+    peaks = (m.peak(1), m.peak(2), m.peak(3))
     found = {f"peak {i}": (peak.value, 1, -i) for i, peak in enumerate(peaks, 1)}
     return motion(m) | found | {f"peak time {i}": (peak.time, 0, 1) for i, peak in enumerate(peaks, 1)}
 
@@ -58,7 +58,7 @@ def path(p, order=3):
     return found | {
         "end": (p.end, 1, 0),
         "length": (p.length, 1, 0),
-        "breaks": (p.breaks, 1, 0),
+        "breaks": (p.breakpoints, 1, 0),
         "curvature": (p.curvature(s), -1, 0),
     }
 
@@ -67,15 +67,15 @@ def numbers(**given):
     return {name: (np.asarray(value), *powers) for name, (value, *powers) in given.items()}
 
 
-def demands(found):
+def uses(found):
     orders = {"velocity": 1, "acceleration": 2, "jerk": 3, "deceleration": 2, "normal acceleration": 2}
     return {
-        f"{i} {d.joint} {d.quantity}": ([d.value, d.bound], 1, -orders[d.quantity]) for i, d in enumerate(found)
+        f"{i} {d.joint} {d.quantity}": ([d.value, d.limit], 1, -orders[d.quantity]) for i, d in enumerate(found)
     } | {f"{i} {d.joint} {d.quantity} time": (d.time, 0, 1) for i, d in enumerate(found)}
 
 
 def fastest(found):
-    return motion(found.trajectory) | demands(found.active) | {"each": (found.joint_durations, 0, 1)}
+    return motion(found.trajectory) | uses(found.active) | {"each": (found.joint_durations, 0, 1)}
 
 
 MINIMUM = {
@@ -160,7 +160,7 @@ LAWS = MINIMUM | {
         r1.formula_path(["R*cos(s/R)", "s + s**2/R"], "s", 2.1 * k, values={"R": 0.7 * k})
     ),
     "paths in a row": lambda k, c: path(
-        r1.PathSequence((r1.line_path(k * Q0, k * Q1), r1.arc_through(k * Q1, k * POINTS[0], k * POINTS[3])))
+        r1.CurveSequence((r1.line_path(k * Q0, k * Q1), r1.arc_through(k * Q1, k * POINTS[0], k * POINTS[3])))
     ),
     "frenet_frame": lambda k, c: frenet(r1.frenet_frame(r1.spline_path(k * POINTS), 1.7 * k)),
     "frenet_path": lambda k, c: turning(r1.frenet_path(r1.helix_path([0, 0, 0], [0.5 * k, 0, 0], 0.2 * k, 1.5))),
@@ -198,7 +198,7 @@ LAWS = MINIMUM | {
         k, c, r1.polyline_path(k * P[:3], blend=0.3 * k, kind="parabolic")
     ),
     "fastest_along a spline of time": lambda k, c: quickest(
-        k, c, r1.cubic_spline(k * P, c * TIMES, v0=k / c, v1=-k / c).as_path()
+        k, c, r1.cubic_spline(k * P, c * TIMES, v0=k / c, v1=-k / c)
     ),
 }  # fmt: skip
 
@@ -236,7 +236,7 @@ def bounds(b):
 
 
 def scaled(found):
-    return motion(found.trajectory) | demands(found.demands) | numbers(factor=(found.factor, 0, 0))
+    return motion(found.trajectory) | uses(found.uses) | numbers(factor=(found.factor, 0, 0))
 
 
 def scaled_by_nature(k, c):
@@ -250,7 +250,7 @@ def joins(k, c):
     first = r1.cubic(k * Q0, k * Q1, 1.1 * c, 0, k / c * V1)
     second = r1.cubic(k * Q1, k * POINTS[0], 0.9 * c, k / c * V1, 0)
     third = r1.quintic(k * POINTS[0], k * Q0, 1.3 * c, 0, 0, second.acceleration(0.9 * c, side="left"))
-    row = r1.TrajectorySequence((first, second, third))
+    row = r1.CurveSequence((first, second, third))
     found = motion(row) | {"continuity": ([join.continuity for join in row.joins], 0, 0)}
     for i, join in enumerate(row.joins):
         found[f"join {i}"] = (join.time, 0, 1)

@@ -146,9 +146,10 @@ def nothing_moves(still, task, folder):
         "urdf_to_dh": lambda: r1.urdf_to_dh(still),
         "view": lambda: r1.view(still, [], folder / "still.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
-        "plot_trajectory": lambda: r1.plot_trajectory(joints, folder / "a.svg", robot=still),
-        "plot_joint_motion": lambda: r1.plot_joint_motion(still, joints, folder / "b.svg"),
-        "plot_tool_path": lambda: r1.plot_tool_path(still, joints, folder / "c.svg"),
+        "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
+        "plot_path": lambda: r1.plot_path(
+            r1.TaskTrajectory(still, r1.PositionTask("xy"), joints), file=folder / "c.svg"
+        ),
     }
 
 

@@ -6,11 +6,11 @@ import numpy as np
 import pinocchio as pin
 from rich.table import Table
 
+from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.ik.iterate import IKIteration
 from robotics1.inputs import Array
 from robotics1.notation import number, vector
 from robotics1.robot.model import Robot
-from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory
 
 
 def table(
@@ -45,7 +45,7 @@ def iteration_table(run: IKIteration, title: str = "") -> Table:
     return table(("k", "q", "r", "|e|", "det J" if square else "σ_min"), rows, title)
 
 
-def polynomial_table(robot: Robot, trajectory: PolynomialTrajectory) -> Table:
+def polynomial_table(robot: Robot, trajectory: PiecewisePolynomial) -> Table:
     """Return the coefficients of q and q̇ in powers of τ = t/T and of t, joint by joint."""
     polynomials = (
         ("q(τ)", trajectory.coefficients, "τ"),

@@ -1,7 +1,7 @@
-"""Motions in time, and meeting a moving target.
+"""Motions in time, and meeting a moving target: every motion is a `Curve` of `robotics1.curves`.
 
-`protocols` says what a timing law and a trajectory are; `peaks` finds the largest values of one. Made of polynomials
-are `polynomials`, the profiles in `laws` (with the sines), and `splines`; `composition` makes motions of others: a
-path with a law, one after the other, side by side, slower. `limits` holds bounds against them: minimum time, time
-scaling, violations. `following` turns a motion of a task into one of the joints.
+`polynomials`, `sines` and `profiles` (of `ramps`, chosen by `transfer`) go from one state to another, `splines` and
+`polynomial_splines` through points. `limits` holds bounds against a motion; `coordination` finds least times of joints
+(one `law_kinds` each, by `shortest`), `fastest_along_path` along a path, `scaling` by slowing down. `following` turns a
+motion of a task into one of the joints; `meeting` meets a target.
 """

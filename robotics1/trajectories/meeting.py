@@ -11,6 +11,7 @@ import numpy.typing as npt
 from scipy.optimize import brentq
 
 from robotics1.angles import TURN
+from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
@@ -19,8 +20,8 @@ from robotics1.least_squares import generalized_inverse
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
 from robotics1.tasks.task import Task
-from robotics1.trajectories.limits.violations import LimitViolation, limit_violations
-from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory, cubic
+from robotics1.trajectories.limits import LimitUse, limit_violations
+from robotics1.trajectories.polynomials import cubic
 from robotics1.trajectories.target_motion import TargetMotion
 
 INSTANTS = 4000  # at which an event is looked at before its zero is refined
@@ -51,10 +52,10 @@ class MeetingBranch:
 
     q: Array
     qdot: Array
-    trajectory: PolynomialTrajectory
+    trajectory: PiecewisePolynomial
     singular: bool
     velocity_error: Array
-    violations: tuple[LimitViolation, ...]
+    violations: tuple[LimitUse, ...]
 
     @property
     def matches(self) -> bool:
@@ -88,7 +89,7 @@ class Rendezvous:
     miss: float
 
     @property
-    def trajectory(self) -> PolynomialTrajectory:
+    def trajectory(self) -> PiecewisePolynomial:
         """The trajectory of the first branch.
 
         Raises:

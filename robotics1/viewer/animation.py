@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.given import Motion, joint_motion
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
-from robotics1.trajectories.protocols import Trajectory, number_of_joints
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.page import write_page
 from robotics1.viewer.scene import Color, Scene
@@ -26,7 +26,7 @@ TARGET: Color = (0.10, 0.60, 0.25)
 
 def animate(
     robot: Robot,
-    trajectory: Trajectory,
+    trajectory: Motion,
     path: str | Path,
     *,
     target: TargetMotion | None = None,
@@ -53,13 +53,13 @@ def animate(
     Warns:
         RobotWarning: a mesh cannot be read, and is not drawn.
     """
-    number_of_joints("trajectory", trajectory, robot.nv)
-    T = real_number("the trajectory's duration", trajectory.duration, positive=True)
+    motion = joint_motion("trajectory", trajectory, robot.nv)
+    T = real_number("the trajectory's duration", motion.end, positive=True)
     count = max(2, min(ceil(T * FRAME_RATE), MOST_FRAMES))
     times = np.linspace(0.0, T, count + 1)
     rate = count / T
     last = count + max(1, round(HOLD * rate))
-    states = real_array("q(t) of the trajectory", trajectory(times), (len(times), robot.nv))
+    states = real_array("q(t) of the trajectory", motion(times), (len(times), robot.nv))
     course = None if target is None else np.array([_in_space(target(float(t))) for t in times])
     scene = Scene(robot, rate)
     trail = np.array([forward_kinematics(robot, q).translation for q in states])

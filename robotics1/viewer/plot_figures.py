@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from robotics1.curves.curve import Side
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.files import write_file
 from robotics1.inputs import Array, text
@@ -21,31 +22,58 @@ MARKERS = ("", "o", "s", "^", "x")  # of the fifth line, the ninth, ...
 SAMPLES = 201  # on each smooth piece
 
 
-def new_figure(size: tuple[float, float]) -> "Figure":
-    """Return an empty figure of a size in inches.
+def new_axes(ax: Any, dimensions: int) -> Any:
+    """Return the axes that are given, or those of a new figure, of two or three dimensions.
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
+        InputError: what is given are no axes of so many dimensions.
     """
+    if ax is None:
+        return _figure((6.4, 5.4)).add_subplot(projection="3d" if dimensions == 3 else None)
+    if not hasattr(ax, "plot") or hasattr(ax, "zaxis") != (dimensions == 3):
+        raise InputError(f"ax must be Matplotlib axes of {dimensions} dimensions; it is {ax!r}")
+    return ax
+
+
+def panels_of(ax: Any, count: int) -> Any:
+    """Return the axes that are given, or so many of a new figure one below the other.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: what is given are not so many axes.
+    """
+    if ax is None:
+        return _figure((6.4, 2.2 + 1.7 * count)).subplots(count, 1, sharex=True)
+    panels = np.ravel(np.asarray(ax, dtype=object))
+    if len(panels) != count or not all(hasattr(panel, "plot") for panel in panels):
+        raise InputError(f"ax must be {count} Matplotlib axes, as of plt.subplots({count}); it is {ax!r}")
+    return panels
+
+
+def drawn(axes: Any, file: str | Path | None) -> Any:
+    """Return the axes; write their figure as SVG, if there is a file.
+
+    Raises:
+        InputError: the file cannot be written there.
+    """
+    if file is not None:
+        from matplotlib import rc_context
+
+        svg = BytesIO()
+        with rc_context({"svg.hashsalt": "robotics1"}):  # the same figure gives the same bytes
+            np.ravel(axes)[0].figure.savefig(svg, format="svg", metadata={"Date": None})
+        write_file(file, svg.getvalue())
+    return axes
+
+
+def _figure(size: tuple[float, float]) -> "Figure":
+    """Return an empty figure of a size in inches."""
     try:
         from matplotlib.figure import Figure
     except ImportError as error:
         raise MissingExtraError("matplotlib", "plots") from error
     return Figure(figsize=size, layout="constrained")
-
-
-def write_svg(figure: "Figure", path: str | Path) -> Path:
-    """Write a figure as SVG and return the path.
-
-    Raises:
-        InputError: the file cannot be written there.
-    """
-    from matplotlib import rc_context
-
-    drawn = BytesIO()
-    with rc_context({"svg.hashsalt": "robotics1"}):  # the same figure gives the same bytes
-        figure.savefig(drawn, format="svg", metadata={"Date": None})
-    return write_file(path, drawn.getvalue())
 
 
 def legend_text(name: str) -> str:
@@ -60,9 +88,9 @@ def line_style(i: int) -> dict[str, Any]:
     return {"linestyle": STYLES[i % 4], "marker": marker, "markevery": (10 * (i % 4) + 5, 40), "markersize": 4}
 
 
-def smooth_samples(ends: Sequence[float], samples: int = SAMPLES) -> list[tuple[str, Array]]:
+def smooth_samples(ends: Sequence[float], samples: int = SAMPLES) -> list[tuple[Side, Array]]:
     """Return the instants to draw, with the side from which each is taken: what jumps at an end is drawn upright."""
-    pieces: list[tuple[str, Array]] = []
+    pieces: list[tuple[Side, Array]] = []
     for a, b in pairwise(ends):
         t = np.linspace(a, b, samples)
         pieces += [("right", t[:-1]), ("left", t[-1:])]

@@ -1,66 +1,277 @@
-"""Plots of joint motions and of the tool's path, as SVG."""
+"""Plots of motions against time, of timing laws with their bounds, and of paths in the plane and in space."""
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from robotics1.kinematics import forward_kinematics
+from robotics1.curves.composition import PathTrajectory
+from robotics1.curves.curve import Curve
+from robotics1.curves.frenet import frenet_frame
+from robotics1.curves.given import as_curve, as_law
+from robotics1.errors import InputError
+from robotics1.inputs import Array, counting_number, text
 from robotics1.robot.model import Robot
-from robotics1.trajectories.protocols import Trajectory, number_of_joints
+from robotics1.trajectories.limits import MotionLimits
 from robotics1.trajectories.target_motion import TargetMotion
-from robotics1.viewer.plot_figures import SAMPLES, legend_text, line_style, new_figure as _figure, write_svg as _write
+from robotics1.viewer.plot_figures import (
+    STYLES,
+    drawn,
+    legend_text,
+    line_style,
+    names_of,
+    new_axes,
+    panels_of,
+    smooth_samples,
+)
+
+QUANTITIES = ("position", "velocity", "acceleration", "jerk")
+PER = ("", "/s", "/s²", "/s³")
+SYMBOLS = ("s", "ds/dt", "d²s/dt²", "d³s/dt³")
+TURNS = ("θx", "θy", "θz")
+AXIS = 0.12  # length of a drawn axis, of the size of the path
+SPATIAL = 0.82  # of the figure, so that the labels of three axes have room
 
 
-def plot_joint_motion(robot: Robot, trajectory: Trajectory, path: str | Path, *, title: str = "") -> Path:
-    """Draw q(t) above q̇(t), write it as SVG and return the path.
-
-    Raises:
-        MissingExtraError: Matplotlib is not installed.
-        InputError: the trajectory is not of the robot's joints, or the file cannot be written there.
-    """
-    number_of_joints("trajectory", trajectory, robot.nv)
-    figure = _figure((6.4, 5.6))
-    upper, lower = figure.subplots(2, 1, sharex=True)
-    t = np.linspace(0.0, trajectory.duration, SAMPLES)
-    units = ["rad" if angle else "m" for angle in robot.revolute]
-    for i, (name, q, v) in enumerate(zip(robot.joint_names, trajectory(t).T, trajectory.velocity(t).T, strict=True)):
-        upper.plot(t, q, label=f"{legend_text(name)} [{units[i]}]", **line_style(i))
-        lower.plot(t, v, label=f"{legend_text(name)} [{units[i]}/s]", **line_style(i))
-    upper.set(ylabel="joint position", title=title)
-    lower.set(xlabel="t [s]", ylabel="joint velocity")
-    for axes in (upper, lower):
-        axes.grid(alpha=0.4)
-        if robot.nv:
-            axes.legend()
-    return _write(figure, path)
-
-
-def plot_tool_path(
-    robot: Robot,
-    trajectory: Trajectory,
-    path: str | Path,
+def plot_trajectory(
+    trajectory: Any,
+    ax: Sequence[Any] | None = None,
     *,
-    target: TargetMotion | None = None,
+    file: str | Path | None = None,
+    robot: Robot | None = None,
+    names: Sequence[str] | None = None,
+    units: str | Sequence[str] | None = None,
+    limits: MotionLimits | None = None,
+    derivatives: int = 2,
     title: str = "",
-) -> Path:
-    """Draw the path of the tool in the xy plane, with the target's path dotted, write it as SVG and return the path.
+) -> Any:
+    """Draw every coordinate of a motion over time, and its derivatives; return the axes, one for each.
+
+    Where a value jumps it is drawn upright. Of poses the position is (p, θ), with the rotation vector θ from the start.
+
+    Args:
+        trajectory: of joints, of points, of poses.
+        ax: the Matplotlib axes to draw in, one for the position and each derivative; by default those of a new figure.
+        file: where to write the figure as SVG.
+        robot: whose joints move; it gives the names and units.
+        names: of the coordinates; by default those of the robot's joints, (x, y, z, θx, θy, θz) of poses, or numbers.
+        units: of the coordinates, such as "m" for all, or ["m", "rad"]; by default those of the joints or of poses.
+        limits: drawn thin, both ways, in the line style of their coordinate; one bound for all is dashed.
+        derivatives: 1 for the velocity, 2 for the acceleration too, 3 for the jerk.
+        title: above the plots.
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: the trajectory is not of the robot's joints, or the file cannot be written there.
+        InputError: names or units are too many or too few, the axes are of another number, or the file cannot be
+            written there.
     """
-    number_of_joints("trajectory", trajectory, robot.nv)
-    figure = _figure((6.4, 5.0))
-    axes = figure.subplots()
-    t = np.linspace(0.0, trajectory.duration, SAMPLES)
-    x, y, _ = np.array([forward_kinematics(robot, q).translation for q in trajectory(t)]).T
-    axes.plot(x, y, "-", label="tool")
-    axes.plot(x[0], y[0], "o", color="C0", label="start")
-    axes.plot(x[-1], y[-1], "s", color="C3", label="end")
+    motion = as_curve("trajectory", trajectory, derivatives=min(counting_number("derivatives", derivatives), 3))
+    pieces = smooth_samples(motion.ends)
+    t = np.concatenate([times for _, times in pieces])
+    values = [np.concatenate([_positions(motion, times) for _, times in pieces])]
+    values += [
+        np.concatenate([motion.derivative(times, order, side=side) for side, times in pieces])
+        for order in range(1, derivatives + 1)
+    ]
+    if not motion.shape:
+        values = [x[:, None] for x in values]
+    default = _labels(motion(0.0), values[0].shape[1], motion.dimension, robot)
+    names = names_of("names", names, default[0])
+    units = names_of("units", [units] * len(names) if isinstance(units, str) else units, default[1])
+    bounds = None if limits is None else limits.of_joints(len(names))
+    panels = panels_of(ax, derivatives + 1)
+    same = len(set(units)) == 1
+    for panel, quantity, per, curves in zip(panels, QUANTITIES, PER, values, strict=False):
+        for i, (name, unit) in enumerate(zip(names, units, strict=True)):
+            panel.plot(t, curves[:, i], label=name if same else f"{name} [{unit}{per}]", **line_style(i))
+        if bounds is not None and quantity != "position":
+            _draw_bounds(panel, getattr(bounds, quantity))
+        panel.set(ylabel=f"{quantity} [{units[0]}{per}]" if same else quantity)
+        panel.grid(alpha=0.4)
+        if names:
+            panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    panels[0].set(title=title)
+    panels[-1].set(xlabel="t [s]")
+    return drawn(panels, file)
+
+
+def plot_timing_law(
+    law: Curve,
+    ax: Sequence[Any] | None = None,
+    *,
+    file: str | Path | None = None,
+    limits: MotionLimits | None = None,
+    unit: str = "m",
+    title: str = "",
+) -> Any:
+    """Draw s(t) and its three derivatives, and return the four axes.
+
+    The bounds are dashed, the breakpoints dotted, and the peak of each derivative is marked with its value.
+
+    Args:
+        law: s(t).
+        ax: four Matplotlib axes to draw in; by default those of a new figure.
+        file: where to write the figure as SVG.
+        limits: the bounds on velocity, acceleration and jerk.
+        unit: of s: "m", "rad", or "1".
+        title: above the plots.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: the limits are for several joints, or the file cannot be written there.
+    """
+    text("unit", unit)
+    law = as_law("law", law)
+    pieces = smooth_samples(law.ends)
+    t = np.concatenate([times for _, times in pieces])
+    bounds = (limits or MotionLimits()).of_joints(1)
+    panels = panels_of(ax, 4)
+    for order, panel in enumerate(panels):
+        values = np.concatenate([law.derivative(times, order, side=side) for side, times in pieces])
+        panel.plot(t, values, "-", color="black")
+        for instant in law.breakpoints:
+            panel.axvline(instant, color="grey", linestyle=":", linewidth=0.9)
+        if order and np.isfinite(bound := float(getattr(bounds, QUANTITIES[order])[0])):
+            panel.axhline(bound, color="C3", linestyle="--", label=f"bound {bound:.4g}")
+            if values.min() < 0:
+                panel.axhline(-bound, color="C3", linestyle="--")
+        if order:
+            peak = law.peak(order)
+            label = f"peak {peak.value:.4g} at t = {peak.time:.4g} s"
+            panel.plot(peak.time, peak.value, "o", color="C0", label=label)
+            panel.legend(loc="best", fontsize="small")
+        panel.set(ylabel=f"{SYMBOLS[order]} [{unit}{PER[order]}]")
+        panel.margins(y=0.12)
+        panel.grid(alpha=0.4)
+    panels[0].set(title=title)
+    panels[-1].set(xlabel="t [s]")
+    return drawn(panels, file)
+
+
+def plot_path(
+    curve: Any,
+    ax: Any = None,
+    *,
+    file: str | Path | None = None,
+    frames: int = 0,
+    target: TargetMotion | None = None,
+    unit: str = "m",
+    title: str = "",
+) -> Any:
+    """Draw a path in the plane or in space, and return the axes.
+
+    The start is a circle, the end a square, a breakpoint a cross, and the middle has an arrow head in the plane. The
+    path of the tool of a robot is that of `TaskTrajectory(robot, PositionTask("xy"), motion)`.
+
+    Args:
+        curve: a path of two or three coordinates, a path of poses, or a trajectory of either.
+        ax: the Matplotlib axes to draw in, three-dimensional for a path in space; by default those of a new figure.
+        file: where to write the figure as SVG.
+        frames: how many frames to draw along it: of poses theirs, x solid, y dashed, z dotted; of paths the Frenet
+            frame, the tangent solid, the normal dashed, the binormal dotted.
+        target: a moving point, dotted, at the instants of the trajectory.
+        unit: of the coordinates.
+        title: above the plot.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: it has not two or three coordinates, or the file cannot be written there.
+    """
+    counting_number("frames", frames)
+    text("unit", unit)
+    curve = as_curve("curve", curve, derivatives=0)
+    samples = [s for _, s in smooth_samples(curve.ends)]
+    points = np.concatenate([_points(curve, s) for s in samples])
+    n = points.shape[1]
+    if n not in (2, 3):
+        raise InputError(f"a path of two or three coordinates can be drawn; this one has {n}")
+    axes = new_axes(ax, n)
+    axes.plot(*points.T, "-", color="C0", label="path")
+    axes.plot(*points[:1].T, "o", color="black", label="start")
+    axes.plot(*points[-1:].T, "s", color="black", label="end")
+    if len(curve.breakpoints):
+        axes.plot(*_points(curve, curve.breakpoints).T, "x", color="C3", label="break")
     if target is not None:
-        course = np.array([np.asarray(target(float(time)))[:2] for time in t])
+        course = np.array([np.asarray(target(float(t)))[:n] for t in np.concatenate(samples)])
         axes.plot(*course.T, ":", color="green", linewidth=2, label="target")
-    axes.set(xlabel="x [m]", ylabel="y [m]", title=title, aspect="equal")
-    axes.grid(alpha=0.4)
+    size = AXIS * float(np.ptp(points, axis=0).max())
+    for s in np.linspace(0.0, curve.end, frames) if frames else ():
+        _draw_frame(axes, curve, float(s), size, n)
+    labels = {f"{name}label": f"{name} [{unit}]" for name in "xyz"[:n]}
+    axes.set(title=title, aspect="equal", **labels)
+    axes.grid(visible=True, alpha=0.4)
     axes.legend()
-    return _write(figure, path)
+    if n == 3:
+        axes.set_box_aspect(axes.get_box_aspect(), zoom=SPATIAL)
+        for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+            axis.labelpad = 8.0
+        axes.locator_params(nbins=5)
+    else:
+        middle = len(points) // 2
+        axes.annotate("", points[middle + 1], points[middle], arrowprops={"arrowstyle": "->", "color": "C0", "lw": 2})
+    return drawn(axes, file)
+
+
+def _draw_bounds(panel: Any, bounds: Array) -> None:
+    """Draw the bounds both ways: in the line style of their coordinate, or once where they are all the same."""
+    same = len(set(bounds)) == 1
+    for i, bound in enumerate(bounds[:1] if same else bounds):
+        style = {"color": "black", "linestyle": "--"} if same else {**line_style(i), "marker": "", "color": f"C{i}"}
+        if np.isfinite(bound):
+            for sign in (1, -1):
+                panel.axhline(sign * bound, linewidth=0.8, **style)
+
+
+def _positions(motion: Curve, t: Array) -> Array:
+    """Return the positions, (k, n); of poses (p, log(R R₀ᵀ)), of orientations log(R R₀ᵀ)."""
+    import pinocchio as pin
+
+    values, start = motion(t), motion(0.0)
+    if hasattr(start, "rotation"):
+        turns = [np.asarray(pin.log3(value.rotation @ start.rotation.T)) for value in values]
+        return np.array([[*value.translation, *turn] for value, turn in zip(values, turns, strict=True)])
+    if np.ndim(start) == 2:
+        return np.array([pin.log3(value @ start.T) for value in values])
+    return np.asarray(values)
+
+
+def _labels(start: Any, n: int, rates: int, robot: Robot | None) -> tuple[list[str], list[str]]:
+    """Return names and units of the coordinates: of a robot's joints, of a pose, of a rotation, or numbers."""
+    if n != rates:
+        raise InputError(f"the trajectory has {n} coordinates and {rates} velocities; both must be as many")
+    if robot is not None:
+        if robot.nv != n:
+            raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
+        return list(map(legend_text, robot.joint_names)), ["rad" if angle else "m" for angle in robot.revolute]
+    if hasattr(start, "rotation"):
+        return [*"xyz", *TURNS], ["m"] * 3 + ["rad"] * 3
+    if np.ndim(start) == 2:
+        return list(TURNS), ["rad"] * 3
+    return [str(i + 1) for i in range(n)], ["1"] * n
+
+
+def _points(curve: Curve, s: Array) -> Array:
+    """Return the positions, (k, n)."""
+    values = curve(s)
+    if len(values) and hasattr(values[0], "translation"):
+        return np.array([value.translation for value in values])
+    if np.ndim(values) != 2:
+        raise InputError("a path of points or of poses can be drawn; this one has neither")
+    return np.asarray(values)
+
+
+def _draw_frame(axes: Any, curve: Curve, s: float, size: float, n: int) -> None:
+    """Draw the axes of a pose, or as many of the Frenet frame as there are."""
+    value = curve(s)
+    if hasattr(value, "rotation"):
+        origin, directions = value.translation, list(value.rotation.T)
+    else:
+        if isinstance(curve, PathTrajectory):  # a motion at rest has a tangent where its path has one
+            s, curve = min(float(curve.law(s)), curve.path.end), curve.path
+        frame = frenet_frame(curve, s)
+        origin, directions = frame.position, [frame.tangent, frame.normal, frame.binormal]
+    for direction, style in zip(directions[:n], STYLES[:2] + STYLES[3:], strict=False):
+        if direction is not None:
+            tip = origin + size * direction
+            axes.plot(*np.array([origin, tip])[:, :n].T, style, color="C3", linewidth=1.2)

@@ -7,7 +7,7 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from robotics1 import animate, plot_joint_motion, plot_tool_path
+from robotics1 import PositionTask, TaskTrajectory, animate, plot_path, plot_trajectory
 from robotics1.files import make_folder
 from robotics1.notation import count, vector
 from robotics1.report.formula_page import write_formula_page
@@ -86,9 +86,12 @@ def work_exam(folder: Path) -> WorkedExam:
         joints = folder / f"figure-{first}-{name}-arm-joints.svg"
         path = folder / f"figure-{first + 1}-{name}-arm-path.svg"
         motion, robot = branch.trajectory, three.robot
+        plot_trajectory(motion, file=joints, robot=robot, derivatives=1, title=title)
+        tool = TaskTrajectory(robot, PositionTask("xy"), motion)
+        plot_path(tool, file=path, target=TARGET, title=title)
         files += [
-            plot_joint_motion(robot, motion, joints, title=title),
-            plot_tool_path(robot, motion, path, target=TARGET, title=title),
+            joints,
+            path,
             animate(
                 robot,
                 motion,

@@ -5,17 +5,17 @@ from enum import Enum
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.caching import cached_property
+from robotics1.curves.curve import Curve, Side
+from robotics1.curves.interpolants import Extreme
 from robotics1.differentiation import derivative_inside
+from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.results import Frozen, require
 from robotics1.tasks.task import unitless_rows
 from robotics1.trajectories.following.integration import Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
-from robotics1.trajectories.instants import times_inside
-from robotics1.trajectories.protocols import Peak, Side
 
 ON_PATH = 1e-6  # |r_d − r| in radians, and in reaches of the robot: less is no error
 INSTANTS = 201  # at which the error, the residual and σ are looked at, and as many in each segment as fall to it
@@ -31,8 +31,11 @@ class FollowingStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class FollowedTrajectory(Frozen):
+class FollowedTrajectory(Frozen, Curve):
     """q(t), (n,) for a number and (k, n) for (k,) times, from the inverse differential kinematics of a task trajectory.
+
+    q̇ comes from the differential equation; q̈ is its derivative along the solution by differences, exact to about 1e-8,
+    and the third derivative of q(t) by differences again, exact to about 1e-5.
 
     Attributes:
         flow: the differential equation.
@@ -47,34 +50,34 @@ class FollowedTrajectory(Frozen):
     asked_duration: float
 
     @property
-    def duration(self) -> float:
+    def end(self) -> float:
         """T [s], of the task trajectory; less where it stopped before."""
         return self.segments[-1].end if self.segments else 0.0
 
     @property
-    def switching_times(self) -> Array:
+    def shape(self) -> tuple[int, ...]:
+        """(n,)."""
+        return (self.flow.robot.nv,)
+
+    @property
+    def breakpoints(self) -> Array:
         """Those of the task trajectory [s]."""
         return np.array([segment.end for segment in self.segments[:-1]])
 
-    def __call__(self, t: npt.ArrayLike) -> Array:
-        """Return q(t) [rad or m].
+    def _derivative(self, t: Array, order: int, side: Side) -> Array:
+        if order > 3:
+            raise InputError(f"derivatives of a followed trajectory are known up to the third; order is {order}")
+        of = (self._position, self._velocity, self._acceleration, self._jerk)[order]
+        return np.array([of(float(x), side) for x in t])
 
-        Raises:
-            InputError: a time is outside the trajectory.
-        """
-        return self._each(t, "right", lambda x, _: self._state(x)[: self.flow.robot.nv])
+    def _position(self, t: float, side: Side) -> Array:
+        return self._state(t)[: self.flow.robot.nv]
 
-    def velocity(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
-        """Return q̇(t), from the differential equation."""
-        return self._each(t, side, lambda x, _side: self.command(x, side=_side).qdot)
+    def _velocity(self, t: float, side: Side) -> Array:
+        return self.command(t, side=side).qdot
 
-    def acceleration(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
-        """Return q̈(t), the derivative of q̇ along the solution by differences: exact to about 1e-8."""
-        return self._each(t, side, self._acceleration)
-
-    def jerk(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
-        """Return the third derivative of q(t), by differences again: exact to about 1e-5."""
-        return self._each(t, side, lambda x, _side: derivative_inside(self._acceleration, x, self._ends, _side))
+    def _jerk(self, t: float, side: Side) -> Array:
+        return derivative_inside(self._acceleration, t, self._ends, side)
 
     def command(self, t: float, *, side: Side = "right") -> Command:
         """Return the error, the residual and the smallest singular value at one instant."""
@@ -87,20 +90,20 @@ class FollowedTrajectory(Frozen):
         return t, [self.command(float(x)) for x in t]
 
     @property
-    def largest_error(self) -> Peak:
+    def largest_error(self) -> Extreme:
         """Where |r_d − r| is largest, of 201 instants and the switching times."""
         return self._largest(lambda command: float(np.linalg.norm(command.error)))
 
     @property
-    def largest_residual(self) -> Peak:
+    def largest_residual(self) -> Extreme:
         """Where the part of the asked ṙ, or r̈, that is not realised is largest, of the same instants."""
         return self._largest(lambda command: float(np.linalg.norm(command.residual)))
 
     @property
-    def least_singular_value(self) -> Peak:
+    def least_singular_value(self) -> Extreme:
         """Where the smallest singular value of the Jacobian is least, of the same instants."""
         least = self._largest(lambda command: -command.sigma)
-        return Peak(-least.value, least.time)
+        return Extreme(-least.value, least.time)
 
     @property
     def final_error(self) -> float:
@@ -154,13 +157,8 @@ class FollowedTrajectory(Frozen):
 
         return derivative_inside(velocity, t, self._ends, side)
 
-    def _largest(self, of: Any) -> Peak:
+    def _largest(self, of: Any) -> Extreme:
         t, commands = self.record
         values = [of(command) for command in commands]
         i = int(np.argmax(values))
-        return Peak(values[i], float(t[i]))
-
-    def _each(self, t: npt.ArrayLike, side: Side, f: Any) -> Array:
-        times = times_inside(t, self.duration, side)
-        values = np.array([f(float(np.clip(x, 0.0, self.duration)), side) for x in np.atleast_1d(times)])
-        return values if times.ndim else values[0]
+        return Extreme(values[i], float(t[i]))

@@ -7,8 +7,8 @@ from typing import Any, Literal
 
 import numpy as np
 
+from robotics1.curves.curve import Side
 from robotics1.inputs import Array
-from robotics1.trajectories.protocols import Side
 
 Rate = Callable[[float, Array, Side], Array]
 

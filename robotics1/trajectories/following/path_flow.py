@@ -2,16 +2,15 @@
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 
+from robotics1.curves.curve import Curve, Side
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task, unitless_rows
 from robotics1.trajectories.following.joint_rates import Wish, resolved_acceleration, resolved_velocity
 from robotics1.trajectories.following.resolution import Resolution
-from robotics1.trajectories.protocols import Side
 
 SOFT = 1e-4  # σ/σ₁ below which an inverse without damping is softened; elsewhere it is exact
 
@@ -53,7 +52,7 @@ class VelocityFlow:
 
     robot: Robot
     task: Task
-    trajectory: Any
+    trajectory: Curve
     resolution: Resolution
     gain: Array
     wish: Wish
@@ -80,7 +79,7 @@ class AccelerationFlow:
 
     robot: Robot
     task: Task
-    trajectory: Any
+    trajectory: Curve
     resolution: Resolution
     gains: Array
     wish: Wish

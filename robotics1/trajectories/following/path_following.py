@@ -5,6 +5,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.curve import Curve
+from robotics1.curves.given import as_curve
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array
 from robotics1.robot.model import Robot
@@ -14,7 +16,6 @@ from robotics1.trajectories.following.integration import integrated
 from robotics1.trajectories.following.joint_rates import Wish
 from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
-from robotics1.trajectories.protocols import Trajectory, require_motion, smooth_ends
 
 PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of the robot
 RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity
@@ -25,7 +26,7 @@ STEPS = 1000  # from one switching time to the next: a well-behaved motion takes
 def follow_trajectory(
     robot: Robot,
     task: Task,
-    trajectory: Trajectory,
+    trajectory: Any,
     q0: npt.ArrayLike,
     *,
     resolution: Resolution | None = None,
@@ -53,16 +54,16 @@ def follow_trajectory(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1 (closed-loop inverse kinematics).
     """
     a_robot_and_a_task(robot, task)
-    q0 = _start(robot, task, trajectory, q0)
+    q0, motion = _start(robot, task, trajectory, q0)
     K = _gain("gain", gain, task.rows)
-    flow = VelocityFlow(robot, task, trajectory, resolution_or_default(resolution), K, null_velocity)
+    flow = VelocityFlow(robot, task, motion, resolution_or_default(resolution), K, null_velocity)
     return _integrated(flow, q0)
 
 
 def follow_trajectory_by_acceleration(
     robot: Robot,
     task: Task,
-    trajectory: Trajectory,
+    trajectory: Any,
     state: tuple[npt.ArrayLike, npt.ArrayLike],
     *,
     resolution: Resolution | None = None,
@@ -90,12 +91,12 @@ def follow_trajectory_by_acceleration(
     """
     a_robot_and_a_task(robot, task)
     q0, u0 = _pair("state", state)
-    q0 = _start(robot, task, trajectory, q0)
+    q0, motion = _start(robot, task, trajectory, q0)
     resolution = resolution_or_default(resolution)
     inputs = resolution.inputs(robot, q0).shape[1]
     u0 = real_array("state[1]", u0, (inputs,), "one number for each joint, or each input")
     K = np.array([_gain("gains", value, task.rows) for value in _pair("gains", gains)])
-    flow = AccelerationFlow(robot, task, trajectory, resolution, K, null_acceleration)
+    flow = AccelerationFlow(robot, task, motion, resolution, K, null_acceleration)
     return _integrated(flow, np.concatenate([q0, u0]))
 
 
@@ -104,7 +105,7 @@ def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> Followed
 
     It cannot where a joint is too fast, or where the steps become too many.
     """
-    ends, n = smooth_ends(flow.trajectory), flow.robot.nv
+    ends, n = flow.trajectory.ends, flow.robot.nv
     fastest = RUNAWAY * flow.robot.units / ends[-1]
     if (np.abs(flow.command(0.0, start, "right").qdot) > fastest).any():
         return FollowedTrajectory(flow, (), start, ends[-1])
@@ -124,7 +125,7 @@ def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> Followed
     return FollowedTrajectory(flow, segments, start, ends[-1])
 
 
-def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Array:
+def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> tuple[Array, Curve]:
     if robot.nq != robot.nv:
         raise InputError(
             f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and prismatic "
@@ -133,14 +134,13 @@ def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Arra
     if not robot.nv:
         raise TaskError(f"robot {robot.name!r} has no joint, so that nothing can follow the trajectory")
     task.check_integrable(robot)
-    require_motion("trajectory", trajectory, derivatives=2)
-    rates = np.shape(trajectory.velocity(0.0))
-    if rates != (task.rows,):
+    motion = as_curve("trajectory", trajectory, derivatives=2)
+    if motion.shape != (task.rows,):
         raise InputError(
             f"the trajectory's velocity must have one number for each of {', '.join(task.row_names)}; it has the shape "
-            f"{rates}"
+            f"{motion.shape}"
         )
-    return robot.configuration(q0)
+    return robot.configuration(q0), motion
 
 
 def _gain(name: str, value: npt.ArrayLike, m: int) -> Array:

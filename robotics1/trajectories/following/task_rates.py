@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.curve import Curve, Side
+from robotics1.curves.given import as_curve
 from robotics1.differentiation import derivative_inside, directional_derivative
 from robotics1.errors import InputError
 from robotics1.inputs import Array, a_robot_and_a_task
 from robotics1.kinematics import joint_rates
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.trajectories.instants import times_inside
-from robotics1.trajectories.protocols import Side, Trajectory, require_motion, smooth_ends
 
 
 def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLike) -> Array:
@@ -40,8 +40,10 @@ def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLik
 
 
 @dataclass(frozen=True, eq=False)
-class TaskTrajectory:
+class TaskTrajectory(Curve):
     """r(t) = f(q(t)) of a joint motion: ṙ = J q̇, r̈ = J q̈ + J̇ q̇; so its speed, peaks and plots are at hand.
+
+    The third derivative is found by differences: exact to about 1e-6.
 
     Attributes:
         robot: the robot.
@@ -51,54 +53,58 @@ class TaskTrajectory:
 
     robot: Robot
     task: Task
-    trajectory: Trajectory
+    trajectory: Curve
 
     def __post_init__(self) -> None:
         """Refuse a motion of other joints, and a task that does not fit."""
-        require_motion("trajectory", self.trajectory, derivatives=2)
+        motion = as_curve("trajectory", self.trajectory, derivatives=2)
         a_robot_and_a_task(self.robot, self.task)
         self.task.check(self.robot)
-        rates = np.shape(self.trajectory.velocity(0.0))
-        if rates != (self.robot.nv,):
-            raise InputError(f"the trajectory must move {self.robot.nv} joints; its velocity has the shape {rates}")
+        if motion.shape != (self.robot.nv,):
+            raise InputError(
+                f"the trajectory must move {self.robot.nv} joints; its velocity has the shape {motion.shape}"
+            )
+        object.__setattr__(self, "trajectory", motion)
 
     @property
-    def duration(self) -> float:
+    def of_points(self) -> bool:
+        """Whether the task's value is a vector."""
+        return bool(np.shape(self._value(np.zeros(1), "right")[0]) == self.shape)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """(m,)."""
+        return (self.task.rows,)
+
+    @property
+    def end(self) -> float:
         """T [s]."""
-        return float(self.trajectory.duration)
+        return self.trajectory.end
 
     @property
-    def switching_times(self) -> Array:
+    def breakpoints(self) -> Array:
         """Those of the joint motion [s]."""
-        return np.array(smooth_ends(self.trajectory)[1:-1])
+        return self.trajectory.breakpoints
 
-    def __call__(self, t: npt.ArrayLike) -> Any:
-        """Return r(t) in the form of the task's value; of (k,) times an array, or of poses a list."""
-        times = times_inside(t, self.duration)
-        values = [self.task.value(self.robot, self.trajectory(float(x))) for x in np.atleast_1d(times)]
-        return values[0] if not times.ndim else values if hasattr(values[0], "rotation") else np.array(values)
+    def _value(self, t: Array, side: Side) -> Any:
+        values = [self.task.value(self.robot, q) for q in self.trajectory(t)]
+        return values if hasattr(values[0], "rotation") else np.array(values)
 
-    def velocity(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
-        """Return ṙ(t), (m,) or (k, m)."""
-        return self._each(t, lambda x: self._velocity(x, side))
-
-    def acceleration(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
-        """Return r̈(t), (m,) or (k, m)."""
-        return self._each(t, lambda x: self._acceleration(x, side))
-
-    def jerk(self, t: npt.ArrayLike, *, side: Side = "right") -> Array:
-        """Return the third derivative of r(t), (m,) or (k, m), by differences: exact to about 1e-6."""
-        return self._each(t, lambda x: derivative_inside(self._acceleration, x, smooth_ends(self), side))
+    def _derivative(self, t: Array, order: int, side: Side) -> Array:
+        if order > 3:
+            raise InputError(f"derivatives of a task are known up to the third; order is {order}")
+        if order == 0:
+            return np.asarray(self._value(t, side))
+        of = (self._velocity, self._acceleration, self._jerk)[order - 1]
+        return np.array([of(float(x), side) for x in t])
 
     def _velocity(self, t: float, side: Side) -> Array:
-        return self.task.jacobian(self.robot, self.trajectory(t)) @ self.trajectory.velocity(t, side=side)
+        return np.asarray(self.task.jacobian(self.robot, self.trajectory(t)) @ self.trajectory.velocity(t, side=side))
 
     def _acceleration(self, t: float, side: Side) -> Array:
         q, qdot = self.trajectory(t), self.trajectory.velocity(t, side=side)
         drift = jacobian_rate(self.robot, self.task, q, qdot) @ qdot
         return np.asarray(self.task.jacobian(self.robot, q) @ self.trajectory.acceleration(t, side=side) + drift)
 
-    def _each(self, t: npt.ArrayLike, f: Any) -> Array:
-        times = times_inside(t, self.duration)
-        values = np.array([f(float(x)) for x in np.atleast_1d(times)])
-        return values if times.ndim else values[0]
+    def _jerk(self, t: float, side: Side) -> Array:
+        return derivative_inside(self._acceleration, t, self.ends, side)

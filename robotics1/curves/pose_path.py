@@ -1,0 +1,109 @@
+"""A pose along a parameter: a position, and an orientation that goes with it."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.curves.arcs import line_path
+from robotics1.curves.curve import Curve, Side
+from robotics1.curves.given import as_path
+from robotics1.curves.rotations import RotationPath, axis_angle_path
+from robotics1.errors import InputError
+from robotics1.inputs import Array, moderate_array
+
+
+@dataclass(frozen=True, eq=False)
+class PosePath(Curve):
+    """T(s) = (p(s), R(s)): `pin.SE3` for a number, a list of them for (k,) parameters.
+
+    s is the parameter of the position; the orientation goes from its start to its end in the same time. Where the
+    position stands still, s is the parameter of the orientation.
+
+    The derivative of order 1 is (p', w), (6,), the twist per unit of s in world axes; that of order 2 is (p'', w').
+
+    Attributes:
+        position: a path in space, or a point (3,) that stays [m].
+        orientation: R(s), such as `axis_angle_path(R0, R1)`.
+    """
+
+    position: Curve | npt.ArrayLike
+    orientation: RotationPath
+
+    def __post_init__(self) -> None:
+        """Refuse a position that is not in space, and a pose that stands still."""
+        if not isinstance(self.orientation, RotationPath):
+            raise InputError(f"orientation must be such as axis_angle_path(R0, R1); it is {self.orientation!r}")
+        if isinstance(self.position, Curve):
+            as_path("position", self.position, (3,))
+        else:
+            point = moderate_array("position", self.position, (3,), "a point, or a path in space")
+            object.__setattr__(self, "position", point)
+        if self.end == 0:
+            raise InputError("the pose must change: neither the position nor the orientation does")
+
+    @property
+    def of_points(self) -> bool:
+        """No: the values are poses."""
+        return False
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """That of the twist, (6,)."""
+        return (6,)
+
+    @property
+    def end(self) -> float:
+        """That of the position's path, or where it stands still of the orientation's."""
+        return self.position.end if isinstance(self.position, Curve) else self.orientation.end
+
+    @property
+    def breakpoints(self) -> Array:
+        """Those of both."""
+        own = self.position.breakpoints if isinstance(self.position, Curve) else np.empty(0)
+        turns = self.orientation.breakpoints / self._pace if self._pace else np.empty(0)
+        return np.unique(np.concatenate([own, turns]))
+
+    @property
+    def _pace(self) -> float:
+        """The orientation's parameter for each unit of s."""
+        return self.orientation.end / self.end
+
+    def _value(self, t: Array, side: Side) -> list[Any]:
+        import pinocchio as pin
+
+        rotations = self.orientation(self._pace * t, side=side)
+        return [pin.SE3(R, p) for R, p in zip(rotations, self._position(t, 0, side), strict=True)]
+
+    def _derivative(self, t: Array, order: int, side: Side) -> Array:
+        w = self._pace**order * self.orientation.derivative(self._pace * t, order, side=side)
+        return np.hstack([self._position(t, order, side), w])
+
+    def _position(self, t: Array, order: int, side: Side) -> Array:
+        if isinstance(self.position, Curve):
+            return np.asarray(self.position.derivative(t, order, side=side))
+        return np.tile(np.asarray(self.position) if order == 0 else np.zeros(3), (len(t), 1))
+
+
+def pose_line(T0: Any, T1: Any) -> PosePath:
+    """Return the straight way between two poses: p along a line, R about one axis, with a common parameter.
+
+    s is the length passed, or where the positions are the same the angle. The twist is (p', θ/L r) with the line's
+    direction p', its length L, and θ r = log(R₁ R₀ᵀ).
+
+    Args:
+        T0, T1: `pin.SE3`, or homogeneous matrices (4, 4).
+
+    Raises:
+        InputError: T0 or T1 is no pose, or they are the same.
+    """
+    from robotics1.robot.placements import homogeneous
+
+    start, last = homogeneous("T0", T0), homogeneous("T1", T1)
+    p0, p1 = start.translation, last.translation
+    still = np.linalg.norm(p1 - p0) <= 1e-12 * max(np.abs(p0).max(), np.abs(p1).max())
+    orientation = axis_angle_path(start.rotation, last.rotation)
+    if still and orientation.end == 0:
+        raise InputError("T0 and T1 must be different poses; they are the same")
+    return PosePath(p0 if still else line_path(p0, p1), orientation)

@@ -1,1 +1,0 @@
-"""Timing laws: velocity profiles and sines."""

@@ -1,1 +1,0 @@
-"""Bounds: what a motion asks of them, the shortest time under them, and time scaling."""

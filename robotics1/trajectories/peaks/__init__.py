@@ -1,1 +1,0 @@
-"""The exact extremes of motions, of their coordinates and of norms."""

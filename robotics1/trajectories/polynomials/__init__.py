@@ -1,1 +1,0 @@
-"""Motions made of polynomials: one, one after the other, and as formulas."""

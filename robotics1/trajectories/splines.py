@@ -1,0 +1,234 @@
+"""Cubic splines through points, with times or as paths; and the times of points."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
+from robotics1.curves.polyline import points_apart
+from robotics1.errors import InputError
+from robotics1.inputs import (
+    LARGEST,
+    Array,
+    dimensions,
+    joint_rates,
+    moderate,
+    moderate_array,
+    one_of,
+    positive_number,
+    real_array,
+)
+
+EXPONENTS = {"uniform": 0.0, "centripetal": 0.5, "chord": 1.0}
+ENDS = ("clamped", "natural", "periodic", "not-a-knot")
+
+
+def cubic_spline(
+    points: npt.ArrayLike,
+    times: npt.ArrayLike,
+    *,
+    ends: str = "clamped",
+    v0: npt.ArrayLike | None = None,
+    v1: npt.ArrayLike | None = None,
+    a0: npt.ArrayLike | None = None,
+    a1: npt.ArrayLike | None = None,
+) -> PiecewisePolynomial:
+    """Return the cubic spline through the points: cubics with continuous velocities and accelerations.
+
+    Of all motions through the points with the same velocities at the ends, it has the least ∫|q̈|² dt. The velocities
+    at the points are `spline.velocity(times)`, the polynomials `spline.pieces`, each with its `coefficients` in
+    τ = (t − tᵢ)/Tᵢ and `coefficients_t` in t − tᵢ.
+
+    Args:
+        points: (m, n), or (m,) of one joint [rad or m].
+        times: (m,) of the points, ascending from 0 [s].
+        ends: what holds at an end where nothing else is given: "clamped" (at rest), "natural" (q̈ = 0), "not-a-knot"
+            (the first two and the last two pieces are one cubic); "periodic": the end goes on at the start, with the
+            same point, velocity and acceleration.
+        v0, v1: (n,) the velocity at the start and at the end [rad/s or m/s], or one number for all.
+        a0, a1: (n,) the acceleration there instead [rad/s² or m/s²].
+
+    Raises:
+        InputError: velocity and acceleration are both given at one end, times do not ascend, a periodic motion does
+            not end where it begins.
+
+    Source: de Boor, A Practical Guide to Splines, 1978, chapter IV; Siciliano, Sciavicco, Villani, Oriolo, Robotics,
+    2009, section 4.2.2.
+    """
+    points, times = timed_points(points, times)
+    given = [_end("v0", v0, "a0", a0, points.shape[1]), _end("v1", v1, "a1", a1, points.shape[1])]
+    return _cubic_spline(points, times, ends, given)
+
+
+def _cubic_spline(points: Array, times: Array, ends: str, given: list[tuple[int, Array] | None]) -> PiecewisePolynomial:
+    """Return the spline with a derivative given at an end, or else the condition that `ends` makes there."""
+    from scipy.interpolate import CubicSpline
+
+    one_of("ends", ends, ENDS)
+    conditions: Any = "periodic"
+    if ends == "periodic":
+        _refuse_open(points, given)
+        points[-1] = points[0]
+    else:
+        conditions = tuple(ends if condition is None else condition for condition in given)
+    return PiecewisePolynomial.from_ppoly(CubicSpline(times, points, bc_type=conditions))
+
+
+def cubics_through(
+    points: npt.ArrayLike, times: npt.ArrayLike, velocities: npt.ArrayLike | None = None
+) -> PiecewisePolynomial:
+    """Return cubics through the points with given velocities there; the accelerations jump.
+
+    Without velocities they are zero at the ends, and at an inner point the mean of the slopes before and after it, or
+    zero where these have different signs: no joint passes a point and comes back.
+
+    Args:
+        points: (m, n), or (m,) of one joint [rad or m].
+        times: (m,) of the points, ascending from 0 [s].
+        velocities: (m, n), or (m,) of one joint [rad/s or m/s].
+
+    Raises:
+        InputError: shapes do not agree, or times do not ascend.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.2.
+    """
+    points, times = timed_points(points, times)
+    if velocities is None:
+        slopes = np.diff(points, axis=0) / np.diff(times)[:, None]
+        inner = np.where(slopes[:-1] * slopes[1:] > 0, (slopes[:-1] + slopes[1:]) / 2, 0.0)
+        v = np.concatenate([0 * points[:1], inner, 0 * points[:1]])
+    else:
+        listed = points_in_rows(velocities)
+        v = moderate("velocities", real_array("velocities", listed, points.shape, "one velocity for each point"))
+    from scipy.interpolate import CubicHermiteSpline
+
+    return PiecewisePolynomial.from_ppoly(CubicHermiteSpline(times, points, v))
+
+
+def spline_path(
+    points: npt.ArrayLike,
+    *,
+    knots: str | npt.ArrayLike = "chord",
+    ends: str = "natural",
+    start_tangent: npt.ArrayLike | None = None,
+    end_tangent: npt.ArrayLike | None = None,
+    start_second: npt.ArrayLike | None = None,
+    end_second: npt.ArrayLike | None = None,
+) -> PiecewisePolynomial:
+    """Return the cubic spline p(s) through the points: p, p' and p'' are continuous.
+
+    s is near the arc length when the knots are those of the chords; `by_arc_length` makes it the arc length.
+
+    Args:
+        points: (m, n) in order, Cartesian [m] or joint values.
+        knots: "chord" (sᵢ₊₁ − sᵢ = |pᵢ₊₁ − pᵢ|), "centripetal" (its root), "uniform" (1), or (m,) numbers from 0.
+        ends: "natural" (p'' = 0), "not-a-knot" (p''' continuous at the first and last inner knot), "clamped" (p' = 0),
+            or "periodic" (closed, p' and p'' continuous there too).
+        start_tangent, end_tangent: (n,) p' there, in place of the condition that `ends` makes there.
+        start_second, end_second: (n,) p'' there instead. With the law s = t these are velocities and accelerations.
+
+    Raises:
+        InputError: p' and p'' are both given at one end (`mixed_spline` takes both), consecutive points
+            are the same, knots do not ascend, or a periodic spline is not closed.
+
+    Source: de Boor, A Practical Guide to Splines, 1978, chapter IV.
+    """
+    rows, steps = points_apart(points)
+    given = [
+        _end("start_tangent", start_tangent, "start_second", start_second, rows.shape[1]),
+        _end("end_tangent", end_tangent, "end_second", end_second, rows.shape[1]),
+    ]
+    return _cubic_spline(rows, _knots(knots, steps), ends, given)
+
+
+def _knots(knots: str | npt.ArrayLike, steps: Array) -> Array:
+    if isinstance(knots, str):
+        if knots not in EXPONENTS:
+            raise InputError(f"knots must be 'chord', 'centripetal', 'uniform' or numbers; it is {knots!r}")
+        return np.concatenate([[0.0], np.cumsum(steps ** EXPONENTS[knots])])
+    given = moderate_array("knots", knots, (len(steps) + 1,), "one for each point")
+    if given[0] != 0 or (np.diff(given) <= 1e-12 * given[-1]).any():
+        raise InputError(f"knots must ascend from 0; they are {given.tolist()}")
+    return given
+
+
+def _end(first: str, v: npt.ArrayLike | None, second: str, a: npt.ArrayLike | None, n: int) -> tuple[int, Array] | None:
+    """Return which derivative is given at an end, and its value."""
+    if v is not None and a is not None:
+        raise InputError(
+            f"{first} and {second} are one condition too many for a cubic; mixed_spline(...) with the degree 4 at "
+            "the ends takes both"
+        )
+    if v is not None:
+        return 1, joint_rates(first, v, n)
+    return None if a is None else (2, joint_rates(second, a, n))
+
+
+def _refuse_open(points: Array, given: list[tuple[int, Array] | None]) -> None:
+    if any(condition is not None for condition in given):
+        raise InputError("a periodic motion has no ends at which a velocity or an acceleration could be given")
+    if (np.abs(points[-1] - points[0]) > 1e-9 * np.abs(points).max(axis=0)).any() or len(points) < 3:
+        raise InputError("a periodic motion needs three points, and ends where it begins: repeat the first as the last")
+
+
+def times_of_points(points: npt.ArrayLike, duration: float, rule: str = "chord") -> Array:
+    """Return times for points, from 0 to the duration T, with intervals in proportion to |qᵢ₊₁ − qᵢ|ᵖ.
+
+    "uniform", p = 0: equal intervals; "centripetal", p = ½: less overshoot at sharp turns; "chord", p = 1: the mean
+    speed is the same in all.
+
+    Args:
+        points: (m, n), or (m,) of one joint [rad or m].
+        duration: T [s].
+        rule: "uniform", "centripetal" or "chord".
+
+    Raises:
+        InputError: two consecutive points are the same, which only "uniform" can tell apart, or T is not positive.
+
+    Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 8.3.
+    """
+    rows = points_in_rows(points)
+    T = positive_number("duration", duration)
+    exponent = EXPONENTS[one_of("rule", rule, tuple(EXPONENTS))]
+    steps = np.linalg.norm(np.diff(rows, axis=0), axis=1)
+    if exponent and not steps.all():
+        i = int(np.argmin(steps))
+        raise InputError(f"points {i} and {i + 1} are the same: by the rule {rule!r} no time passes between them")
+    times = np.concatenate([[0.0], np.cumsum(steps**exponent)])
+    return np.asarray(T * times / times[-1])
+
+
+def timed_points(points: npt.ArrayLike, times: npt.ArrayLike) -> tuple[Array, Array]:
+    """Return points as (m, n) and their times (m,), if these ascend from 0.
+
+    Raises:
+        InputError: they do not, or there are not as many of both.
+    """
+    rows = points_in_rows(points)
+    knots = real_array("times", times, (len(rows),), "one for each point, in seconds")
+    if knots[0] != 0:
+        raise InputError(
+            f"times must begin at 0, when the motion does; the first is {knots[0]:g}: subtract it from all"
+        )
+    if (np.diff(knots) <= 0).any():
+        i = int(np.argmax(np.diff(knots) <= 0))
+        raise InputError(f"times must ascend; {knots[i + 1]:g} follows {knots[i]:g}")
+    moderate("the intervals of times", np.diff(knots), smallest=1 / LARGEST)
+    return rows, knots
+
+
+def points_in_rows(points: npt.ArrayLike) -> Array:
+    """Return points as (m, n), m ≥ 2; numbers are the points of one joint.
+
+    Raises:
+        InputError: they are none.
+    """
+    if dimensions("points", points) == 1:
+        rows = real_array("points", points, (None,), "the points of one joint")[:, None]
+    else:
+        rows = real_array("points", points, (None, None), "one point a row")
+    moderate("points", rows)
+    if len(rows) < 2 or rows.shape[1] == 0:
+        raise InputError(f"points must be two at least; they have the shape {rows.shape}")
+    return rows

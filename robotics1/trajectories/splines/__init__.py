@@ -1,1 +1,0 @@
-"""Polynomials through points in time."""
