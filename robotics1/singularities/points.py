@@ -11,7 +11,7 @@ from robotics1.inputs import Array
 from robotics1.notation import enumeration
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
-from robotics1.singularities.spaces import numeric_rank
+from robotics1.singularities.spaces import numeric_rank, vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.tasks.task import Task
 from robotics1.tasks.units import unitless_jacobian
@@ -34,14 +34,9 @@ ASIDE = 1e-3  # from which the steps towards such a zero are exact enough, in th
 class SingularPoints:
     """The set {q : rank J(q) < ρ}, where ρ is the rank of J almost everywhere.
 
-    At q, with J = U Σ Vᵀ, let U₂ and V₂ hold the singular vectors from the ρ-th on. The rank is below ρ where
-    the block U₂ᵀ J V₂ vanishes; to first order it changes by U₂ᵀ dJ V₂, which gives a Newton step for q. Its
-    solution of least norm moves q straight to the set and hardly along it, so the step is a projection.
+    The Newton step of `vanishing_block` moves q straight to the set and hardly along it, so it is a projection.
 
     J is taken without units: lengths are divided by the arm's reach. `scale` is the usual σ₁.
-
-    Source of the Newton step: the Schur complement of a rank-revealing block, Golub, Van Loan, Matrix
-    Computations, 2013, chapter 5.
     """
 
     robot: Robot
@@ -137,7 +132,7 @@ class SingularPoints:
         """Return an orthonormal basis (n, d) of the set's tangent space at q, in the box's units.
 
         Small random displacements, projected back on the set, stay in the tangent space up to radius².
-        This serves also where the derivative of the block vanishes.
+        They do so also where the derivative of the block vanishes.
         """
         n = len(q)
         moves = []
@@ -151,15 +146,9 @@ class SingularPoints:
         return np.asarray(Vt[lengths > 0.03 * radius].T)
 
     def linearised(self, q: Array) -> tuple[Array, Array]:
-        """Return (A, b): near q the block U₂ᵀ J V₂, as a vector, is b + A dx, with dx in the box's units."""
-        k = self.rank - 1
-        U, sigma, Vt = np.linalg.svd(self.jacobian(q))
-        U2, V2 = U[:, k:], Vt[k:].T
-        block = np.zeros((U2.shape[1], V2.shape[1]))
-        np.fill_diagonal(block, sigma[k:])
-        dJ = configuration_derivative(self._in_time, self.robot, q) * self.box.unit
-        A = np.einsum("ia,ijk,jb->abk", U2, dJ, V2).reshape(-1, self.robot.nv)
-        return A, block.ravel()
+        """Return (A, b): near q the block that vanishes on the set is b + A dx, with dx in the box's units."""
+        slopes = configuration_derivative(self._in_time, self.robot, q) * self.box.unit
+        return vanishing_block(self.jacobian(q), slopes, self.rank - 1)
 
 
 def _shrinking(before: Array | None, step: Array) -> float | None:
@@ -197,7 +186,7 @@ def note_on_limits(samples: Array, limits: JointBox, names: Sequence[str]) -> st
         near = (np.abs(inside).max(axis=0) <= NEAR) & ~limits.circular & ~beyond
         at += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(near)]
         outside += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(beyond)]
-    said = [f"It lies at {enumeration(at)}."] if at else []
+    lines = [f"It lies at {enumeration(at)}."] if at else []
     if outside:
-        said.append(f"It lies outside {enumeration(outside)} by less than {NEAR:g}, so that the arm can come to it.")
-    return " ".join(said)
+        lines.append(f"It lies outside {enumeration(outside)} by less than {NEAR:g}, so that the arm can come to it.")
+    return " ".join(lines)

@@ -101,7 +101,7 @@ def _with_opposite(N: fmpq_mpoly, root: fmpq_mpoly) -> fmpq_mpoly:
 def _change_exponents(
     terms: dict[Exponents, PolyElement], d: Degrees, expansion: Callable[[int, int], dict[int, Any]]
 ) -> dict[Exponents, PolyElement]:
-    """Replace the power k of each variable, one after the other, by the sum Σ c yᵐ that `expansion(k, dⱼ)` says."""
+    """Replace the power k of each variable, one after the other, by the sum Σ c yᵐ of `expansion(k, dⱼ)`."""
     for j, dj in enumerate(d):
         if dj == 0:
             continue

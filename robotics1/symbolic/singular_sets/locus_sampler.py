@@ -25,7 +25,7 @@ class LocusSampler:
 
     def __init__(self, piece: Piece, box: JointBox, known: Sequence[Array] | None = None) -> None:
         """Sample a piece in a box. With `known`, configurations that were found elsewhere, least squares start near
-        these; an empty `known` says that least squares find nothing.
+        these; an empty `known` means that least squares find nothing.
         """
         self.piece = piece
         self.box = box

@@ -1,9 +1,9 @@
 """The pieces that loci consist of: each once, none inside another, none that is empty.
 
 Equations may touch zero, without a change of sign or touching each other. (q1 − 1/2)² + q2² = 0 is one equation in two
-joints, and holds at one point. There its derivatives vanish too; with them the equations fall into factors that say so:
-q1 = 1/2, q2 = 0. Where no factor says it, and with √2 and √3 rounded there may be no exact common zero at all, the
-values are found in numbers: multiples of π/12 for angles, zero for slides.
+joints, and holds at one point. There its derivatives vanish too; with them the equations fall into factors that
+show it: q1 = 1/2, q2 = 0. Where no factor shows it, the values are found in numbers: multiples of π/12 for angles, zero
+for slides. With √2 and √3 rounded there may be no exact common zero at all.
 """
 
 from collections.abc import Hashable, Iterable
@@ -98,7 +98,7 @@ def _finer(
     if not seen or depth == DEEPEST or piece.is_regular or not all(piece.is_degenerate(q, TOUCHES) for q in points):
         return whole
     smaller: list[Drawn] = []
-    apart = replace(cases, excluded=[])  # what derivatives exclude says nothing of lengths
+    apart = replace(cases, excluded=[])  # what derivatives exclude is no condition on lengths
     for locus in apart.common_zeros(_dependence(piece.locus), piece.locus):
         for part in pieces_of(locus, cases.parameters):
             smaller += _finer(*_drawn(part, box, rng), cases, rng, depth + 1)

@@ -23,9 +23,9 @@ class Zero:
 
     Attributes:
         equation: the polynomial that vanishes, real, in whole angles.
-        substitution: the value of a joint that says the same, or None.
-        part: the irreducible part that says the same, where no joint has a value.
-        real: whether it happens at these lengths; told for lengths alone and for one joint, and taken for granted
+        substitution: the value of a joint that is equivalent, or None.
+        part: the irreducible part that is equivalent, where no joint has a value.
+        real: whether it happens at these lengths; known for lengths alone and for one joint, and assumed
             for several joints.
     """
 
@@ -42,7 +42,7 @@ def zeros(f: Laurent, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
     values = [_values(part, parameters) for part in distinct]
     others = [part for part, found in zip(distinct, values, strict=True) if not found]
     implicit = [Zero(part.whole, part=part, real=_can_vanish(part, parameters)) for part in others]
-    return [zero for found in values for zero in found] + [zero for zero in implicit if _says_something(zero)]
+    return [zero for found in values for zero in found] + [zero for zero in implicit if _is_worth_keeping(zero)]
 
 
 def vanishing_lengths(f: Laurent, parameters: Mapping[sympy.Symbol, float]) -> Zero | None:
@@ -71,8 +71,8 @@ def coincidences(
     return found
 
 
-def _says_something(zero: Zero) -> bool:
-    """A length that is not zero says nothing; that two lengths are equal does."""
+def _is_worth_keeping(zero: Zero) -> bool:
+    """Whether the zero is worth keeping: that two lengths are equal is, that a length is not zero is not."""
     return zero.real or len(zero.equation.terms) > 1 or any(len(c) > 1 for c in zero.equation.terms.values())
 
 
@@ -86,7 +86,7 @@ def _can_vanish(part: Part, parameters: Mapping[sympy.Symbol, float]) -> bool:
 
 
 def _values(part: Part, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
-    """Return the values of one joint at which the part vanishes, when they say all of it; else nothing."""
+    """Return the values of one joint at which the part vanishes, when these are all its zeros; else nothing."""
     half = part.in_half_angles
     if len(half.terms) == 2:
         return _values_of_two_terms(half)
@@ -156,7 +156,7 @@ def _value_of_length(part: Part, parameters: Mapping[sympy.Symbol, float]) -> li
 
 
 def value_of_length(f: Laurent) -> Substitution | None:
-    """Return the value of a prismatic joint, or of a length if f has no joint, that f = a ℓ + rest = 0 says."""
+    """Return the value of a prismatic joint, or of a length if f has no joint, at which f = a ℓ + rest = 0."""
     F = f.frequencies
     joints = [symbol for symbol in F.q if symbol in f.symbols]
     for symbol in joints or F.ring.symbols:

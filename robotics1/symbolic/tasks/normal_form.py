@@ -1,6 +1,6 @@
 """Expressions brought back to trigonometric polynomials, where they are some.
 
-What a task says of p, R and q is an expression. Its polynomial parts have one form only, in which cos² + sin² = 1 and
+A task is an expression in p, R and q. Its polynomial parts have one form only, in which cos² + sin² = 1 and
 the sums of angles are done; roots, quotients and arcs are kept around them.
 """
 

@@ -1,6 +1,6 @@
 """A task read as formulas: r = g(p, R, q) and ṙ = S V + D q̇, in symbols for the entries of p and R.
 
-S and D depend on p, R and q; V = (v, ω) is the velocity of the frame. The built-in tasks say g and S themselves, and
+S and D depend on p, R and q; V = (v, ω) is the velocity of the frame. The built-in tasks have g and S, and
 D = 0. Of a function f of the user's own, with Ṙ = [ω]× R,
 
     S = [∂f/∂p   Σᵢⱼ ∂f/∂Rᵢⱼ ([e_k]× R)ᵢⱼ],  D = ∂f/∂q.
