@@ -6,6 +6,9 @@ PEERS := .venv/peers-installed
 # Tests of words, files and pages, in which no number depends on how a processor rounds.
 WORDS := check cli dh documents errors exam fuzz malformed misuse notebooks pages plots project public xacro
 
+# Bytecode is kept: without it each process of a test compiles the package again.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: exam test sweep portable check notebooks coverage fuzz bench clean
 
 exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every published value

@@ -2,11 +2,15 @@
 
 from .control import (
     GainChoice,
-    GainVerdict,
+    GainStatus,
     Tracking,
     simulate_tracking,
     smallest_gain,
 )
+from .dh.from_robot import urdf_to_dh
+from .dh.table import DHRow, DHTable
+from .dh.to_robot import robot_from_dh
+from .dh.to_urdf import dh_to_urdf
 from .errors import (
     FormulaError,
     InputError,
@@ -19,15 +23,15 @@ from .errors import (
     UnknownNameError,
 )
 from .ik.iterate import IKIterate, IKIteration, iterate_ik
-from .ik.result import IKBatch, IKResult
-from .ik.solutions import IKSolutions, IKVerdict, ik_solutions
+from .ik.result import IKBatch, IKResult, IKStatus
+from .ik.solutions import IKSolutions, ik_solutions
 from .ik.solver import IKSolver, solve_ik
-from .ik.status import IKStatus
 from .kinematics import (
     forward_kinematics,
     frame_jacobian,
     frame_jacobian_rate,
 )
+from .least_squares import RANK_TOLERANCE
 from .orientation.axis_angle import (
     AxisAngle,
     axis_angle_to_rotation,
@@ -52,14 +56,13 @@ from .orientation.quaternion import (
     quaternion_to_rotation,
     rotation_to_quaternion,
 )
-from .orientation.rates import EulerRates, euler_rate_map, euler_rates
+from .orientation.rates import EulerRates, angular_velocity, euler_rate_map, euler_rates
 from .orientation.sequence import EulerSequence
 from .orientation.sequence_formulas import (
     EulerFormulas,
     SingularAngle,
     euler_formulas,
 )
-from .orientation.velocity import angular_velocity
 from .paths.arc_length import StackedPath, by_arc_length
 from .paths.arcs import arc_path, arc_through, circle_path
 from .paths.euler_rotation import euler_path
@@ -78,12 +81,9 @@ from .paths.symbolic_path import (
     formula_path,
     frenet_formulas,
 )
-from .robot.dh import dh_to_urdf, robot_from_dh
-from .robot.dh_from_urdf import urdf_to_dh
-from .robot.dh_table import DHRow, DHTable
-from .robot.examination import Examination, examine
-from .robot.loading import load_robot
+from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
+from .robot.report import RobotReport
 from .singularities.find import find_singularities
 from .singularities.intersections import find_intersections
 from .singularities.other_lengths import parameter_conditions
@@ -96,7 +96,6 @@ from .singularities.rounding import (
 from .singularities.scan import scan_singularities
 from .singularities.scan_result import RefinedGroup, Refinement, SingularityScan
 from .singularities.spaces import (
-    RANK_TOLERANCE,
     RankStatus,
     Subspaces,
     subspaces,
@@ -116,12 +115,12 @@ from .trajectories.composition.stretching import stretched
 from .trajectories.composition.trajectory_sequence import Join, TrajectorySequence
 from .trajectories.following.followed_trajectory import (
     FollowedTrajectory,
-    FollowingVerdict,
+    FollowingStatus,
 )
 from .trajectories.following.joint_rates import (
     JointAcceleration,
     JointVelocity,
-    RateVerdict,
+    RateStatus,
     joint_acceleration,
     joint_velocity,
 )
@@ -204,9 +203,8 @@ __all__ = [
     "EulerRates",
     "EulerSequence",
     "EulerSolutions",
-    "Examination",
     "FollowedTrajectory",
-    "FollowingVerdict",
+    "FollowingStatus",
     "FormulaError",
     "FormulaPath",
     "Formulas",
@@ -216,7 +214,7 @@ __all__ = [
     "FunctionMotion",
     "FunctionTask",
     "GainChoice",
-    "GainVerdict",
+    "GainStatus",
     "IKBatch",
     "IKIterate",
     "IKIteration",
@@ -224,7 +222,6 @@ __all__ = [
     "IKSolutions",
     "IKSolver",
     "IKStatus",
-    "IKVerdict",
     "InputError",
     "Intersections",
     "Join",
@@ -260,13 +257,14 @@ __all__ = [
     "PositionTask",
     "ProfileLaw",
     "RankStatus",
-    "RateVerdict",
+    "RateStatus",
     "RefinedGroup",
     "Refinement",
     "Rendezvous",
     "Resolution",
     "Robot",
     "RobotFileError",
+    "RobotReport",
     "RobotWarning",
     "Robotics1Error",
     "RoundedConfiguration",
@@ -300,6 +298,7 @@ __all__ = [
     "balancing_torque",
     "bang_bang",
     "by_arc_length",
+    "check_robot",
     "circle_path",
     "cosine",
     "cruise_profile",
@@ -315,7 +314,6 @@ __all__ = [
     "euler_rate_map",
     "euler_rates",
     "euler_to_rotation",
-    "examine",
     "exerting_torque",
     "fastest_along",
     "find_intersections",

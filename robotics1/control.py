@@ -2,15 +2,15 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from scipy.integrate import solve_ivp
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
+from robotics1.results import Frozen, require
+from robotics1.trajectories.following.integration import integrated
 from robotics1.trajectories.protocols import Side, Trajectory, number_of_joints, smooth_ends
 
 PRECISION = 1e-12  # of the integration, of the largest value of each joint
@@ -19,7 +19,7 @@ LARGEST = 1e150  # rad or m: squares of such errors are finite
 
 
 @dataclass(frozen=True, eq=False)
-class Tracking:
+class Tracking(Frozen):
     """A simulated run of q̇ = q̇_d + K (q_d − q).
 
     Attributes:
@@ -79,26 +79,25 @@ def simulate_tracking(
 
     size = np.maximum(np.abs(q0), np.abs(trajectory(t)).max(axis=0))
     precision = PRECISION * np.where(size > 0, size, 1.0)
-    q, now = np.empty((len(t), n)), q0
-    for start, end in pairwise(ends):
-
-        def rate(time: float, q: Array, start: float = start, end: float = end) -> Array:
-            inside = min(max(time, start), end)
-            side: Side = "right" if inside < end else "left"
-            return np.clip(wanted(inside, q, side), -limits, limits)
-
-        here = (t >= start) & (t <= end)
-        instants = np.union1d(t[here], end)  # the last value is where the next integration starts
-        run = solve_ivp(
-            rate, (start, end), now, t_eval=instants, rtol=1e-10, atol=precision, method="LSODA", max_step=ends[-1] / 50
-        )
-        q[here], now = run.y.T[: here.sum()], run.y[:, -1]
+    segments = integrated(
+        lambda time, q, side: np.clip(wanted(time, q, side), -limits, limits),
+        ends,
+        q0,
+        method="LSODA",
+        rtol=1e-10,
+        atol=precision,
+        max_step=ends[-1] / 50,
+    )
+    q = np.full((len(t), n), np.nan)
+    for segment in segments:
+        here = (t >= segment.start) & (t <= segment.end)
+        q[here] = segment.state(t[here]).T
     asked = np.array([wanted(time, position, "right") for time, position in zip(t, q, strict=True)])
     saturated = (np.abs(asked) > limits).any(axis=0)
     return Tracking(t, q, np.clip(asked, -limits, limits), trajectory(t) - q, saturated)
 
 
-class GainVerdict(Enum):
+class GainStatus(Enum):
     """What the smallest gain leads to."""
 
     FEEDBACK = "feedback recovers the error"
@@ -107,18 +106,30 @@ class GainVerdict(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class GainChoice:
+class GainChoice(Frozen):
     """The smallest gain for a wanted final error, and whether the robot can follow its command.
 
     Attributes:
         gain: (n,) k_i [1/s], equal for all joints.
-        verdict: whether to use it.
+        status: whether feedback with it recovers the error.
         run: the simulated run with it.
     """
 
     gain: Array
-    verdict: GainVerdict
+    status: GainStatus
     run: Tracking
+
+    def explain(self) -> str:
+        """Return the status with its numbers, in a sentence."""
+        return f"{self.status.value}; with k = {self.gain.max(initial=0.0):.6g} 1/s |e(T)| = {self.run.final_error:.3g}"
+
+    def require(self) -> "GainChoice":
+        """Return self if feedback recovers the error.
+
+        Raises:
+            NotConverged: it does not, so that a new trajectory is needed.
+        """
+        return require(self, self.status is not GainStatus.REPLAN)
 
 
 def smallest_gain(
@@ -150,12 +161,12 @@ def smallest_gain(
     k = max(0.0, float(np.log(start) - np.log(wanted)) / trajectory.duration) if start > 0 else 0.0
     run = simulate_tracking(trajectory, q0, k, rate_limits=rate_limits)
     if not run.saturated.any():
-        verdict = GainVerdict.FEEDBACK
+        status = GainStatus.FEEDBACK
     elif run.final_error <= wanted * (1 + 1e-6):
-        verdict = GainVerdict.SATURATES
+        status = GainStatus.SATURATES
     else:
-        verdict = GainVerdict.REPLAN
-    return GainChoice(np.full(n, k), verdict, run)
+        status = GainStatus.REPLAN
+    return GainChoice(np.full(n, k), status, run)
 
 
 def _refuse_what_is_too_large(k: Array, duration: float, q0: Array) -> None:

@@ -50,6 +50,7 @@ class RobotFileError(Robotics1Error, ValueError):
         where = ":".join(str(part) for part in (path, line) if part is not None)
         super().__init__(f"{where}: {message}" if where else message)
         self.path = path
+        self.message = message
         self.line = line
         self.element = element
 

@@ -1,6 +1,6 @@
 """What results have in common: they cannot be changed, they explain themselves, and they can be insisted on."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -36,6 +36,12 @@ def read_only(values: Iterable[Any]) -> None:
             value.flags.writeable = False
         elif isinstance(value, tuple):
             read_only(value)
+
+
+def made_again(kind: Callable[..., Any], *values: Any) -> Any:
+    """Return a named tuple of results from its copied or unpickled values, whose arrays are made read-only."""
+    read_only(values)
+    return kind(*values)
 
 
 class Frozen:

@@ -3,10 +3,9 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from robotics1 import InputError
+from robotics1 import InputError, check_robot
 from robotics1.cli.check import read_dh_table
 from robotics1.cli.commands import app
-from robotics1.robot.examination import examine
 
 BAD = """<robot name="bad">
   <link name="base"/>
@@ -90,8 +89,8 @@ def test_a_dh_file_of_another_form_is_an_input_error(tmp_path, text, sentence):
 
 
 def test_a_difference_of_the_parsers_makes_a_file_unsound(monkeypatch):
-    monkeypatch.setattr("robotics1.robot.examination.difference_from_yourdfpy", lambda robot, text: 1e-3)
-    found = examine("prr")
+    monkeypatch.setattr("robotics1.robot.loading.difference_from_yourdfpy", lambda robot, text: 1e-3)
+    found = check_robot("prr")
     assert found.fk_difference == 1e-3
     assert not found.sound
 
@@ -99,5 +98,5 @@ def test_a_difference_of_the_parsers_makes_a_file_unsound(monkeypatch):
 def test_ill_formed_xml_is_one_error_with_its_line(tmp_path):
     path = tmp_path / "arm.urdf"
     path.write_text("<robot name='a'>\n<link name='b'>\n</robot>")
-    (error,) = examine(path).errors
+    (error,) = check_robot(path).errors
     assert (error.line, error.message) == (3, "it is not well-formed XML: mismatched tag")

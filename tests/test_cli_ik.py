@@ -35,8 +35,8 @@ def test_ik_gives_all_solutions_or_the_table_of_a_method():
 
 def test_ik_exits_with_1_when_there_is_no_solution_or_no_convergence():
     found = answer(*XY, "--target", "3,0", code=1)
-    assert found["verdict"] == "UNREACHABLE"
-    assert found["least_error"] == pytest.approx(1.0, abs=1e-6)
+    assert found["status"] == "UNREACHABLE"
+    assert found["error_norm"] == pytest.approx(1.0, abs=1e-6)
     found = answer("ik", "cylindrical", "--target", "1,-1,3", "--method", "newton", "--q0", "2,pi/4,0", code=1)
     assert found["status"] == "SINGULAR"
 
@@ -54,7 +54,7 @@ def test_ik_solves_one_target_inside_the_limits_from_the_start_that_is_told():
         found = answer(*words, *UNIT, "--q0", q0, "--tolerance", "1e-9")
         assert (found["status"], found["starts"]) == ("CONVERGED", 1)
         assert found["q"] == pytest.approx(q, abs=1e-8)
-        assert found["error"] <= 1e-9
+        assert found["error_norm"] <= 1e-9
     printed = CliRunner().invoke(app, [*words, *UNIT, "--q0", "5,70", "--degrees"]).stdout
     assert "90.000" in printed
     assert "by forward kinematics" in printed
@@ -64,7 +64,7 @@ def test_ik_solve_exits_with_1_and_tells_the_nearest_miss():
     words = [*XY, "--target", "0,2.5", "--method", "solve"]
     found = answer(*words, *UNIT, code=1)
     assert found["status"] == "UNREACHABLE"
-    assert found["error"] == pytest.approx(0.5, abs=1e-6)
+    assert found["error_norm"] == pytest.approx(0.5, abs=1e-6)
     assert found["q"] == pytest.approx([pi / 2, 0], abs=1e-2)
     hole = [*XY, "--target", "0.2,0", "--method", "solve", "--time-limit", "0.01"]
     result = CliRunner().invoke(app, [*hole, "-p", "l1=1", "-p", "l2=0.5"])
@@ -90,7 +90,7 @@ def test_ik_answers_every_target_of_a_file_in_its_order(tmp_path):
     words = [*XY, "--targets", str(path), *UNIT]
     found = answer(*words, code=1)
     assert [one["status"] for one in found] == ["CONVERGED", "UNREACHABLE", "CONVERGED"]
-    assert [one["error"] for one in found] == pytest.approx([0, 1, 0], abs=1e-6)
+    assert [one["error_norm"] for one in found] == pytest.approx([0, 1, 0], abs=1e-6)
     for one, target in zip(found, ([1, 1], [2, 0], [0.5, -0.5]), strict=True):
         (a, b) = one["q"]
         assert [np.cos(a) + np.cos(a + b), np.sin(a) + np.sin(a + b)] == pytest.approx(target, abs=1e-4)

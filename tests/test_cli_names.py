@@ -140,7 +140,7 @@ def test_what_cannot_be_written_is_one_line_and_exit_code_2(words, run, tmp_path
     (tmp_path / "file").write_text("a file")
     place = tmp_path if words[0] == "view" else tmp_path / "file"
     if words[0] == "exam":  # its exercises take seconds, and are not what is tried here
-        monkeypatch.setattr("robotics1.exams.worked_2025_01_13.exercise_1", lambda: pytest.fail("solved in vain"))
+        monkeypatch.setattr("exams.exam_2025_01_13.worked.exercise_1", lambda: pytest.fail("solved in vain"))
     code, out, err = run(*words, place)
     assert (code, out) == (2, "")
     assert err.startswith("error: ")

@@ -1,7 +1,6 @@
 import pytest
+from exams.comparison import Comparison, agreement
 from sympy import Symbol, sin
-
-from robotics1.exams.comparison import Comparison, agreement
 
 
 @pytest.mark.parametrize(

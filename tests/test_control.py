@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import robotics1 as r1
-from robotics1 import GainVerdict, InputError, cubic, simulate_tracking, smallest_gain
+from robotics1 import GainStatus, InputError, cubic, simulate_tracking, smallest_gain
 
 TRAJECTORY = cubic([0, 0], [1.0294, 1.4250], 1.38, v1=[-0.7359, -0.6278])
 T = TRAJECTORY.duration
@@ -72,27 +72,27 @@ def test_smallest_gain_is_log_of_e0_over_epsilon_over_T(q0, wanted):
     k = log(np.linalg.norm(q0) / wanted) / T
     assert choice.gain == pytest.approx([k, k], rel=1e-12)
     assert choice.run.final_error == pytest.approx(wanted, rel=1e-5)
-    assert choice.verdict is GainVerdict.FEEDBACK
+    assert choice.status is GainStatus.FEEDBACK
 
 
 @pytest.mark.parametrize("q0", [[0, 0], [1e-4, 0], [0.0006, 0.0008]])
 def test_an_error_that_is_small_enough_needs_no_gain(q0):
     choice = smallest_gain(TRAJECTORY, q0, 1e-3)
     assert choice.gain == pytest.approx([0, 0], abs=1e-12)
-    assert choice.verdict is GainVerdict.FEEDBACK
+    assert choice.status is GainStatus.FEEDBACK
 
 
 def test_the_verdict_is_feedback_while_the_command_stays_inside_the_limits():
     """The command is largest at the start: k |e_i(0)| with k = ln(√2 · 100)/T."""
     q0, still = [0.1, 0.1], cubic([0, 0], [0, 0], 2)
     peak = log(sqrt(2) * 100) / 2 * 0.1
-    assert smallest_gain(still, q0, 1e-3, rate_limits=1.001 * peak).verdict is GainVerdict.FEEDBACK
-    assert smallest_gain(still, q0, 1e-3, rate_limits=0.999 * peak).verdict is not GainVerdict.FEEDBACK
+    assert smallest_gain(still, q0, 1e-3, rate_limits=1.001 * peak).status is GainStatus.FEEDBACK
+    assert smallest_gain(still, q0, 1e-3, rate_limits=0.999 * peak).status is not GainStatus.FEEDBACK
 
 
 def test_the_verdict_is_replan_when_the_start_is_too_far():
     choice = smallest_gain(TRAJECTORY, [-3, 3], 1e-3, rate_limits=4)
-    assert choice.verdict is GainVerdict.REPLAN
+    assert choice.status is GainStatus.REPLAN
     assert choice.run.final_error > 1e-3
     assert choice.run.saturated.any()
 
@@ -102,14 +102,14 @@ def test_what_a_cut_command_loses_is_missing_at_the_end():
     ahead, k = cubic([0], [2], 2, 1, 1), log(1000) / 2
     choice = smallest_gain(ahead, [-1], 1e-3, rate_limits=k + 0.9)
     assert choice.gain == pytest.approx([k])
-    assert choice.verdict is GainVerdict.REPLAN
+    assert choice.status is GainStatus.REPLAN
     assert 1e-3 < choice.run.final_error < 1.1e-3
 
 
 def test_the_verdict_is_saturates_when_the_cut_helps():
     """q_d comes back towards the robot at 5, faster than its 4.9: the error falls faster than by feedback."""
     choice = smallest_gain(cubic([0], [-3], 2, -5, 0), [-0.01], 1e-3, rate_limits=4.9)
-    assert choice.verdict is GainVerdict.SATURATES
+    assert choice.status is GainStatus.SATURATES
     assert choice.run.saturated.all()
     assert 0.8e-3 < choice.run.final_error < 1e-3
 

@@ -8,9 +8,15 @@ import pytest
 from dh_forms import conventions, dh_pose, dh_rows, homogeneous, placements, rotation, seeds
 from hypothesis import given, settings, strategies as st
 
-from robotics1 import InputError, RobotFileError, UnknownNameError, load_robot
+from robotics1 import (
+    DHTable,
+    InputError,
+    UnknownNameError,
+    dh_to_urdf,
+    load_robot,
+    robot_from_dh,
+)
 from robotics1.kinematics import forward_kinematics
-from robotics1.robot.dh import dh_to_urdf, robot_from_dh
 
 POLAR = [("R", 0, pi / 2, "l1", 0), ("R", "-l2", -pi / 3, 0.2, "beta"), ("P", 0.1, "beta", "l1", -0.4)]
 VALUES = {"l1": 0.5, "l2": 0.3, "beta": 0.1 + 0.2}
@@ -87,21 +93,14 @@ def test_a_named_length_keeps_every_digit(length):
     assert pose(robot, [0])[0, 3] == -length
 
 
-def test_names_stay_in_the_generated_xacro_each_alone_in_its_place():
-    from robotics1.robot.dh_markup import dh_markup
-    from robotics1.robot.dh_rows import checked_table
-
+def test_each_name_stands_alone_in_the_placement_of_one_joint():
     for convention in ("standard", "modified"):
-        table = checked_table(POLAR, VALUES, convention, None, None, None, None)
-        text = dh_markup(table, "dh", named=True)
-        assert '<xacro:arg name="l2" default="0.3"/>' in text
-        for origin in (
-            '<origin xyz="0 0 ${l1}" rpy="0 0 0.0"/>',
-            '<origin xyz="${-l2} 0 0" rpy="-1.0471975511965976 0 0"/>',
-            '<origin xyz="0 0 0.2" rpy="0 0 ${beta}"/>',
-            '<origin xyz="0.1 0 0" rpy="${beta} 0 0"/>',
-        ):
-            assert origin in text
+        robot = robot_from_dh(POLAR, parameters=VALUES, convention=convention)
+        placements = robot.placements
+        assert placements["q1"] == (({}, {}, {("l1",): 1.0}), ({}, {}, {}))
+        assert placements["x2"] == (({("l2",): -1.0}, {}, {}), ({(): -1.0471975511965976}, {}, {}))
+        assert placements["q2"] == (({}, {}, {(): 0.2}), ({}, {}, {("beta",): 1.0}))
+        assert placements["x3"] == (({(): 0.1}, {}, {}), ({("beta",): 1.0}, {}, {}))
 
 
 @pytest.mark.parametrize("name", ["α", "l_2", "e", "gamma", "L1", "lower"])
@@ -227,12 +226,13 @@ def yourdfpy_pose(path, q):
 def test_yourdfpy_finds_the_same_pose_in_the_written_file(tmp_path_factory, rows, convention, tool, seed):
     q = random_q(rows, seed)
     path = tmp_path_factory.mktemp("dh") / "arm.urdf"
-    dh_to_urdf(rows, path, convention=convention, tool_placement=tool)
+    dh_to_urdf(DHTable(rows, convention=convention, tool_placement=tool), path)
     assert yourdfpy_pose(path, q) == pytest.approx(dh_pose(rows, q, convention, None, tool), abs=5e-14)
 
 
 def test_the_file_is_a_plain_urdf_with_the_values_and_loads_as_the_same_robot(tmp_path):
-    path = dh_to_urdf(POLAR, str(tmp_path / "arm.urdf"), parameters=VALUES, base_placement=TURNED, lower=[-1, None, 0])
+    table = DHTable(POLAR, parameters=VALUES, base_placement=TURNED, lower=[-1, None, 0])
+    path = dh_to_urdf(table, str(tmp_path / "arm.urdf"))
     assert path == tmp_path / "arm.urdf"
     assert [entry.name for entry in tmp_path.iterdir()] == ["arm.urdf"]
     text = path.read_text(encoding="utf-8")
@@ -245,7 +245,7 @@ def test_the_file_is_a_plain_urdf_with_the_values_and_loads_as_the_same_robot(tm
 
 
 def test_the_file_says_continuous_without_limits_and_1000_where_one_is_missing(tmp_path):
-    path = dh_to_urdf(NUMBERS, tmp_path / "arm.urdf", lower=[None, None, None], upper=[None, 2, None])
+    path = dh_to_urdf(DHTable(NUMBERS, lower=[None] * 3, upper=[None, 2, None]), tmp_path / "arm.urdf")
     joints = [joint for joint in ET.parse(path).getroot().iter("joint") if joint.get("type") != "fixed"]
     assert [joint.get("type") for joint in joints] == ["continuous", "revolute", "prismatic"]
     limits = [(limit.get("lower"), limit.get("upper")) for joint in joints for limit in joint.iter("limit")]
@@ -257,7 +257,7 @@ def test_the_file_says_continuous_without_limits_and_1000_where_one_is_missing(t
 
 @pytest.mark.parametrize(("lower", "upper", "written"), [(5000, None, (5000, 6000)), (None, -5000, (-6000, -5000))])
 def test_limits_beyond_1000_stay_in_order(tmp_path, lower, upper, written):
-    robot = load_robot(dh_to_urdf([("P", 0, 0, 0, 0)], tmp_path / "arm.urdf", lower=[lower], upper=[upper]))
+    robot = load_robot(dh_to_urdf(DHTable([("P", 0, 0, 0, 0)], lower=[lower], upper=[upper]), tmp_path / "arm.urdf"))
     assert (robot.lower[0], robot.upper[0]) == written
 
 
@@ -279,7 +279,7 @@ def test_a_folder_that_is_not_there_is_an_input_error(tmp_path):
 
 
 def test_more_joints_than_can_be_computed_with_are_refused():
-    with pytest.raises(RobotFileError, match="at most 128"):
+    with pytest.raises(InputError, match="at most 128"):
         robot_from_dh([("R", 0.1, 0, 0, 0)] * 129)
 
 
@@ -312,7 +312,7 @@ def test_rods_lead_from_joint_to_joint(convention):
 
 def test_every_joint_is_visible_and_a_slide_reaches_its_sleeve(tmp_path):
     rows = [("R", 0, 0, 0, 0), ("P", 0, 0, 0.2, 0)]
-    root = ET.parse(dh_to_urdf(rows, tmp_path / "arm.urdf", lower=[None, -0.3], upper=[None, 0.7])).getroot()
+    root = ET.parse(dh_to_urdf(DHTable(rows, lower=[None, -0.3], upper=[None, 0.7]), tmp_path / "arm.urdf")).getroot()
     shapes = {link.get("name"): [s.find("geometry")[0] for s in link.iter("visual")] for link in root.iter("link")}
     assert [s.tag for s in shapes["link1_z"]] == ["cylinder"]
     assert [s.tag for s in shapes["link1"]] == ["box"]

@@ -6,10 +6,8 @@ from arms import ARMS, arm, random_q
 from dh_forms import conventions, dh_pose, dh_rows, homogeneous, placements, rotation, seeds
 from hypothesis import given, settings, strategies as st
 
-from robotics1 import InputError, UnknownNameError, load_robot
+from robotics1 import DHTable, InputError, UnknownNameError, dh_to_urdf, load_robot, robot_from_dh, urdf_to_dh
 from robotics1.kinematics import forward_kinematics
-from robotics1.robot.dh import dh_to_urdf, robot_from_dh
-from robotics1.robot.dh_from_urdf import urdf_to_dh
 
 TOOLS = {"two_tips": "camera"}  # which frame, where there is no tool
 
@@ -103,7 +101,7 @@ def test_any_chain_of_fixed_and_moving_joints_has_a_table(tmp_path_factory, chai
 def test_the_written_file_of_a_found_table_has_its_kinematics(tmp_path):
     robot = arm("spatial")
     table = urdf_to_dh(robot)
-    again = load_robot(dh_to_urdf(table.rows, tmp_path / "arm.urdf", **table.options))
+    again = load_robot(dh_to_urdf(table, tmp_path / "arm.urdf"))
     q = random_q(robot, 3)
     assert pose(again, q) == pytest.approx(pose(robot, q), abs=1e-12)
 
@@ -308,9 +306,7 @@ def test_several_tips_want_a_tool():
 
 def test_the_table_is_printed_as_on_paper():
     rows = [("R", 0, up, "L1", 0), ("R", "-L2", 0, 0, 0.1), ("P", 1, -2 * pi / 3, -0.5, up)]
-    from robotics1.robot.dh_rows import checked_table
-
-    table = checked_table(rows, {"L1": 0.5, "L2": 0.4}, "standard", homogeneous(np.eye(3), [0, 0, 2]), None, None, None)
+    table = DHTable(rows, parameters={"L1": 0.5, "L2": 0.4}, base_placement=homogeneous(np.eye(3), [0, 0, 2]))
     assert str(table).splitlines() == [
         "standard DH table",
         "i  type  a    α      d            θ",

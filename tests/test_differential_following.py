@@ -8,7 +8,7 @@ import pytest
 from arms import arm, random_q
 
 import robotics1 as r1
-from robotics1 import FollowingVerdict, InputError, NotConverged, Resolution, TaskError
+from robotics1 import FollowingStatus, InputError, NotConverged, Resolution, TaskError
 
 XY, XYZ = r1.PositionTask("xy"), r1.PositionTask("xyz")
 START = [0.3, 1.2]
@@ -53,7 +53,7 @@ def test_a_line_is_followed_and_the_joints_are_those_of_the_inverse_kinematics()
     robot = two_r()
     motion = line_from(robot, START, [-0.6, 0.3])
     found = r1.follow_trajectory(robot, XY, motion, START)
-    assert found.verdict is FollowingVerdict.FOLLOWS
+    assert found.status is FollowingStatus.FOLLOWS
     assert found.duration == 2
     assert found.require() is found
     for t in (0.0, 0.7, 1.4, 2.0):
@@ -66,7 +66,7 @@ def test_a_line_is_followed_and_the_joints_are_those_of_the_inverse_kinematics()
 
 def test_the_followed_motion_has_its_derivatives(followed):
     _, found = followed
-    assert found.verdict is FollowingVerdict.FOLLOWS
+    assert found.status is FollowingStatus.FOLLOWS
     for t in (0.4, 1.1, 1.7):
         assert found.velocity(t) == pytest.approx(rate(found, t, 2e-3), abs=1e-6)
         assert found.acceleration(t) == pytest.approx(rate(found.velocity, t, 2e-3), abs=1e-5)
@@ -89,7 +89,7 @@ def test_arms_of_all_kinds_follow_a_line_in_space(name):
     robot = arm(name)
     q = random_q(robot, 12)
     found = r1.follow_trajectory(robot, XYZ, line_from(robot, q, [0.05, -0.04, 0.06], 3), q)
-    assert found.verdict is FollowingVerdict.FOLLOWS
+    assert found.status is FollowingStatus.FOLLOWS
     end = tool(robot, q) + np.array([0.05, -0.04, 0.06])
     assert tool(robot, found(2.0)) == pytest.approx(end, abs=1e-7)
 
@@ -100,7 +100,7 @@ def test_without_a_gain_an_error_at_the_start_stays_and_with_one_it_decays_expon
     q0 = np.array(START) + np.array([0.02, -0.01])
     e0 = motion(0.0) - tool(robot, q0)[:2]
     open_loop = r1.follow_trajectory(robot, XY, motion, q0)
-    assert open_loop.verdict is FollowingVerdict.DEVIATES
+    assert open_loop.status is FollowingStatus.DEVIATES
     assert open_loop.final_error == pytest.approx(np.linalg.norm(e0), rel=1e-6)
     with pytest.raises(NotConverged, match="the end of the path is missed") as caught:
         open_loop.require()
@@ -111,7 +111,7 @@ def test_without_a_gain_an_error_at_the_start_stays_and_with_one_it_decays_expon
         assert e == pytest.approx(e0 * np.exp([-3 * t, -8 * t]), rel=1e-5)
         assert closed.command(t).error == pytest.approx(e, abs=1e-9)
     quick = r1.follow_trajectory(robot, XY, motion, q0, gain=20)
-    assert quick.verdict is FollowingVerdict.RETURNS
+    assert quick.status is FollowingStatus.RETURNS
     assert quick.largest_error.value == pytest.approx(np.linalg.norm(e0))
     assert quick.largest_error.time == 0
 
@@ -128,7 +128,7 @@ def test_second_order_gives_the_error_the_dynamics_of_its_gains():
     exact = r1.follow_trajectory_by_acceleration(robot, XY, motion, (START, [0, 0]))
     first = r1.follow_trajectory(robot, XY, motion, START)
     t = np.array([0.4, 1.2, 2.0])
-    assert exact.verdict is FollowingVerdict.FOLLOWS
+    assert exact.status is FollowingStatus.FOLLOWS
     assert exact(t) == pytest.approx(first(t), abs=1e-7)
     assert exact.velocity(t) == pytest.approx(first.velocity(t), abs=1e-7)
     assert exact.acceleration(t) == pytest.approx(first.acceleration(t), abs=1e-6)
@@ -141,12 +141,12 @@ def test_null_motion_goes_on_while_the_task_is_followed():
     middle = np.where(np.isfinite(middle), middle, 0.0)
     plain = r1.follow_trajectory(robot, r1.PoseTask(), motion, q)
     centred = r1.follow_trajectory(robot, r1.PoseTask(), motion, q, null_velocity=lambda x: 2 * (middle - x))
-    assert centred.verdict is FollowingVerdict.FOLLOWS
+    assert centred.status is FollowingStatus.FOLLOWS
     assert np.linalg.norm(centred(2.0) - middle) < np.linalg.norm(plain(2.0) - middle) - 0.01
     damped = r1.follow_trajectory_by_acceleration(
         robot, r1.PoseTask(), motion, (q, np.zeros(7)), null_acceleration=lambda x, v: -3 * v
     )
-    assert damped.verdict is FollowingVerdict.FOLLOWS
+    assert damped.status is FollowingStatus.FOLLOWS
 
 
 def test_switching_times_are_kept_and_the_acceleration_is_told_from_both_sides():
@@ -172,10 +172,10 @@ def test_a_path_out_of_reach_stops_where_the_joints_run_away():
     robot = two_r()
     motion = line_from(robot, [0.3, 0.5], [0.6, 0.3])
     found = r1.follow_trajectory(robot, XY, motion, [0.3, 0.5])
-    assert found.verdict is FollowingVerdict.STOPPED
+    assert found.status is FollowingStatus.STOPPED
     assert found.duration < 2
     assert np.linalg.norm(motion(found.duration)) == pytest.approx(2, abs=1e-4)  # where the arm is stretched
-    assert "stopped there" in found.explanation
+    assert "stopped there" in found.explain()
     assert found.least_singular_value.value < 1e-3
     with pytest.raises(NotConverged):
         found.require()
@@ -187,7 +187,7 @@ def test_damping_goes_on_beyond_it_with_an_error_that_is_told():
     robot = two_r()
     motion = line_from(robot, [0.3, 0.5], [0.6, 0.3])
     found = r1.follow_trajectory(robot, XY, motion, [0.3, 0.5], gain=5, resolution=Resolution(damping=0.1, region=0.3))
-    assert found.verdict is FollowingVerdict.DEVIATES
+    assert found.status is FollowingStatus.DEVIATES
     assert found.duration == 2
     beyond = np.linalg.norm(motion(2.0)) - 2
     assert found.final_error == pytest.approx(beyond, rel=0.05)
@@ -200,7 +200,7 @@ def test_a_motion_through_a_singularity_that_it_does_not_feel_is_followed():
     robot = two_r()
     motion = timed(r1.arc_path([0, 0], [2, 0], 1.0))
     found = r1.follow_trajectory(robot, XY, motion, [0.0, 0.0])
-    assert found.verdict is FollowingVerdict.FOLLOWS
+    assert found.status is FollowingStatus.FOLLOWS
     assert found.least_singular_value.value == pytest.approx(0, abs=1e-12)
     assert found(2.0)[1] == pytest.approx(0, abs=2e-3)  # 2 − |p| is q2²/4: an error of 1e-6 of p
     assert found(2.0) @ [1, 0.5] == pytest.approx(1, abs=1e-6)
@@ -208,7 +208,7 @@ def test_a_motion_through_a_singularity_that_it_does_not_feel_is_followed():
 
 def test_an_unrealisable_velocity_at_the_start_does_not_move_the_arm():
     found = r1.follow_trajectory(two_r(), XY, timed(r1.line_path([2, 0], [1, 0])), [0.0, 0.0])
-    assert found.verdict is FollowingVerdict.DEVIATES
+    assert found.status is FollowingStatus.DEVIATES
     assert found(2.0) == pytest.approx([0, 0])
     assert found.largest_residual.value == pytest.approx(0.75, rel=1e-3)
     assert found.final_error == pytest.approx(1)
@@ -218,7 +218,7 @@ def test_joint_velocities_that_run_away_at_once_give_no_motion():
     robot = two_r()
     motion = r1.PathTrajectory(r1.line_path([2, 0], [-8, 0]), r1.cubic([0], [10], 1.0, v0=10, v1=10).joint(0))
     found = r1.follow_trajectory(robot, XY, motion, [0.0, 1e-3])
-    assert found.verdict is FollowingVerdict.STOPPED
+    assert found.status is FollowingStatus.STOPPED
     assert found.duration == 0
     assert found(0.0) == pytest.approx([0, 1e-3])
 
@@ -226,7 +226,7 @@ def test_joint_velocities_that_run_away_at_once_give_no_motion():
 def test_a_gain_that_needs_too_many_steps_stops_the_integration(monkeypatch):
     monkeypatch.setattr("robotics1.trajectories.following.path_following.STEPS", 30)
     found = r1.follow_trajectory(two_r(), XY, line_from(two_r(), START, [-0.3, 0.2]), START, gain=1e6)
-    assert found.verdict is FollowingVerdict.STOPPED
+    assert found.status is FollowingStatus.STOPPED
     assert 0 < found.duration < 2
 
 
@@ -262,7 +262,7 @@ CALLS = [
     (lambda r: r1.follow_trajectory(r, XY, MOTION, [0.1]), InputError, "q must have shape"),
     (lambda r: r1.follow_trajectory(r, XY, MOTION, START, gain=-1), InputError, "gain must not be negative"),
     (lambda r: r1.follow_trajectory(r, XY, MOTION, START, gain=[1, 2, 3]), InputError, "gain must have shape"),
-    (lambda r: r1.follow_trajectory(r, XY, MOTION, START, null_velocity=[1, 2, 3]), InputError, "the null motion must"),
+    (lambda r: r1.follow_trajectory(r, XY, MOTION, START, null_velocity=[1, 2, 3]), InputError, "null_velocity must"),
     (lambda r: r1.follow_trajectory(r, XY, r1.LinearMotion([1, 1], [0, 1]), START), InputError, "with a duration"),
     (lambda r: r1.follow_trajectory(r, r1.PositionTask("xy", reference="tool"), MOTION, START), TaskError, "move with"),
     (lambda r: r1.follow_trajectory_by_acceleration(r, XY, MOTION, START), InputError, "q must have shape"),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy
 
-from robotics1 import FollowingVerdict, Formulas, RateVerdict
+from robotics1 import FollowingStatus, Formulas, RateStatus
 
 DOCS = Path(__file__).parents[1] / "docs"
 DESCRIPTIONS = Path(__file__).parent / "descriptions"  # in the manner of the makers' own
@@ -115,8 +115,8 @@ def test_the_page_on_paths_says_what_it_finds(run):
 def test_the_page_on_differential_kinematics_says_what_it_finds(run):
     after, folder = run("differential_kinematics")
     page = after[-1]
-    assert page.lost.verdict is RateVerdict.OUT_OF_RANGE
-    assert page.run.verdict is FollowingVerdict.FOLLOWS
+    assert page.lost.status is RateStatus.OUT_OF_RANGE
+    assert page.run.status is FollowingStatus.FOLLOWS
     assert (folder / "joints.svg").is_file()
 
 

@@ -4,13 +4,13 @@ from math import pi
 
 import numpy as np
 import pytest
+from exams.exam_2025_01_13 import answers as exam
+from exams.exam_2025_01_13.formulas import formulas_1
+from exams.exam_2025_01_13.published import compare
+from exams.exam_2025_01_13.worked import work_exam
 from typer.testing import CliRunner
 
 from robotics1.cli.commands import app
-from robotics1.exams import exam_2025_01_13 as exam
-from robotics1.exams.checks_2025_01_13 import compare
-from robotics1.exams.formulas_2025_01_13.exercise_1 import formulas_1
-from robotics1.exams.worked_2025_01_13 import work_exam
 
 
 @pytest.fixture(scope="module")
@@ -46,9 +46,9 @@ def test_exercise_1_holds_in_the_singular_configuration_with_positive_joint_valu
 
 
 def test_exercise_3_feedback_recovers_a_small_error_and_a_large_one_wants_replanning(worked):
-    assert worked.three.feedback.verdict.name == "FEEDBACK"
+    assert worked.three.feedback.status.name == "FEEDBACK"
     assert worked.three.feedback.gain == pytest.approx(np.log(np.hypot(0.1, 0.1) / 1e-3) / worked.three.meeting.time)
-    assert worked.three.too_far.verdict.name == "REPLAN"
+    assert worked.three.too_far.status.name == "REPLAN"
 
 
 def test_the_command_prints_the_answers_and_writes_figures_and_pages(tmp_path):

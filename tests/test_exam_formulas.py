@@ -7,14 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
+from exams.comparison import Comparison
+from exams.exam_2025_01_13 import answers as exam
+from exams.exam_2025_01_13.formulas import formula_tables, formulas_1
+from exams.formula_table import FormulaRow, FormulaTable
+from exams.symbolic_equality import are_equal, formula_of
 
 from robotics1 import load_robot
-from robotics1.exams import exam_2025_01_13 as exam
-from robotics1.exams.comparison import Comparison
-from robotics1.exams.formula_table import FormulaRow, FormulaTable
-from robotics1.exams.formulas_2025_01_13 import formula_tables
-from robotics1.exams.formulas_2025_01_13.exercise_1 import formulas_1
-from robotics1.exams.symbolic_equality import are_equal, formula_of
 
 URDF = Path(__file__).parents[1] / "urdf"
 

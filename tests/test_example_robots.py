@@ -7,7 +7,7 @@ import pinocchio as pin
 import pytest
 
 from robotics1 import RobotFileError, Robotics1Error, load_robot
-from robotics1.robot.examination import difference_from_yourdfpy, random_configurations
+from robotics1.robot.report import difference_from_yourdfpy, random_configurations
 from robotics1.robot.sources import example_folder, example_robots
 
 FOLDER = example_folder()

@@ -69,7 +69,7 @@ def test_2012_09_10_3_joint_velocity_for_a_velocity_of_the_last_origin():
     robot, q = robot_from_dh(THREE), [0, pi / 4, -pi / 4]
     J = [[0, -0.3536, 0], [1.0536, 0, 0], [0, 0.8536, 0.5]]
     assert XYZ.jacobian(robot, q) == pytest.approx(np.array(J), abs=1e-4)
-    assert joint_velocity(robot, XYZ, q, [1, 1, 0.5]).qdot == pytest.approx([0.9492, -2.8284, 5.8284], abs=1e-4)
+    assert joint_velocity(robot, XYZ, [1, 1, 0.5], q).qdot == pytest.approx([0.9492, -2.8284, 5.8284], abs=1e-4)
 
 
 def test_2012_09_10_4_angular_velocity_of_the_last_frame():
@@ -80,7 +80,7 @@ def test_2012_09_10_4_angular_velocity_of_the_last_frame():
 
 def test_2011_09_12_a_scara_realises_a_twist_in_one_way():
     robot, q = robot_from_dh(SCARA), [0, H, 1, -H]
-    answer, J = joint_velocity(robot, TWIST, q, [1, -1, 1, 0, 0, -1]), TWIST.jacobian(robot, q)
+    answer, J = joint_velocity(robot, TWIST, [1, -1, 1, 0, 0, -1], q), TWIST.jacobian(robot, q)
     assert (answer.rank, answer.feasible, subspaces(J).null.shape) == (4, True, (4, 0))
     assert answer.qdot == pytest.approx([-1, 0, 1, 0], abs=1e-12)
     assert np.linalg.det(J.T @ J) == pytest.approx(1)

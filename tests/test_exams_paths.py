@@ -84,7 +84,7 @@ def test_2011_02_03_4_accelerations_for_a_tip_acceleration_along_y_of_the_last_f
     arm = r1.robot_from_dh(rows, parameters={"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3})
     q, qdot, xyz = [0, pi / 4, -pi / 4], [w, 0, 0], r1.PositionTask("xyz")
     acc = r1.forward_kinematics(arm, q).rotation @ [0, A, 0]
-    found = r1.joint_acceleration(arm, xyz, q, qdot, acc)
+    found = r1.joint_acceleration(arm, xyz, acc, q, qdot)
     reach = 0.1 + 0.4 * sqrt(2) / 2 + 0.3
     assert acc == pytest.approx([0, 0, A])
     assert found.drift == pytest.approx([-reach * w**2, 0, 0], abs=1e-10)
@@ -94,7 +94,7 @@ def test_2011_02_03_4_accelerations_for_a_tip_acceleration_along_y_of_the_last_f
         assert found.qddot == pytest.approx([0, -5.431981, 17.219968], abs=1e-6)
         single = -(1 + sqrt(2) * 0.3 / 0.4) * reach * w**2
         assert single == pytest.approx(-3.16599, abs=1e-5)
-        only = r1.joint_acceleration(arm, xyz, q, qdot, [0, 0, single]).qddot
+        only = r1.joint_acceleration(arm, xyz, [0, 0, single], q, qdot).qddot
         assert only == pytest.approx([0, only[1], 0], abs=1e-9)  # joint 2 alone accelerates
 
 
@@ -107,7 +107,7 @@ def planar(*lengths):
 
 def test_2013_01_09_2c_least_norm_velocity_of_a_planar_4r():
     """The printed norm is that of the first three components; of the vector it is 1.4322."""
-    found = r1.joint_velocity(planar(1, 1, 1, 1), r1.PositionTask("xy"), [0, 0, -pi / 4, pi / 2], [1, 0])
+    found = r1.joint_velocity(planar(1, 1, 1, 1), r1.PositionTask("xy"), [1, 0], [0, 0, -pi / 4, pi / 2])
     assert found.qdot == pytest.approx([0.1752, 0.1239, 0.0726, -1.4142], abs=PRINTED)
     assert np.linalg.norm(found.qdot) == pytest.approx(1.4322, abs=PRINTED)
 
@@ -115,14 +115,14 @@ def test_2013_01_09_2c_least_norm_velocity_of_a_planar_4r():
 def test_2012_09_10_5_velocities_for_an_angular_velocity_of_a_3r_whose_jacobian_is_singular():
     arm = r1.robot_from_dh([("R", 0.2, up, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
     q, omega = [0, pi / 4, -pi / 4], [0, -3, 0.949169]
-    found = r1.joint_velocity(arm, r1.OrientationTask(), q, omega)
+    found = r1.joint_velocity(arm, r1.OrientationTask(), omega, q)
     assert found.qdot == pytest.approx([0.9492, 1.5, 1.5], abs=PRINTED)
     assert np.linalg.norm(found.qdot) == pytest.approx(2.324, abs=PRINTED)
     assert found.rank == 2
     null = r1.subspaces(r1.OrientationTask().jacobian(arm, q)).null[:, 0]
     assert null / null[1] == pytest.approx([0, 1, -1], abs=1e-9)
     given = [0.9492, -2.8284, 5.8284]
-    kept = r1.joint_velocity(arm, r1.OrientationTask(), q, omega, null_velocity=given)
+    kept = r1.joint_velocity(arm, r1.OrientationTask(), omega, q, null_velocity=given)
     assert kept.qdot == pytest.approx(given, abs=PRINTED)
     assert (found.qdot - given) @ [0, 1, -1] / 2 == pytest.approx(4.3284, abs=PRINTED)
 
@@ -130,13 +130,13 @@ def test_2012_09_10_5_velocities_for_an_angular_velocity_of_a_3r_whose_jacobian_
 def test_2011_09_12_b_twist_of_a_scara_in_a_singular_configuration():
     rows = [("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)]
     arm, q, twist = r1.robot_from_dh(rows), [pi / 4, 0, 1, 0], [1, -1, 1, 0, 0, -1]
-    found = r1.joint_velocity(arm, r1.PoseTask(), q, twist)
+    found = r1.joint_velocity(arm, r1.PoseTask(), twist, q)
     assert (found.rank, found.feasible) == (3, True)
     assert found.qdot == pytest.approx([-0.5404, -0.3333, 1, -0.1262], abs=PRINTED)
     assert np.linalg.norm(found.qdot) == pytest.approx(1.1913, abs=PRINTED)
     null = r1.subspaces(r1.PoseTask().jacobian(arm, q)).null[:, 0]
     assert null * np.sign(null[0]) == pytest.approx([0.4082, -0.8165, 0, 0.4082], abs=PRINTED)
-    other = r1.joint_velocity(arm, r1.PoseTask(), q, twist, null_velocity=null * np.sign(null[0]))
+    other = r1.joint_velocity(arm, r1.PoseTask(), twist, q, null_velocity=null * np.sign(null[0]))
     assert other.qdot == pytest.approx([-0.1322, -1.1498, 1, 0.282], abs=PRINTED)
     assert np.linalg.norm(other.qdot) == pytest.approx(1.5553, abs=PRINTED)
 
@@ -144,7 +144,7 @@ def test_2011_09_12_b_twist_of_a_scara_in_a_singular_configuration():
 def test_2009_12_17_3_twist_of_a_spatial_4r_has_one_solution():
     rows = [("R", 0, up, 0, 0), ("R", 0, up, 0, 0), ("R", 0, up, 1, 0), ("R", 1, 0, 0, 0)]
     found = r1.joint_velocity(
-        r1.robot_from_dh(rows), r1.PoseTask(), [0, 3 * pi / 4, pi, pi], [0, 0, -1, 0, -sqrt(0.5), 0]
+        r1.robot_from_dh(rows), r1.PoseTask(), [0, 0, -1, 0, -sqrt(0.5), 0], [0, 3 * pi / 4, pi, pi]
     )
     assert found.qdot == pytest.approx([0, -0.707107, 0, 1.414214], abs=1e-6)
     assert np.linalg.norm(found.qdot) == pytest.approx(1.5811, abs=PRINTED)
@@ -167,7 +167,7 @@ def test_2012_02_09_3b_initial_velocities_of_a_cartesian_and_a_joint_tracking_la
     assert e == pytest.approx(np.exp(-1.7) * np.array([0.5, 0.133975, 0]), abs=1e-6)  # what starts at zero stays
     on_path = [pi / 4, pi / 2, sqrt(2)]
     assert r1.forward_kinematics(arm, on_path).translation == pytest.approx(motion(0.0))
-    second = r1.joint_velocity(arm, xyz, on_path, motion.velocity(0.0)).qdot + (on_path - q0)
+    second = r1.joint_velocity(arm, xyz, motion.velocity(0.0), on_path).qdot + (on_path - q0)
     assert second == pytest.approx([0.091754, 0.5, -0.085786], abs=1e-6)
 
 
@@ -176,7 +176,7 @@ def test_2010_06_15_1b_acceleration_law_of_one_row_of_a_planar_rp_arm():
     q, qdot, y = np.array([0.4, 0.9]), [0.3, -0.2], r1.PositionTask("y")
     J = y.jacobian(arm, q)
     asked = 0.2 + 4 * (0.1 - J @ qdot) + 4 * y.error(arm, q, [0.5])
-    found = r1.joint_acceleration(arm, y, q, qdot, asked)
+    found = r1.joint_acceleration(arm, y, asked, q, qdot)
     assert np.array([[0.9 * cos(0.4), sin(0.4)]]) == pytest.approx(J)
     assert found.qddot == pytest.approx([0.649232, 0.30499], abs=1e-6)
     rate = r1.jacobian_rate(arm, y, q, qdot)
@@ -189,7 +189,7 @@ def test_2010_01_12_b_2b_acceleration_law_of_a_cylindrical_arm():
     p = r1.forward_kinematics(arm, q).translation
     rdot = xyz.jacobian(arm, q) @ qdot
     asked = [0, 0.3, 0.1] + 4 * ([0.1, 0, -0.2] - rdot) + 4 * ([0.7, 0.5, 0.3] - p)
-    found = r1.joint_acceleration(arm, xyz, q, qdot, asked)
+    found = r1.joint_acceleration(arm, xyz, asked, q, qdot)
     assert found.qddot == pytest.approx([-1.294652, 0.1, -0.361057], abs=1e-6)
     s, c = sin(0.5), cos(0.5)
     expected = [-2 * 0.3 * 0.4 * s - 0.8 * 0.16 * c, 2 * 0.3 * 0.4 * c - 0.8 * 0.16 * s, 0]

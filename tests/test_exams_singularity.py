@@ -139,7 +139,7 @@ def test_2012_02_09_3a_a_segment_through_the_axis_of_joint_1_needs_q1_along_it()
     lost = at(find_singularities(robot, XYZ), "q2 = pi").formulas.left_null
     assert sympy.solve((lost.T * tangent)[0], q1) == [sympy.pi / 4]  # and π more
     v = np.array(tangent, float)[:, 0]
-    along, across = (joint_velocity(robot, XYZ, [angle, pi, 1], v) for angle in (pi / 4, 0.1))
+    along, across = (joint_velocity(robot, XYZ, v, [angle, pi, 1]) for angle in (pi / 4, 0.1))
     assert (along.feasible, across.feasible) == (True, False)
     assert along.qdot == pytest.approx([0, 0.816497, 0.57735], abs=1e-6)
     start, end = (ik_solutions(robot, XYZ, p).q for p in ([1, 1, 1], [-1, -1, 3]))
@@ -214,7 +214,7 @@ def test_2010_06_15_1a_the_height_of_an_rp_arm_is_singular_at_s1_0_and_q2_0():
 
 
 def test_2010_02_11_d_folded_2r_reaches_a_tangent_along_y_with_least_joint_speed():
-    answer = joint_velocity(planar(0.6, 0.5), XY, [0, -pi], [0, 1])
+    answer = joint_velocity(planar(0.6, 0.5), XY, [0, 1], [0, -pi])
     assert answer.feasible
     assert answer.rank == 1
     assert answer.qdot == pytest.approx(np.array([0.1, -0.5]) / 0.26, abs=1e-12)

@@ -10,8 +10,9 @@ from arms import ARMS, arm
 from polynomials import F, a, b, c, equal, poly, q1, q2, q3, q4, random_q, sympy_of, value
 from sympy import cos, sin, sqrt
 
+from robotics1.angles import twelfths_of_pi
 from robotics1.symbolic.kinematics.chain import chain_to
-from robotics1.symbolic.kinematics.exact import exact_axis, exact_length, exact_turn
+from robotics1.symbolic.kinematics.exact import exact_axis, exact_length
 from robotics1.symbolic.polynomials.factoring import factors, in_whole_angles, irreducible_parts
 from robotics1.symbolic.polynomials.half_tangents import from_numerator, highest_multiples, in_half_angles, numerator
 
@@ -128,8 +129,8 @@ def test_equal_polynomials_have_equal_terms_however_they_are_written():
 @pytest.mark.parametrize("k", range(-12, 13))
 def test_a_twelfth_of_half_a_turn_is_told_within_1e_5(k):
     angle = k * np.pi / 12
-    assert exact_turn(angle) == exact_turn(angle + 9e-6) == exact_turn(round(angle, 5)) == k
-    assert exact_turn(angle + 1.1e-5) is None
+    assert twelfths_of_pi(angle) == twelfths_of_pi(angle + 9e-6) == twelfths_of_pi(round(angle, 5)) == k
+    assert twelfths_of_pi(angle + 1.1e-5) is None
     turn = F.turn(k)
     assert value(turn, [0, 0, 0, 0]) == pytest.approx(np.exp(1j * angle))
     assert equal(turn * F.turn(-k), F.constant(1))
@@ -170,6 +171,7 @@ def test_rotations_of_every_test_arm_are_orthogonal_exactly(name):
     robot = arm(name)
     chain = chain_to(robot, robot.tool)
     one, nothing = chain.frequencies.constant(1), chain.frequencies.constant(0)
-    for R in [motion for motion, _ in chain.motions] + [placement for placement, _ in chain.poses[:3]]:
+    motions = [chain.motion(joint)[0] for joint in chain.joints]
+    for R in [*motions, *(chain.turn(chain.joints[:k]) for k in (1, 2, 3))]:
         product = R @ R.T
         assert all(equal(product[i, j], one if i == j else nothing) for i in range(3) for j in range(3))

@@ -50,7 +50,7 @@ def assert_is_table(run, table):
         assert row.k == k
         assert row.q == pytest.approx(q, abs=DIGIT)
         assert row.r == pytest.approx(p, abs=DIGIT)
-        assert row.error == pytest.approx(error, abs=DIGIT / 10)
+        assert row.error_norm == pytest.approx(error, abs=DIGIT / 10)
         assert row.det == pytest.approx(det, abs=DIGIT)
 
 
@@ -102,7 +102,7 @@ def test_steps_on_the_cylindrical_robot_are_the_formulas(cylindrical, method):
     for row, after in pairwise(run.table):
         J, e = cf.cylindrical_jacobian(row.q), GOAL - cf.cylindrical_position(row.q)
         assert after.q - row.q == pytest.approx(by_hand(method, J, e), rel=1e-10, abs=1e-12)
-        assert row.error == pytest.approx(np.linalg.norm(e), rel=1e-12)
+        assert row.error_norm == pytest.approx(np.linalg.norm(e), rel=1e-12)
         assert row.det == pytest.approx(cf.cylindrical_determinant(row.q), abs=1e-12)
         assert row.sigma_min == pytest.approx(np.linalg.norm(J, -2), abs=1e-12)
 
@@ -131,7 +131,7 @@ def test_damping_is_lambda(cylindrical):
 
 
 def test_newton_converges_quadratically(cylindrical):
-    errors = [row.error for row in iterate_ik(cylindrical, SPACE, GOAL, Q_A, tolerance=1e-13).table]
+    errors = [row.error_norm for row in iterate_ik(cylindrical, SPACE, GOAL, Q_A, tolerance=1e-13).table]
     assert errors[-1] <= 1e-13
     assert all(after <= 2 * before**2 for before, after in pairwise(errors[1:]) if before > 1e-7)
 
@@ -190,7 +190,7 @@ def test_a_stretched_arm_pulled_along_itself_stalls(planar_2r, method):
 def test_an_unreachable_target_is_an_outcome(planar_2r):
     run = iterate_ik(planar_2r, POINT, [3, 1], [0.2, 0.3], method="damped", damping=1, max_iterations=500)
     assert run.status in (IKStatus.STALLED, IKStatus.MAX_ITERATIONS)
-    assert run.table[-1].error == pytest.approx(sqrt(10) - 2, abs=1e-3)
+    assert run.table[-1].error_norm == pytest.approx(sqrt(10) - 2, abs=1e-3)
 
 
 def test_too_large_a_gain_diverges(cylindrical):

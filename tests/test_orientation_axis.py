@@ -51,7 +51,7 @@ def test_axis_and_angle_are_read_from_the_trace_and_the_skew_part(axis, angle):
     assert np.array_equal(other, -r)
     for solution in found.solutions:
         assert axis_angle_to_rotation(*solution) == pytest.approx(R, abs=1e-14)
-    assert found.determined.startswith("two solutions: (r, θ) and (−r, −θ)")
+    assert found.explain().startswith("two solutions: (r, θ) and (−r, −θ)")
 
 
 @pytest.mark.parametrize("angle", [1e-8, 1e-5, pi - 1e-5, pi - 1e-8, -1e-7, pi + 1e-7])
@@ -67,7 +67,7 @@ def test_small_angles_and_nearly_half_turns_are_exact(angle):
 def test_of_no_rotation_the_axis_is_not_determined():
     found = rotation_to_axis_angle(np.eye(3))
     assert (found.angle, found.axis, found.solutions) == (0, None, ())
-    assert "the axis is not determined" in found.determined
+    assert "the axis is not determined" in found.explain()
     assert rotation_to_axis_angle(axis_angle_to_rotation([1, 1, 0], 1e-16)).axis is None
     assert rotation_to_axis_angle(axis_angle_to_rotation([1, 1, 0], 2 * pi)).axis is None
 
@@ -81,7 +81,7 @@ def test_half_a_turn_has_both_axes(axis):
     assert np.array_equal(other, -r)
     assert min(np.abs(r - unit(axis)).max(), np.abs(r + unit(axis)).max()) < 1e-14
     assert r[np.abs(r) > 1e-9][0] > 0
-    assert found.determined.startswith("half a turn")
+    assert found.explain().startswith("half a turn")
 
 
 def test_a_printed_half_turn_is_half_a_turn():

@@ -124,7 +124,7 @@ def test_zyx_angles_are_atan2_r21_r11_and_its_like(angles):
     second = [atan2(-R[1, 0], -R[0, 0]), atan2(-R[2, 0], -c), atan2(-R[2, 1], -R[2, 2])]
     found = rotation_to_euler("ZYX", R)
     assert same_angles(found.solutions, [first, second], 1e-11)
-    assert found.determined == "the angles are determined: there are two solutions"
+    assert found.explain() == "the angles are determined: there are two solutions"
 
 
 @pytest.mark.parametrize("distance", [1e-3, 1e-6, 1e-8, 3e-9])
@@ -178,11 +178,11 @@ def test_the_other_combination_is_not_determined():
 
 def test_the_singular_case_is_told_in_a_sentence():
     found = rotation_to_euler("ZYX", by_scipy("ZYX", [0.5, pi / 2, 0.2], False))
-    assert found.determined == (
+    assert found.explain() == (
         "singular: φ2 = π/2, and of the others only φ1 − φ3 = 0.3000 is determined: infinitely many solutions"
     )
     found = rotation_to_euler("ZYX", by_scipy("ZYX", [pi / 4, -pi / 2, pi / 4], False))
-    assert "φ1 + φ3 = π/2 is determined" in found.determined
+    assert "φ1 + φ3 = π/2 is determined" in found.explain()
 
 
 def test_a_regular_rotation_has_few_solutions_of_a_given_first_angle():
@@ -290,3 +290,12 @@ def test_every_solution_gives_the_rotation_back_near_the_singularity_of_its_sequ
     assert not (found.singular and exponent > -14)
     for solution in found.solutions:
         assert euler_to_rotation(name, solution, fixed=fixed) == pytest.approx(R, abs=6e-15)
+
+
+@pytest.mark.parametrize("letters", ["xyz", "zyx", "zxz", "xzx"])
+def test_small_letters_mean_fixed_axes_as_in_scipy(letters):
+    angles = [0.3, -1.1, 2.0]
+    R = euler_to_rotation(letters, angles)
+    assert R == pytest.approx(Rotation.from_euler(letters, angles).as_matrix(), abs=1e-15)
+    assert np.array_equal(R, euler_to_rotation(letters.upper(), angles, fixed=True))
+    assert rotation_to_euler(letters, R).sequence.fixed

@@ -72,7 +72,7 @@ def test_aligned_directions_need_no_turn():
     found = align_direction([0, 0, 2], [0, 0, 5])
     assert (found.angle, found.axis, found.unique) == (0, None, True)
     assert np.array_equal(found.rotation, np.eye(3))
-    assert found.determined == "every R(d, ψ) R₀ aligns the axis; R₀ turns least, by 0"
+    assert found.explain() == "every R(d, ψ) R₀ aligns the axis; R₀ turns least, by 0"
 
 
 @pytest.mark.parametrize("a", [[1, 0, 0], [0, -1, 0], [0, 0, 3], [1, 2, -3], [-1e-3, 1, 1]])
@@ -83,7 +83,7 @@ def test_opposite_directions_are_half_a_turn_about_any_normal(a):
     assert found.rotation == pytest.approx(axis_angle_to_rotation(found.axis, pi), abs=1e-15)
     assert found.rotation @ unit(a) == pytest.approx(-unit(a), abs=1e-15)
     assert rotation_to_axis_angle(found.at(0.7)).angle == pytest.approx(pi)
-    assert "any normal" in found.determined
+    assert "any normal" in found.explain()
 
 
 @pytest.mark.parametrize("off", [1e-4, 1e-7, 3e-9])
@@ -118,7 +118,7 @@ def test_two_directions_of_a_rotated_body_give_its_rotation(a1, a2, axis, turn):
     found = align_two_directions(a1, R @ a1, a2, 3 * R @ a2)
     assert found.rotation == pytest.approx(R, abs=1e-12)
     assert found.exact
-    assert found.verdict == "one rotation aligns both axes"
+    assert found.explain() == "one rotation aligns both axes"
 
 
 def test_directions_at_another_angle_are_aligned_as_nearly_as_can_be():
@@ -127,7 +127,7 @@ def test_directions_at_another_angle_are_aligned_as_nearly_as_can_be():
     assert found.rotation @ [0, 1, 0] == pytest.approx([0, 1, 0], abs=1e-15)
     assert found.misalignment == pytest.approx(pi / 4)
     assert not found.exact
-    assert "to π/4" in found.verdict
+    assert "second is π/4 from its direction" in found.explain()
 
 
 @given(vectors, vectors, vectors, vectors)

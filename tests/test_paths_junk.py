@@ -79,15 +79,15 @@ CALLS = {
     "frame_jacobian_rate frame": lambda a, b: r1.frame_jacobian_rate(ROBOT, [0, 0], [1, 1], frame=a, reference=b),
     "jacobian_rate": lambda a, b: r1.jacobian_rate(ROBOT, XY, a, b),
     "TaskTrajectory": lambda a, b: r1.TaskTrajectory(ROBOT, XY, a),
-    "joint_velocity": lambda a, b: r1.joint_velocity(ROBOT, XY, a, b),
-    "joint_velocity null": lambda a, b: r1.joint_velocity(ROBOT, XY, [0, 1], [1, 0], null_velocity=a, resolution=b),
-    "joint_acceleration": lambda a, b: r1.joint_acceleration(ROBOT, XY, [0, 1], a, b),
+    "joint_velocity": lambda a, b: r1.joint_velocity(ROBOT, XY, b, a),
+    "joint_velocity null": lambda a, b: r1.joint_velocity(ROBOT, XY, [1, 0], [0, 1], null_velocity=a, resolution=b),
+    "joint_acceleration": lambda a, b: r1.joint_acceleration(ROBOT, XY, b, [0, 1], a),
     "Resolution": lambda a, b: r1.joint_velocity(
-        ROBOT, XY, [0, 1], [1, 0], resolution=r1.Resolution(weights=a, damping=b)
+        ROBOT, XY, [1, 0], [0, 1], resolution=r1.Resolution(weights=a, damping=b)
     ),
     "Resolution region": lambda a, b: r1.Resolution(damping=a, region=b),
     "Resolution input": lambda a, b: r1.joint_velocity(
-        ROBOT, XY, [0, 1], [1, 0], resolution=r1.Resolution(input_matrix=a)
+        ROBOT, XY, [1, 0], [0, 1], resolution=r1.Resolution(input_matrix=a)
     ),
     "follow_trajectory": lambda a, b: r1.follow_trajectory(ROBOT, XY, a, b),
     "follow_trajectory gain": lambda a, b: r1.follow_trajectory(ROBOT, XY, FLAT, b, resolution=a),

@@ -46,12 +46,26 @@ def test_a_copy_of_a_public_object_is_the_same(name):
             assert (x != other) in (True, False)
 
 
+def arrays_in(x):
+    """Arrays that a result holds itself, in tuples, or in the results in it."""
+    if isinstance(x, np.ndarray):
+        yield x
+    elif isinstance(x, tuple):
+        for value in x:
+            yield from arrays_in(value)
+    elif isinstance(x, Frozen):
+        yield from arrays_in(tuple(vars(x).values()))
+
+
 @pytest.mark.parametrize("name", [name for name in CLASSES if issubclass(getattr(r1, name), Frozen)])
 def test_nobody_can_write_into_the_arrays_of_a_result_or_of_its_copies(name):
+    found = 0
     for x in INSTANCES[name]():
-        for result in (x, pickled(x), copy.deepcopy(x)):
-            arrays = [value for value in vars(result).values() if isinstance(value, np.ndarray)]
+        for other in (x, pickled(x), copy.deepcopy(x), copy.copy(x)):
+            arrays = list(arrays_in(other))
+            found += len(arrays)
             assert not any(array.flags.writeable for array in arrays)
+    assert found
 
 
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))  # SymPy, for a point, has no lower one

@@ -16,7 +16,7 @@ from robotics1.cli.commands import app
 from robotics1.singularities.printed_digits import half_units
 
 PLANAR, XY, POSE = r1.PlanarPoseTask("xy"), r1.PositionTask("xy"), r1.PoseTask()
-NEARLY = r1.RateVerdict.NEARLY_SINGULAR
+NEARLY = r1.RateStatus.NEARLY_SINGULAR
 
 
 def ur5():
@@ -62,17 +62,17 @@ def test_a_printed_configuration_that_rounds_a_singular_one_is_nearly_singular(n
     assert rounded.at_singularity.rank == rank == np.linalg.matrix_rank(task.jacobian(robot, exact), tol=1e-9)
     assert f"{robot.joint_names[joint]} = {q[joint]}" in rounded.explain()
     rdot = np.linspace(0.1, 0.3, task.rows)
-    found = r1.joint_velocity(robot, task, q, rdot)
-    there = r1.joint_velocity(robot, task, exact, rdot)
-    assert found.verdict is NEARLY
+    found = r1.joint_velocity(robot, task, rdot, q)
+    there = r1.joint_velocity(robot, task, rdot, exact)
+    assert found.status is NEARLY
     assert found.at_singularity.qdot == pytest.approx(there.qdot, abs=1e-8)
     assert np.abs(found.at_singularity.qdot).max() < 10 < np.abs(found.qdot).max()
-    assert found.at_singularity.verdict is there.verdict is r1.RateVerdict.OUT_OF_RANGE
-    assert "nearly singular" in found.explanation
-    assert "at_singularity" in found.explanation
-    second = r1.joint_acceleration(robot, task, q, np.full(robot.nv, 0.1), rdot)
-    assert second.verdict is NEARLY
-    expected = r1.joint_acceleration(robot, task, exact, np.full(robot.nv, 0.1), rdot)
+    assert found.at_singularity.status is there.status is r1.RateStatus.OUT_OF_RANGE
+    assert "nearly singular" in found.explain()
+    assert "at_singularity" in found.explain()
+    second = r1.joint_acceleration(robot, task, rdot, q, np.full(robot.nv, 0.1))
+    assert second.status is NEARLY
+    expected = r1.joint_acceleration(robot, task, rdot, exact, np.full(robot.nv, 0.1))
     assert second.at_singularity.qddot == pytest.approx(expected.qddot, abs=1e-7)
 
 
@@ -85,9 +85,9 @@ def test_the_answer_at_the_singularity_of_a_prr_is_the_exams():
 
 def test_a_velocity_in_the_range_at_the_singularity_is_realised_there():
     robot, q = arm("planar_2r", l1=1.0, l2=0.5), [0.0, 3.1416]
-    found = r1.joint_velocity(robot, XY, q, [0.0, 0.4])
-    assert found.verdict is NEARLY
-    assert found.at_singularity.verdict is r1.RateVerdict.REALISED_ALL_THE_SAME
+    found = r1.joint_velocity(robot, XY, [0.0, 0.4], q)
+    assert found.status is NEARLY
+    assert found.at_singularity.status is r1.RateStatus.REALISED_ALL_THE_SAME
     J = XY.jacobian(robot, [0.0, pi])
     assert J @ found.at_singularity.qdot == pytest.approx([0, 0.4], abs=1e-9)
 
@@ -115,8 +115,8 @@ NEAR_MISSES = [
 def test_a_singularity_beyond_half_a_unit_of_the_last_digit_is_not_within_rounding(name, q):
     robot, task = ROBOTS[name](), TASKS[name]
     assert r1.singularity_within_rounding(robot, task, q).status is r1.RankStatus.FULL_RANK
-    found = r1.joint_velocity(robot, task, q, np.ones(task.rows))
-    assert found.verdict is r1.RateVerdict.REALISED
+    found = r1.joint_velocity(robot, task, np.ones(task.rows), q)
+    assert found.status is r1.RateStatus.REALISED
     assert found.at_singularity is None
 
 
@@ -152,22 +152,22 @@ def test_any_rounding_of_a_singular_configuration_is_nearly_singular_or_singular
 
 @pytest.mark.parametrize("q", [np.float32([0.2, 1.5708, 1.0]), (0.2, 1.5708, 1), np.array([0.2, 1.5708, 1.0])])
 def test_the_digits_of_any_kind_of_number_count(q):
-    assert r1.joint_velocity(arm("prr"), PLANAR, q, [0.1, 0.2, 0.3]).verdict is NEARLY
+    assert r1.joint_velocity(arm("prr"), PLANAR, [0.1, 0.2, 0.3], q).status is NEARLY
 
 
 def test_with_an_input_matrix_the_rank_of_j_times_g_counts():
     robot = arm("planar_2r", l1=1.0, l2=1.0)
     coupled = r1.Resolution(input_matrix=[[1, 0], [-1, 1]])
-    found = r1.joint_velocity(robot, XY, [0.4, 3.1416], [1, 1], resolution=coupled)
-    assert found.verdict is NEARLY
+    found = r1.joint_velocity(robot, XY, [1, 1], [0.4, 3.1416], resolution=coupled)
+    assert found.status is NEARLY
     assert np.abs(found.at_singularity.inputs).max() < 10
 
 
 def test_a_redundant_arm_is_nearly_singular_where_all_its_minors_vanish():
-    found = r1.joint_velocity(planar_3r(), XY, [0.2, 3.1416, 3.1416], [0.1, 0.1])
-    assert found.verdict is NEARLY
+    found = r1.joint_velocity(planar_3r(), XY, [0.1, 0.1], [0.2, 3.1416, 3.1416])
+    assert found.status is NEARLY
     assert found.rounded.singular_q == pytest.approx([0.2, pi, pi])
-    assert r1.joint_velocity(planar_3r(), XY, [0.25, 3.1416, 0.41], [0.1, 0.1]).verdict is r1.RateVerdict.REALISED
+    assert r1.joint_velocity(planar_3r(), XY, [0.1, 0.1], [0.25, 3.1416, 0.41]).status is r1.RateStatus.REALISED
 
 
 def test_half_units_are_those_of_the_last_digit():

@@ -31,7 +31,7 @@ def everything(robot):
     return observed(
         [
             batch.q,
-            batch.error,
+            batch.error_norm,
             scan.worst,
             r1.formulas(robot, PLANE).determinant,
             r1.robot_from_dh([("R", 2.0, 0, 0, 0)]).reach,
@@ -158,7 +158,7 @@ def test_public_functions_go_to_workers_by_their_names(pool):
         (r1.solve_ik, robot, PLANE, TARGET),
         (r1.ik_solutions, robot, PLANE, TARGET),
         (r1.iterate_ik, robot, PLANE, TARGET, q),
-        (r1.joint_velocity, robot, PLANE, q, [1, 0]),
+        (r1.joint_velocity, robot, PLANE, [1, 0], q),
         (r1.find_singularities, robot, PLANE),
         (r1.scan_singularities, robot, r1.PlanarPoseTask()),
         (r1.urdf_to_dh, robot),
@@ -170,7 +170,7 @@ def test_public_functions_go_to_workers_by_their_names(pool):
         (r1.frenet_frame, path, 0.3),
         (r1.robot_from_dh, [("R", 1, 0, 0, 0)]),
         (r1.load_robot, "prr"),
-        (r1.examine, "prr"),
+        (r1.check_robot, "prr"),
         (r1.FunctionTask(squared_distance, 1).jacobian, robot, q),
         (r1.PoseTask("XYZ").value, robot, q),
         (solver, TARGET),

@@ -25,17 +25,23 @@ def wheel_in(folder):
     return next(iter(WheelBuilder(str(ROOT)).build(directory=str(folder), versions=["standard"])))
 
 
-def test_the_wheel_brings_its_robots(tmp_path):
+def test_the_wheel_brings_its_robots_and_its_exams(tmp_path):
     with ZipFile(wheel_in(tmp_path)) as wheel:
         wheel.extractall(tmp_path / "unpacked")
-    program = "import robotics1; r = robotics1.load_robot('prr'); print(r.parameters['l2'], r.path)"
+    program = """
+import robotics1
+from robotics1.cli.exam import example
+robot = robotics1.load_robot("prr")
+print(robot.parameters["l2"], robot.path, example("exams.exam_2025_01_13.answers").__file__, sep="\\n")
+"""
     run = subprocess.run(
         [sys.executable, "-c", program], check=True, cwd=tmp_path / "unpacked", capture_output=True, text=True,
         timeout=120, env=os.environ | {"PYTHONPATH": str(tmp_path / "unpacked")},
     )  # fmt: skip
-    length, path = run.stdout.split(maxsplit=1)
+    length, *paths = run.stdout.splitlines()
     assert length == "0.6"
-    assert Path(path.strip()).is_relative_to(tmp_path / "unpacked")
+    assert len(paths) == 2
+    assert all(Path(path).is_relative_to(tmp_path / "unpacked" / "robotics1") for path in paths)
 
 
 @pytest.mark.sweep
@@ -68,7 +74,7 @@ def test_the_code_of_the_readme_runs_and_says_what_it_says(tmp_path, monkeypatch
     assert scope["run"].iterations == 3
     assert len(scope["every"].q) == 2
     assert scope["meeting"].time == pytest.approx(1.380, abs=5e-4)
-    assert scope["choice"].verdict.name == "FEEDBACK"
+    assert scope["choice"].status.name == "FEEDBACK"
     assert (tmp_path / "meeting.html").is_file()
 
 

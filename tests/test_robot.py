@@ -210,12 +210,6 @@ def test_cylindrical_slides_travel_at_least_4_m():
     assert (robot.upper[[0, 2]] >= 4).all()
 
 
-def test_limits_are_copies():
-    robot = arm("prr")
-    robot.lower[:] = 0
-    assert robot.lower.tolist() == [-2, -pi, -pi]
-
-
 def test_spatial_limits_are_those_of_its_file(spatial):
     assert spatial.lower == pytest.approx([-3, -0.5, -2.5, -pi, -2])
     assert spatial.upper == pytest.approx([3, 1, 2.5, pi, 2.8])

@@ -13,8 +13,8 @@ CALLS = {
     "iterate_ik": lambda robot, task: r1.iterate_ik(robot, task, [1, 1], [0, 0]),
     "find_singularities": r1.find_singularities,
     "scan_singularities": lambda robot, task: r1.scan_singularities(robot, task, samples=10),
-    "joint_velocity": lambda robot, task: r1.joint_velocity(robot, task, [0, 0], [1, 1]),
-    "joint_acceleration": lambda robot, task: r1.joint_acceleration(robot, task, [0, 0], [0, 0], [1, 1]),
+    "joint_velocity": lambda robot, task: r1.joint_velocity(robot, task, [1, 1], [0, 0]),
+    "joint_acceleration": lambda robot, task: r1.joint_acceleration(robot, task, [1, 1], [0, 0], [0, 0]),
     "rendezvous": lambda robot, task: r1.rendezvous(robot, task, r1.LinearMotion([1, 1], [0, 0]), [0, 0], 1.0),
 }
 

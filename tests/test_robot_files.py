@@ -168,8 +168,8 @@ def test_a_file_without_permission_is_refused(file):
 
 
 def test_examine_reads_encodings_and_texts_too(file):
-    assert r1.examine(file(declared("ISO-8859-1").encode("latin-1"))).sound
-    (error,) = r1.examine(file(declared("klingon"))).errors
+    assert r1.check_robot(file(declared("ISO-8859-1").encode("latin-1"))).sound
+    (error,) = r1.check_robot(file(declared("klingon"))).errors
     assert "unknown encoding 'klingon'" in error.message
 
 

@@ -25,7 +25,7 @@ from robotics1 import (
 from robotics1.robot.box import joint_box
 from robotics1.singularities.measurement import KernelMeasurement, TaskMeasurement, measurement_of
 from robotics1.singularities.samples import CHUNK, samples_of
-from robotics1.tasks.units import unitless_jacobian
+from robotics1.tasks.task import unitless_jacobian
 
 ALL = ("sigma_min", "condition", "manipulability")
 XY, POSE = PositionTask("xy"), PoseTask()

@@ -23,7 +23,7 @@ from robotics1 import (
     load_robot,
     scan_singularities,
 )
-from robotics1.tasks.units import unitless_jacobian
+from robotics1.tasks.task import unitless_jacobian
 
 XY, POSE = PositionTask("xy"), PoseTask()
 SQUARE = FunctionTask(lambda p, R, q: [float(p[0]) ** 2, np.sinh(float(p[1]))], 2)  # no formulas: float of a symbol

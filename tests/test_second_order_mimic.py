@@ -125,7 +125,7 @@ def test_second_order_of_a_task_with_followers_is_the_difference_of_the_first(fo
     assert r1.jacobian_rate(robot, task, q, qdot) == pytest.approx(expected, abs=1e-7 * scale)
     qddot = np.linspace(-1, 1, robot.nv)
     asked = J @ qddot + expected @ qdot
-    found = r1.joint_acceleration(robot, task, q, qdot, asked)
+    found = r1.joint_acceleration(robot, task, asked, q, qdot)
     assert found.drift == pytest.approx(expected @ qdot, abs=1e-6 * scale)
     if found.singular_values[found.rank - 1 :][:1] > 1e-3:
         assert J @ found.qddot + expected @ qdot == pytest.approx(asked, abs=1e-5 * scale)
@@ -148,7 +148,7 @@ def test_an_arm_with_followers_follows_by_accelerations_as_by_velocities(folder)
     by_velocity = r1.follow_trajectory(robot, task, motion, q0)
     by_acceleration = r1.follow_trajectory_by_acceleration(robot, task, motion, (q0, np.zeros(2)))
     assert by_acceleration(0.8) == pytest.approx(by_velocity(0.8), abs=1e-6)
-    assert by_acceleration.verdict is r1.FollowingVerdict.FOLLOWS
+    assert by_acceleration.status is r1.FollowingStatus.FOLLOWS
 
 
 @given(trees(most=3, chain=True), st.integers(0, 99))

@@ -8,7 +8,7 @@ from differences import same_rows
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
-    IKVerdict,
+    IKStatus,
     InputError,
     NotConverged,
     OrientationTask,
@@ -43,7 +43,7 @@ def assert_solutions(robot, task, target, found):
 def test_planar_2r_has_the_right_and_the_left_arm(radius, angle):
     p = [radius * np.cos(angle), radius * np.sin(angle)]
     found = ik_solutions(arm("planar_2r"), POINT, p, starts=30)
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     same_rows(found.q, cf.two_link_solutions(p, 1.2, 0.8), np.array([True, True]), atol=1e-8)
     assert not found.singular.any()
 
@@ -60,7 +60,7 @@ def test_planar_2r_has_the_right_and_the_left_arm(radius, angle):
 )
 def test_planar_2r_stretched_or_folded_has_one_singular_solution(planar_2r, p, q):
     found = ik_solutions(planar_2r, POINT, p)
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     same_rows(found.q, q, planar_2r.revolute, atol=1e-7)
     assert found.singular.tolist() == [True]
 
@@ -76,8 +76,8 @@ def test_planar_2r_nearly_stretched_has_two_close_solutions(planar_2r, gap):
 @pytest.mark.parametrize(("p", "miss"), [([2.1, 0], 0.1), ([0, 3], 1.0), ([0.1, 0], 0.3), ([2 + 1e-6, 0], 1e-6)])
 def test_planar_2r_out_of_reach_misses_by_the_distance_to_the_ring(planar_2r, p, miss):
     found = ik_solutions(planar_2r, POINT, p, starts=200)
-    assert (found.verdict, len(found), found.q.shape) == (IKVerdict.UNREACHABLE, 0, (0, 2))
-    assert found.least_error == pytest.approx(miss, abs=1e-7)
+    assert (found.status, len(found), found.q.shape) == (IKStatus.UNREACHABLE, 0, (0, 2))
+    assert found.error_norm == pytest.approx(miss, abs=1e-7)
     with pytest.raises(NotConverged, match="nearest miss") as caught:
         found.require()
     assert caught.value.result is found
@@ -85,7 +85,7 @@ def test_planar_2r_out_of_reach_misses_by_the_distance_to_the_ring(planar_2r, p,
 
 def test_planar_2r_with_equal_links_reaches_its_base_in_every_direction():
     found = ik_solutions(arm("planar_2r", l1=0.5, l2=0.5), POINT, [0, 0])
-    assert found.verdict is IKVerdict.INFINITE
+    assert found.status is IKStatus.INFINITE
     assert found.q[:, 1] == pytest.approx(np.full(len(found), pi), abs=1e-7)
     assert found.singular.all()
 
@@ -93,13 +93,13 @@ def test_planar_2r_with_equal_links_reaches_its_base_in_every_direction():
 @pytest.mark.parametrize("p", [(1, -1, 3), (-0.5, 2, -1), (0.01, 0.02, 0)])
 def test_cylindrical_reaches_a_point_forwards_and_backwards(cylindrical, p):
     found = ik_solutions(cylindrical, SPACE, p)
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     same_rows(found.q, cf.cylindrical_solutions(p), cylindrical.revolute, atol=1e-7)
 
 
 def test_cylindrical_reaches_its_axis_with_any_q2(cylindrical):
     found = ik_solutions(cylindrical, SPACE, [0, 0, 3])
-    assert found.verdict is IKVerdict.INFINITE
+    assert found.status is IKStatus.INFINITE
     assert found.q[:, 0] == pytest.approx(np.full(len(found), 3), abs=1e-8)
     assert found.q[:, 2] == pytest.approx(np.zeros(len(found)), abs=1e-8)
     assert np.ptp(found.q[:, 1]) > pi
@@ -122,7 +122,7 @@ def test_anthropomorphic_has_four_solutions_shoulder_and_elbow():
     elbows = [[q[0], *pair] for pair in cf.two_link_solutions([out, up], 0.5, 0.35)]
     wanted = elbows + [[a + pi, pi - b, -c] for a, b, c in elbows]
     found = ik_solutions(robot, SPACE, cf.anthropomorphic_position(q, 0.4, 0.5, 0.35))
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     same_rows(found.q, wanted, robot.revolute, atol=1e-8)
 
 
@@ -132,7 +132,7 @@ def test_six_r_with_a_spherical_wrist_has_eight_solutions_in_pairs_of_wrist_flip
     q = random_q(robot, seed)
     target = PoseTask().value(robot, q)
     found = ik_solutions(robot, PoseTask(), target)
-    assert (found.verdict, len(found)) == (IKVerdict.FINITE, 8)
+    assert (found.status, len(found)) == (IKStatus.FINITE, 8)
     assert_solutions(robot, PoseTask(), target, found)
     flipped = found.q * [1, 1, 1, 1, -1, 1] + [0, 0, 0, pi, 0, pi]
     same_rows(found.q, flipped, robot.revolute, atol=1e-7)
@@ -158,14 +158,14 @@ def test_more_joints_than_rows_leave_infinitely_many_solutions(name, task):
     robot = arm(name)
     target = task.value(robot, 0.5 * random_q(robot, 1))
     found = ik_solutions(robot, task, target, starts=20)
-    assert found.verdict is IKVerdict.INFINITE
+    assert found.status is IKStatus.INFINITE
     assert len(found) >= 2
     assert_solutions(robot, task, target, found)
 
 
 def test_a_stretched_redundant_arm_has_one_solution():
     found = ik_solutions(arm("planar_3r"), POINT, [1.2, 0])
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     assert found.q == pytest.approx(np.zeros((1, 3)), abs=1e-6)
     assert found.singular.tolist() == [True]
 
@@ -180,11 +180,11 @@ def test_the_configuration_that_made_the_target_is_among_finitely_many_solutions
     q = 0.95 * random_q(robot, seed)
     target = PoseTask().value(robot, q)
     found = ik_solutions(robot, PoseTask(), target, starts=60).require()
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     assert_solutions(robot, PoseTask(), target, found)
     apart = np.where(robot.revolute, np.abs(np.exp(1j * found.q) - np.exp(1j * q)), np.abs(found.q - q))
     assert apart.max(axis=1).min() < 1e-7
-    assert found.least_error <= 1e-8
+    assert found.error_norm <= 1e-8
 
 
 def test_limits_leave_one_of_the_two_arms():
@@ -192,13 +192,13 @@ def test_limits_leave_one_of_the_two_arms():
     right, _ = cf.two_link_solutions([0.6, 0.7], 0.7, 0.4)
     found = ik_solutions(robot, POINT, [0.6, 0.7])
     assert found.q == pytest.approx(right[None], abs=1e-8)
-    assert ik_solutions(robot, POINT, [1.1, 0]).verdict is IKVerdict.UNREACHABLE
+    assert ik_solutions(robot, POINT, [1.1, 0]).status is IKStatus.UNREACHABLE
 
 
 def test_a_target_beyond_a_slide_is_unreachable(cylindrical):
     found = ik_solutions(cylindrical, SPACE, [1, 0, 5])
-    assert found.verdict is IKVerdict.UNREACHABLE
-    assert found.least_error == pytest.approx(1, abs=1e-9)
+    assert found.status is IKStatus.UNREACHABLE
+    assert found.error_norm == pytest.approx(1, abs=1e-9)
     assert found.closest[0] == pytest.approx(4, abs=1e-9)
 
 

@@ -12,7 +12,7 @@ from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
     FunctionTask,
-    IKVerdict,
+    IKStatus,
     InputError,
     PlanarPoseTask,
     PoseTask,
@@ -34,8 +34,8 @@ AZIMUTH = FunctionTask(lambda p, R, q: [p[0], p[1], np.arctan2(R[1, 0], R[0, 0])
 
 def assert_no_contradiction(found):
     """What is nearest to the target is a solution where there is one, and none where there is none."""
-    assert (len(found) > 0) == (found.verdict in (IKVerdict.FINITE, IKVerdict.INFINITE))
-    assert found.complete or found.verdict is not IKVerdict.UNREACHABLE
+    assert (len(found) > 0) == (found.status in (IKStatus.FINITE, IKStatus.INFINITE))
+    assert found.complete or found.status is not IKStatus.UNREACHABLE
     assert found.within_limits.all()
     assert found.within_limits.shape == (len(found),)
 
@@ -49,14 +49,14 @@ def test_a_cartesian_robot_has_one_solution_in_a_box_of_any_size(size, part):
     """p = (q3, q2, q1)."""
     robot, target = robot_from_dh(CARTESIAN), size * np.array(part)
     found = ik_solutions(robot, XYZ, target, box=dict.fromkeys(robot.joint_names, (-size, size)), starts=8)
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     assert found.q == pytest.approx(target[None, ::-1], abs=1e-12 * size)
-    assert found.least_error <= 1e-12 * size
+    assert found.error_norm <= 1e-12 * size
     assert_no_contradiction(found)
     above, box = target + np.array([0, 0, 2 * size]), dict.fromkeys(robot.joint_names, (-size, size))
     outside = ik_solutions(robot, XYZ, above, box=box, starts=4)
-    assert outside.verdict is IKVerdict.UNREACHABLE
-    assert outside.least_error == pytest.approx(size * (1 + part[2]), rel=1e-9)
+    assert outside.status is IKStatus.UNREACHABLE
+    assert outside.error_norm == pytest.approx(size * (1 + part[2]), rel=1e-9)
     assert_no_contradiction(outside)
 
 
@@ -67,7 +67,7 @@ def test_a_polar_robot_reaches_a_point_forwards_and_backwards_in_a_box_of_any_si
     angle = 0.7
     target = r * size * np.array([np.sin(angle), -np.cos(angle)])
     found = ik_solutions(robot, XY, target, box={robot.joint_names[1]: (-size, size)}, starts=20)
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     same_rows(found.q / [1, size], [[angle, r], [angle - pi, -r]], np.array([True, False]), atol=1e-7)
 
 
@@ -80,7 +80,7 @@ def test_a_near_target_in_a_wide_box_keeps_its_digits():
     near, wide = (
         ik_solutions(robot, task, task.value(robot, q), box={slide: (-far, far)}, starts=15) for far in (10.0, 1e4)
     )
-    assert near.verdict is wide.verdict is IKVerdict.FINITE
+    assert near.status is wide.status is IKStatus.FINITE
     same_rows(wide.q, near.q, robot.revolute, atol=1e-7)
     for p in wide.q:
         assert np.linalg.norm(task.error(robot, p, task.value(robot, q))) < 1e-9
@@ -99,7 +99,7 @@ def test_an_angle_row_of_a_function_has_the_solutions_of_the_planar_pose(task, t
     planar = ik_solutions(robot, PlanarPoseTask("xy"), target, box=box, starts=15)
     found = ik_solutions(robot, task, target, box=box, starts=15)
     assert len(planar) == 2
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     same_rows(found.q, planar.q, robot.revolute, atol=1e-7)
     for q in found.q:  # joints without limits are turned until the row itself has the target's value
         assert np.linalg.norm(task.error(robot, q, target)) < 1e-8
@@ -119,13 +119,13 @@ def test_a_row_that_counts_turns_has_the_solution_with_as_many(turns):
     task = FunctionTask(lambda p, R, q: [q[0] + 0.1 * p[0], q[1]], 2)
     target = [2 * pi * turns, 1.0]
     found = ik_solutions(robot, task, target, starts=15)
-    assert found.verdict is IKVerdict.FINITE
+    assert found.status is IKStatus.FINITE
     assert len(found) == 1
     assert np.linalg.norm(task.error(robot, found.q[0], target)) < 1e-8
     assert solve_ik(robot, task, target, time_limit=2).q == pytest.approx(found.q[0], abs=1e-5)
     beyond = ik_solutions(robot, task, [2 * pi * 2.3, 1.0], starts=5)
-    assert beyond.verdict is IKVerdict.NOT_FOUND
-    assert beyond.least_error > 0.1
+    assert beyond.status is IKStatus.NOT_FOUND
+    assert beyond.error_norm > 0.1
 
 
 def test_a_function_task_takes_one_unit_a_row_and_wraps_radians():
@@ -170,7 +170,7 @@ def test_a_finger_beside_the_tool_leaves_the_two_postures_of_a_planar_2r(tmp_pat
     )
     robot = load_robot(path, tool="tool")
     found = ik_solutions(robot, XY, [0.5, 1.1], starts=20)
-    assert (found.verdict, found.free_joints, found.dimension) == (IKVerdict.FINITE, ("jaw",), 0)
+    assert (found.status, found.free_joints, found.dimension) == (IKStatus.FINITE, ("jaw",), 0)
     same_rows(found.q[:, :2], cf.two_link_solutions([0.5, 1.1], 1.2, 0.8), np.array([True, True]), atol=1e-8)
     assert found.q[:, 2] == pytest.approx([0.02, 0.02])
 
@@ -179,18 +179,18 @@ def test_the_roll_of_a_scara_is_free_for_a_point():
     robot = robot_from_dh([("R", 1, 0, 0, 0), ("R", 0.8, pi, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)])
     third, roll = robot.joint_names[2:]
     found = ik_solutions(robot, XYZ, [0.5, 1.1, -0.3], box={third: (-1, 1)}, starts=20)
-    assert (found.verdict, len(found), found.free_joints) == (IKVerdict.FINITE, 2, (roll,))
+    assert (found.status, len(found), found.free_joints) == (IKStatus.FINITE, 2, (roll,))
 
 
 def test_a_task_that_no_joint_moves_has_every_q_for_a_solution_or_none():
     robot = robot_from_dh([("P", 0, 0, 0.1, 0)], lower=[-1], upper=[1])
     found = ik_solutions(robot, XY, [0, 0])
-    assert (found.verdict, found.dimension, found.free_joints) == (IKVerdict.INFINITE, 1, robot.joint_names)
+    assert (found.status, found.dimension, found.free_joints) == (IKStatus.INFINITE, 1, robot.joint_names)
     assert len(found) >= 2
     assert np.abs(found.q).max() <= 1
     never = ik_solutions(robot, XY, [0.1, 0])
-    assert (never.verdict, len(never)) == (IKVerdict.UNREACHABLE, 0)
-    assert never.least_error == pytest.approx(0.1)
+    assert (never.status, len(never)) == (IKStatus.UNREACHABLE, 0)
+    assert never.error_norm == pytest.approx(0.1)
 
 
 def test_a_robot_without_joints_has_the_one_configuration_or_none(tmp_path):
@@ -204,11 +204,11 @@ def test_a_robot_without_joints_has_the_one_configuration_or_none(tmp_path):
     first_row = FunctionTask(lambda p, R, q: p[:1], 1)
     for task, target in ((XYZ, [0.8, 0, 0]), (first_row, [0.8]), (PoseTask(), PoseTask().value(robot, []))):
         found = ik_solutions(robot, task, target)
-        assert (found.verdict, found.q.shape, found.complete) == (IKVerdict.FINITE, (1, 0), True)
+        assert (found.status, found.q.shape, found.complete) == (IKStatus.FINITE, (1, 0), True)
     for task, target in ((XYZ, [0.9, 0, 0]), (first_row, [0.7])):
         found = ik_solutions(robot, task, target)
-        assert (found.verdict, found.q.shape) == (IKVerdict.UNREACHABLE, (0, 0))
-        assert found.least_error == pytest.approx(0.1)
+        assert (found.status, found.q.shape) == (IKStatus.UNREACHABLE, (0, 0))
+        assert found.error_norm == pytest.approx(0.1)
 
 
 def test_a_joint_whose_follower_turns_half_as_far_goes_round_in_two_turns(tmp_path):
@@ -242,11 +242,11 @@ def assert_found(seed):
     target = XYZ.value(robot, q)
     found = ik_solutions(robot, XYZ, target, starts=25)
     assert_no_contradiction(found)
-    assert found.verdict in (IKVerdict.FINITE, IKVerdict.INFINITE)
+    assert found.status in (IKStatus.FINITE, IKStatus.INFINITE)
     assert "finger" in found.free_joints
     for p in found.q:
         assert np.linalg.norm(XYZ.error(robot, p, target)) <= 1e-8 * robot.reach
-    if found.verdict is IKVerdict.FINITE:
+    if found.status is IKStatus.FINITE:
         moving = ~np.isin(robot.joint_names, found.free_joints)
         apart = np.where(
             robot.revolute, np.abs(np.exp(1j * found.q) - np.exp(1j * q)), np.abs(found.q - q) / robot.reach

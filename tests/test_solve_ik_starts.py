@@ -38,7 +38,7 @@ def test_the_same_seed_gives_the_same_answer_and_another_seed_another(planar_2r)
     six_r, target = arm("six_r"), forward_kinematics(arm("six_r"), [0.3, -0.5, 0.7, 0.2, 0.4, -0.1])
     first, again = (IKSolver(six_r, PoseTask(), seed=7)(target) for _ in range(2))
     assert np.array_equal(first.q, again.q)
-    assert (first.error, first.starts) == (again.error, again.starts)
+    assert (first.error_norm, first.starts) == (again.error_norm, again.starts)
     others = [IKSolver(six_r, PoseTask(), seed=seed)(target).q for seed in range(5)]
     assert max(np.abs(q - first.q).max() for q in others) > 0.1
 
@@ -90,7 +90,7 @@ def test_a_start_so_far_that_turns_are_rounded_gives_no_false_success(far, prefe
     for found in (solver(target, np.array([far, 0, -far])), batch[0], batch[1]):
         e = np.linalg.norm(task.error(continuous, found.q, target))
         assert found.converged == (e <= 1e-6)
-        assert found.error == pytest.approx(e, rel=1e-6, abs=1e-12)
+        assert found.error_norm == pytest.approx(e, rel=1e-6, abs=1e-12)
 
 
 def turning(folder, lower, upper):
@@ -121,8 +121,8 @@ def test_limits_need_not_be_around_zero(tmp_path, task, lower, upper):
         missed = IKSolver(robot, task, time_limit=1.0)(target)
         assert not missed.converged
         assert lower <= missed.q[0] <= upper
-        assert missed.error == pytest.approx(np.linalg.norm(task.error(robot, missed.q, target)), abs=1e-12)
-        assert missed.error == pytest.approx(1, abs=1e-6)
+        assert missed.error_norm == pytest.approx(np.linalg.norm(task.error(robot, missed.q, target)), abs=1e-12)
+        assert missed.error_norm == pytest.approx(1, abs=1e-6)
 
 
 @pytest.mark.parametrize("start", [-6.1, -1.0, 0.0, 4.0, 6.1])
@@ -195,7 +195,7 @@ def test_a_batch_is_what_single_targets_give(prefer, given):
         single = solver(target, q0 if q0 is None or q0.ndim == 1 else q0[i])
         assert batch[i].status is single.status is IKStatus.CONVERGED
         assert np.array_equal(batch.q[i], single.q)
-        assert (batch.error[i], batch.starts[i]) == (single.error, single.starts)
+        assert (batch.error_norm[i], batch.starts[i]) == (single.error_norm, single.starts)
 
 
 def test_every_target_of_a_batch_has_its_own_status(planar_2r):
@@ -207,7 +207,7 @@ def test_every_target_of_a_batch_has_its_own_status(planar_2r):
         IKStatus.CONVERGED,
     ]
     assert batch.converged.tolist() == [True, False, False, True]
-    assert batch.error[1:3] == pytest.approx([0.3, 1.0], abs=1e-6)
+    assert batch.error_norm[1:3] == pytest.approx([0.3, 1.0], abs=1e-6)
     assert len(batch) == 4
     with pytest.raises(
         NotConverged, match="2 of 4 targets were not reached; the first is target 1: it is proven"

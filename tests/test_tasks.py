@@ -1,3 +1,6 @@
+import copy
+import pickle
+from dataclasses import fields, replace
 from math import nan, pi
 
 import closed_forms as cf
@@ -13,6 +16,7 @@ from robotics1 import (
     InputError,
     OrientationTask,
     PlanarPoseTask,
+    PointingTask,
     PoseTask,
     PositionTask,
     TaskError,
@@ -297,3 +301,40 @@ def test_a_given_jacobian_of_the_wrong_shape_is_a_task_error(prr):
 def test_the_number_of_rows_is_a_positive_integer(rows):
     with pytest.raises(InputError, match="rows must be an integer"):
         FunctionTask(squares, rows)
+
+
+# --- a task is a value
+
+
+def half_turn_jacobian(p, R, q):
+    return np.zeros((2, len(q)))
+
+
+EVERY_TASK = [
+    PositionTask("xz", frame="tool"),
+    PlanarPoseTask("xz"),
+    OrientationTask("ZYZ", fixed=True),
+    PoseTask(),
+    PointingTask((1, 1, 0)),
+    FunctionTask(squares, 2),
+    FunctionTask(squares, 2, half_turn_jacobian, units=["m", "rad"]),
+]
+
+
+@pytest.mark.parametrize("task", EVERY_TASK, ids=lambda task: type(task).__name__)
+def test_a_task_is_made_again_from_its_fields_copied_pickled_and_hashed(task):
+    same = [type(task)(**{f.name: getattr(task, f.name) for f in fields(task)}), replace(task), copy.deepcopy(task)]
+    for other in [*same, pickle.loads(pickle.dumps(task))]:
+        assert other == task
+        assert hash(other) == hash(task)
+    elsewhere = replace(task, frame="elbow")
+    assert elsewhere.frame == "elbow"
+    assert elsewhere != task
+    assert replace(elsewhere, frame=task.frame) == task
+
+
+def test_a_function_task_takes_its_jacobian_by_place_by_name_and_by_the_name_of_its_field():
+    by_place = FunctionTask(squares, 2, half_turn_jacobian)
+    assert by_place == FunctionTask(squares, 2, jacobian=half_turn_jacobian)
+    assert by_place == FunctionTask(squares, 2, derivative=half_turn_jacobian)
+    assert replace(FunctionTask(squares, 2), jacobian=half_turn_jacobian) == by_place

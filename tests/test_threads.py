@@ -57,8 +57,8 @@ def test_planar_tasks_and_functions_of_a_shared_robot():
         return [
             *(partial(t.jacobian, robot, q) for q in qs for t in tasks),
             *(partial(r1.jacobian_rate, robot, PLANE, q, [1, 2]) for q in qs),
-            *(partial(r1.joint_velocity, robot, PLANE, q, [1, 2]) for q in qs[:5]),
-            *(partial(r1.joint_acceleration, robot, PLANE, q, [1, 2], [0, 1]) for q in qs[:5]),
+            *(partial(r1.joint_velocity, robot, PLANE, [1, 2], q) for q in qs[:5]),
+            *(partial(r1.joint_acceleration, robot, PLANE, [0, 1], q, [1, 2]) for q in qs[:5]),
         ]
 
     assert_as_in_one_thread(calls)
@@ -182,7 +182,7 @@ def test_robots_from_files_have_their_own_lengths_and_errors(tmp_path):
 
     lengths = [(0.1 * i, 0.05 * i) for i in range(1, 4)]
     calls = [*(partial(reach, *pair) for pair in lengths), *(partial(refused, path) for path in broken)]
-    calls += [lambda: r1.load_robot(arm("six_r").path).joint_names, lambda: r1.examine("prr").fk_difference]
+    calls += [lambda: r1.load_robot(arm("six_r").path).joint_names, lambda: r1.check_robot("prr").fk_difference]
     wanted = [call() for call in calls]
     assert np.allclose(wanted[:3], [2 * l1 for l1, _ in lengths], rtol=0, atol=1e-12)
     with unchanged():

@@ -301,7 +301,7 @@ def following(k, c):
     return {
         "q": (found(t) / units(k), 0, 0),
         "v": (found.velocity(t) / units(k), 0, -1),
-        "verdict": (found.verdict.name == "FOLLOWS", 0, 0),
+        "verdict": (found.status.name == "FOLLOWS", 0, 0),
     }
 
 
@@ -328,7 +328,7 @@ def tracking(k, c):
         "q": (run.q, 1, 0),
         "command": (run.command, 1, -1),
         "gain": (choice.gain, 0, -1),
-        "verdict": (choice.verdict.name == "FEEDBACK", 0, 0),
+        "verdict": (choice.status.name == "FEEDBACK", 0, 0),
     }
 
 

@@ -76,16 +76,16 @@ def test_a_task_has_no_columns_no_range_and_no_torque(still, task):
 @pytest.mark.parametrize("resolution", [None, r1.Resolution(damping=0.1, region=0.2), r1.Resolution(weights=[])])
 def test_no_velocity_but_zero_is_realised(still, task, resolution):
     m = task.rows
-    moved = r1.joint_velocity(still, task, [], np.ones(m), resolution=resolution)
+    moved = r1.joint_velocity(still, task, np.ones(m), [], resolution=resolution)
     assert moved.qdot.shape == (0,)
-    assert moved.verdict is r1.RateVerdict.OUT_OF_RANGE
+    assert moved.status is r1.RateStatus.OUT_OF_RANGE
     assert moved.residual == pytest.approx(np.ones(m))
-    assert "rank 0 of 0" in moved.explanation
-    assert r1.joint_velocity(still, task, [], np.zeros(m), resolution=resolution).verdict is r1.RateVerdict.REALISED
-    second = r1.joint_acceleration(still, task, [], [], np.ones(m), resolution=resolution)
+    assert "rank 0 of 0" in moved.explain()
+    assert r1.joint_velocity(still, task, np.zeros(m), [], resolution=resolution).status is r1.RateStatus.REALISED
+    second = r1.joint_acceleration(still, task, np.ones(m), [], [], resolution=resolution)
     assert second.qddot.shape == (0,)
     assert second.drift == pytest.approx(np.zeros(m))
-    assert second.verdict is r1.RateVerdict.OUT_OF_RANGE
+    assert second.status is r1.RateStatus.OUT_OF_RANGE
 
 
 @pytest.mark.parametrize("task", [task for name, task in TASKS.items() if name != "tool axes"])
@@ -126,8 +126,8 @@ def nothing_moves(still, task, folder):
         "frame_jacobian": lambda: r1.frame_jacobian(still, []),
         "frame_jacobian_rate": lambda: r1.frame_jacobian_rate(still, [], []),
         "jacobian_rate": lambda: r1.jacobian_rate(still, task, [], []),
-        "joint_velocity": lambda: r1.joint_velocity(still, task, [], np.zeros(3)),
-        "joint_acceleration": lambda: r1.joint_acceleration(still, task, [], [], np.zeros(3)),
+        "joint_velocity": lambda: r1.joint_velocity(still, task, np.zeros(3), []),
+        "joint_acceleration": lambda: r1.joint_acceleration(still, task, np.zeros(3), [], []),
         "singularity_within_rounding": lambda: r1.singularity_within_rounding(still, task, []),
         "formulas": lambda: r1.formulas(still, task),
         "find_singularities": lambda: r1.find_singularities(still, task),
@@ -152,7 +152,7 @@ def nothing_moves(still, task, folder):
     }
 
 
-RESULTS = {"Examination", "Formulas", "SingularBranch", "SingularSet", "SingularityScan"}
+RESULTS = {"RobotReport", "Formulas", "SingularBranch", "SingularSet", "SingularityScan"}
 CALLS = sorted(
     name
     for name in r1.__all__

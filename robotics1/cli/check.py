@@ -18,8 +18,10 @@ from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
 from robotics1.notation import count, joint_value
 from robotics1.report.tables import table
-from robotics1.robot.examination import AGREES, Examination, examine, random_configurations
+from robotics1.robot.joints import Joint
+from robotics1.robot.loading import check_robot
 from robotics1.robot.model import Robot, tips
+from robotics1.robot.report import AGREES, RobotReport, random_configurations
 
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
 
@@ -35,10 +37,10 @@ def check(
     json: AsJson = False,
 ) -> None:
     """The verdict on a robot file, and what was understood of it."""
-    from robotics1.robot.dh import robot_from_dh
+    from robotics1.dh.to_robot import robot_from_dh
 
     values = parse_parameters(param or [])
-    found = examine(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
+    found = check_robot(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
     difference = None
     if dh is not None and found.robot is not None:
         table = robot_from_dh(read_dh_table(dh), convention=convention)
@@ -81,8 +83,8 @@ def _difference_from(robot: Robot, other: Robot) -> float:
     return worst
 
 
-def _as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
-    """Return the examination as plain data."""
+def _as_json(found: RobotReport, dh_difference: float | None) -> dict[str, Any]:
+    """Return the report as plain data."""
     answer: dict[str, Any] = {
         "path": str(found.path),
         "sound": found.sound and (dh_difference is None or dh_difference <= AGREES),
@@ -107,7 +109,7 @@ def _as_json(found: Examination, dh_difference: float | None) -> dict[str, Any]:
     return answer
 
 
-def _print(out: PlainConsole, found: Examination, dh_difference: float | None) -> None:
+def _print(out: PlainConsole, found: RobotReport, dh_difference: float | None) -> None:
     """Print the verdict, and the robot as it was understood."""
     for finding in found.errors:
         out.print(Text.assemble(("error", "red"), f" {printable(str(finding))}"), soft_wrap=True)
@@ -147,33 +149,31 @@ def _link_tree(robot: Robot) -> Tree:
 def _joint_table(robot: Robot) -> Table:
     """Return the moving joints with their kind and limits."""
     rows = []
-    for name in robot.joint_names:
-        joint = robot.model.joints[robot.model.getJointId(name)]
-        kind = joint.shortname().removeprefix("JointModel")
-        if joint.nq == joint.nv == 1:
-            i, j = joint.idx_q, joint.idx_v
-            limits = [_limit(robot.lower[i], kind), _limit(robot.upper[i], kind)]
+    for joint in robot.moving_joints:
+        number = robot.model.getJointId(joint.name)
+        limits, rates = ["", ""], ["", ""]
+        if joint.kind in ("revolute", "prismatic"):
+            i, j = robot.model.idx_qs[number], robot.model.idx_vs[number]
+            limits = [_limit(robot.lower[i], joint), _limit(robot.upper[i], joint)]
             rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
-        else:
-            limits, rates = ["", ""], ["", ""]
-        rows.append((printable(name), _kind(kind), *limits, *rates))
+        rows.append((printable(joint.name), _kind(joint), *limits, *rates))
     return table(("joint", "kind", "lower", "upper", "velocity", "effort"), rows, left=("joint", "kind"))
 
 
-def _kind(shortname: str) -> str:
-    """Return Pinocchio's name of a joint in words, such as RZ or PrismaticUnaligned."""
-    if shortname in ("RX", "RY", "RZ", "PX", "PY", "PZ"):
-        return f"{'revolute' if shortname[0] == 'R' else 'prismatic'} about {shortname[1].lower()}".replace(
-            "prismatic about", "prismatic along"
-        )
-    words = {"RevoluteUnaligned": "revolute, skew axis", "PrismaticUnaligned": "prismatic, skew axis"}
-    return words.get(shortname, shortname.lower())
+def _kind(joint: Joint) -> str:
+    """Return what a joint is, in words."""
+    if joint.kind not in ("revolute", "prismatic"):
+        return joint.kind
+    aligned = [name for name, unit in zip("xyz", np.eye(3), strict=True) if np.abs(joint.axis - unit).max() <= 1e-12]
+    if not aligned:
+        return f"{joint.kind}, skew axis"
+    return f"{joint.kind} {'about' if joint.kind == 'revolute' else 'along'} {aligned[0]}"
 
 
-def _limit(value: float, kind: str) -> str:
+def _limit(value: float, joint: Joint) -> str:
     if not np.isfinite(value):
         return "none"
-    return joint_value(float(value)) if kind.startswith("R") else f"{value:g}"
+    return joint_value(float(value)) if joint.kind == "revolute" else f"{value:g}"
 
 
 def _agreement(other: str, difference: float | None) -> Text:

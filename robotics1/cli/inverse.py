@@ -15,10 +15,8 @@ from robotics1.inputs import Array
 from robotics1.notation import count, vector
 from robotics1.report.tables import iteration_table, matrix_table
 from robotics1.robot.model import Robot
-from robotics1.tasks.pose import OrientationTask, PoseTask
 from robotics1.tasks.task import FrameTask
 
-MATRICES: dict[type, tuple[int, int]] = {OrientationTask: (3, 3), PoseTask: (4, 4)}
 SHOWN = 16  # solutions of an infinite family that are printed
 
 
@@ -29,8 +27,9 @@ def parse_target(task: FrameTask, text: str, degrees: bool) -> Any:
         InputError: the wrong number of values.
     """
     values = parse_vector(text)
-    shape = MATRICES.get(type(task))
-    if shape is not None:
+    value = task.g(np.zeros(3), np.eye(3))
+    shape = np.shape(getattr(value, "homogeneous", value))
+    if len(shape) == 2:
         if values.size != shape[0] * shape[1]:
             raise InputError(f"the target is {shape[0]} × {shape[1]}, row by row; it has {values.size} numbers")
         return values.reshape(shape)
@@ -54,20 +53,20 @@ def print_solutions(
     if json:
         write_json(
             {
-                "verdict": found.verdict.name,
+                "status": found.status.name,
                 "complete": found.complete,
                 "solutions": found.q,
                 "singular": found.singular,
-                "least_error": found.least_error,
+                "error_norm": found.error_norm,
                 "free_joints": found.free_joints,
                 "dimension": found.dimension,
             }
         )
         return len(found) > 0
-    console.print(f"{found.verdict.value} ({len(found)} found by search)")
+    console.print(f"{found.status.value} ({len(found)} found by search)")
     if not len(found):
         nearest = vector(in_degrees(robot, found.closest, degrees))
-        console.print(f"the nearest miss is |e| = {found.least_error:.4g} at q = {nearest}")
+        console.print(f"the nearest miss is |e| = {found.error_norm:.4g} at q = {nearest}")
         return False
     rows = tuple(f"{i + 1}{' singular' if flag else ''}" for i, flag in enumerate(found.singular[:SHOWN]))
     console.print(matrix_table(in_degrees(robot, found.q[:SHOWN], degrees), rows, joint_names(robot)))

@@ -44,11 +44,11 @@ class RobustInverse:
         starts = count(result.starts, "start")
         self.console.print(f"{result.status.name} after {starts}: {result.status.value}")
         if not result.converged:
-            self.console.print(f"the nearest miss is |e| = {result.error:.4g} at")
+            self.console.print(f"the nearest miss is |e| = {result.error_norm:.4g} at")
         q = in_degrees(self.robot, result.q, self.degrees)
         self.console.print(matrix_table(q[:, None], joint_names(self.robot), ("q",)))
         if result.converged:
-            self.console.print(f"|e| = {result.error:.2g} by forward kinematics")
+            self.console.print(f"|e| = {result.error_norm:.2g} by forward kinematics")
         return result.converged
 
     def answer_all(self, path: Path) -> bool:
@@ -72,7 +72,7 @@ class RobustInverse:
         rows = []
         for i in sorted(missed_first[:SHOWN].tolist()):
             q = vector(in_degrees(self.robot, batch.q[i], self.degrees))
-            rows.append((str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error[i]:.2g}", q))
+            rows.append((str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error_norm[i]:.2g}", q))
         self.console.print(table(("target", "status", "starts", "|e|", "q"), rows, left=("status",)))
         if len(batch) > SHOWN:
             self.console.print(f"and {len(batch) - SHOWN} more; --json prints all")
@@ -99,4 +99,4 @@ def read_targets(path: Path, task: FrameTask, degrees: bool) -> list[Any]:
 
 
 def _as_json(result: IKResult) -> dict[str, Any]:
-    return {"status": result.status.name, "q": result.q, "error": result.error, "starts": result.starts}
+    return {"status": result.status.name, "q": result.q, "error_norm": result.error_norm, "starts": result.starts}

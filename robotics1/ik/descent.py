@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 from robotics1.differentiation import configuration_derivative
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
-from robotics1.tasks.function import FunctionTask
+from robotics1.least_squares import generalized_inverse
 
 REACHED = 1e-9  # |e| of a solution, lengths relative to the arm
 HOPELESS = 1e9  # |e| in lengths of the arm: there rounding hides what the joints do
@@ -56,6 +56,10 @@ class Descent:
     target: Any
     clock: Callable[[], None] = no_limit
     known: dict[bytes, Array] = field(default_factory=dict, repr=False)
+
+    def until(self, end: float) -> "Descent":
+        """Return the same descent, which ends at an instant of `perf_counter` [s]."""
+        return replace(self, clock=until(end))
 
     def task_error(self, q: Array) -> Array:
         """Return r_d − f(q), (m,), in the task's units; of the last few configurations it is remembered."""
@@ -158,7 +162,8 @@ class Descent:
         """Return J(q), (m, n), without units; of a function without derivative by differences of its wrapped error."""
         self.clock()
         problem, task = self.problem, self.problem.task
-        if not (isinstance(task, FunctionTask) and task.derivative is None):
+        form = task.frame_map()
+        if form is None or not form.by_differences:
             return problem.jacobian(q)
         r = task.value(problem.robot, q)  # from which the wrapped error is small
         J = configuration_derivative(lambda x: self._clocked_error(x, r), problem.robot, q)
@@ -177,10 +182,13 @@ class Descent:
         square = 0.05 * min(float(e @ e), FAR)
         at_lower, at_upper = ((q == limit) & ~box.circular for limit in (box.lower, box.upper))
         held = ~self.problem.moving
+
+        def damping(sigma: Array) -> float:
+            return float(np.sqrt(square + FLOOR * max(1.0, sigma[0] ** 2)))
+
         while True:
-            U, sigma, Vt = np.linalg.svd(J * ~held, full_matrices=False)
-            step = Vt.T @ (sigma / (sigma**2 + square + FLOOR * max(1.0, sigma[0] ** 2)) * (U.T @ e))
+            step = generalized_inverse(J * ~held, damping).solve(e)
             leaving = ~held & ((at_lower & (step < 0)) | (at_upper & (step > 0)))
             if not leaving.any():
-                return np.asarray(step)
+                return step
             held = held | leaving

@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import NotConverged, TaskError
-from robotics1.ik.status import IKStatus
-from robotics1.ik.steps import damped_step, gradient_step, newton_step, pseudoinverse_step
+from robotics1.errors import TaskError
+from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
+from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
+from robotics1.results import Frozen, made_again, require
 from robotics1.robot.model import Robot
-from robotics1.singularities.spaces import RANK_TOLERANCE, numeric_rank
 from robotics1.tasks.task import Task
 
 METHODS = ("newton", "pseudoinverse", "gradient", "damped")
@@ -25,7 +25,7 @@ class IKIterate(NamedTuple):
     k: int
     q: Array
     r: Any
-    error: float
+    error_norm: float
     det: float
     sigma_min: float
 
@@ -39,9 +39,12 @@ class IKIterate(NamedTuple):
     def __hash__(self) -> int:
         return hash(tuple(self))  # which says that an array has none
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return made_again, (type(self), *self)
+
 
 @dataclass(frozen=True, eq=False)
-class IKIteration:
+class IKIteration(Frozen):
     """What an iteration did.
 
     Attributes:
@@ -68,19 +71,20 @@ class IKIteration:
         """The number of updates of q that were made."""
         return len(self.table) - 1
 
+    def explain(self) -> str:
+        """Return why the iteration stopped, with its numbers, in a sentence."""
+        return (
+            f"{self.method} stopped after {self.iterations} iterations with |e| = {self.table[-1].error_norm:.3g}: "
+            f"{self.status.value}"
+        )
+
     def require(self) -> "IKIteration":
         """Return self if it converged.
 
         Raises:
             NotConverged: it did not; the message says why.
         """
-        if not self.converged:
-            raise NotConverged(
-                f"{self.method} stopped after {self.iterations} iterations with |e| = {self.table[-1].error:.3g}: "
-                f"{self.status.value}",
-                self,
-            )
-        return self
+        return require(self, self.converged)
 
 
 def iterate_ik(
@@ -163,11 +167,24 @@ def _step(
     factor = 1.0 if alpha is None else alpha
     lam = 0.1 if damping is None else real_number("damping", damping, positive=True)
     return {
-        "newton": lambda J, e: factor * newton_step(J, e),
-        "pseudoinverse": lambda J, e: factor * pseudoinverse_step(J, e),
+        "newton": lambda J, e: factor * np.linalg.solve(J, e),
+        "pseudoinverse": lambda J, e: factor * generalized_inverse(J).solve(e),
         "gradient": lambda J, e: gradient_step(J, e, alpha),
-        "damped": lambda J, e: factor * damped_step(J, e, lam),
+        "damped": lambda J, e: factor * generalized_inverse(J, lam).solve(e),
     }[method]
+
+
+def gradient_step(J: Array, e: Array, gain: float | None = None) -> Array:
+    """Return Δq = α Jᵀ e, down the gradient of ½ eᵀe.
+
+    Without a gain, α = |Jᵀe|² / |J Jᵀe|² minimises the error to first order along the gradient (Cauchy's step).
+    """
+    g = J.T @ e
+    if gain is None:
+        size = np.hypot.reduce(g)
+        slope = np.hypot.reduce(J @ (g / size)) if size > 0 else 0.0  # of a unit vector, whose squares do not overflow
+        gain = float(1 / slope) ** 2 if slope > 0 else 0.0
+    return gain * g
 
 
 def _row(k: int, q: Array, r: Any, e: Array, J: Array) -> IKIterate:

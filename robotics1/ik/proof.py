@@ -15,7 +15,7 @@ from robotics1.kernels.compilation import COMPILED
 from robotics1.kernels.out_of_reach import OPEN, SPLITS, exclude
 from robotics1.kinematics import forward_kinematics, frame_jacobian, reference_axes
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask
+from robotics1.tasks.task import FrameMap
 
 STILL = 1e-12  # of a row of J that is zero but for rounding, lengths in reaches
 MOST = 200_000 if COMPILED else 2_000  # boxes that a proof may take
@@ -50,13 +50,13 @@ class Motionless:
         return linear, float(np.linalg.norm(turned, axis=0).max())
 
 
-def motionless(robot: Robot, task: FrameTask) -> Motionless:
+def motionless(robot: Robot, form: FrameMap) -> Motionless:
     """Return what no joint changes, read from J at five random configurations."""
     rng = np.random.default_rng(0)
     samples = rng.uniform(-1, 1, (5, robot.nq)) * robot.units
-    J = np.hstack([frame_jacobian(robot, q, frame=task.frame, reference=task.reference) * robot.units for q in samples])
-    axes = reference_axes(robot, samples[0], task.reference)
-    T = forward_kinematics(robot, samples[0], frame=task.frame)
+    J = np.hstack([frame_jacobian(robot, q, frame=form.frame, reference=form.reference) * robot.units for q in samples])
+    axes = reference_axes(robot, samples[0], form.reference)
+    T = forward_kinematics(robot, samples[0], frame=form.frame)
     U, sigma, _ = np.linalg.svd(J[3:])
     rank = int(np.count_nonzero(sigma > STILL * 10))
     normals = np.eye(3) if rank == 0 else U[:, :1] if rank == 1 else np.zeros((3, 0))
@@ -71,8 +71,8 @@ class UnreachableProof:
     by one. None of them succeeding proves nothing.
     """
 
-    def __init__(self, robot: Robot, task: FrameTask, problem: PoseProblem) -> None:
-        self.robot, self.task, self.problem = robot, task, problem
+    def __init__(self, problem: PoseProblem) -> None:
+        self.problem, self.counted = problem, problem.pose_error.counted
 
     @cached_property
     def reach(self) -> ReachBound:
@@ -82,16 +82,15 @@ class UnreachableProof:
     @cached_property
     def still(self) -> Motionless:
         """What no joint changes."""
-        return motionless(self.robot, self.task)
+        return motionless(self.problem.robot, self.problem.form)
 
     def at_once(self, goal: Array, linear: float, angular: float) -> bool:
         """Whether a goal, (4, 4), is farther from every q than the tolerances [m] and [rad], seen without a search."""
-        counted = self.problem.counted
-        off, turned = self.still.excess(goal, counted, self.problem.axis)
-        size = self.robot.reach + float(np.abs(self.still.p).max())
+        off, turned = self.still.excess(goal, self.counted, self.problem.pose_error.axis)
+        size = self.problem.robot.reach + float(np.abs(self.still.p).max())
         if off > linear + 1e-12 * size or turned > angular + 1e-9:
             return True
-        return self.reach.excess(goal, counted) > linear + 1e-13 * size
+        return self.reach.excess(goal, self.counted) > linear + 1e-13 * size
 
     @cached_property
     def _speeds(self) -> Array:
@@ -103,7 +102,7 @@ class UnreachableProof:
             speeds[0], chain.coordinate, chain.ratio * np.where(turning, self.reach.arms / self.problem.unit, 1.0)
         )
         np.add.at(speeds[1], chain.coordinate, chain.ratio * turning)
-        position, turn = self.problem.counted[:3].any(), self.problem.counted[3:].any()
+        position, turn = self.counted[:3].any(), self.counted[3:].any()
         return np.asarray(speeds * np.array([[float(position)], [float(turn)]]))
 
     @cached_property
@@ -145,11 +144,12 @@ def is_out_of_reach(problem: ScaledTask, target: object) -> bool:
     robot, task = problem.robot, problem.task
     if robot.nq == 0:
         return True
-    if not isinstance(task, FrameTask):
+    form = task.frame_map()
+    if form is None or form.pose_error is None:
         return False
     if not problem.moving.any():
         return True
-    goal = task.goal(robot, target)
-    proof = UnreachableProof(robot, task, pose_problem(robot, task, (problem.lower, problem.upper)))
-    linear, angular = 2 * REACHED * problem.length, 1e-8 if task.tells_angles else 2 * REACHED
+    goal = form.pose_error.goal(robot, target)
+    proof = UnreachableProof(pose_problem(robot, task, (problem.lower, problem.upper)))
+    linear, angular = 2 * REACHED * problem.length, 1e-8 if form.pose_error.by_angles else 2 * REACHED
     return proof.at_once(goal, linear, angular) or proof.by_exclusion(goal, linear, angular)

@@ -1,14 +1,32 @@
-"""What a robust inverse kinematics returns: for one target, and for many."""
+"""How an inverse kinematics ends, and what the robust one returns: for one target, and for many."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from enum import Enum
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import NotConverged
-from robotics1.ik.status import IKStatus
 from robotics1.inputs import Array
+from robotics1.results import Frozen, made_again, require
+
+
+class IKStatus(Enum):
+    """How an inverse kinematics ended: one solution, all solutions, or none and why."""
+
+    CONVERGED = "the error is within the tolerance"
+    FINITE = "finitely many solutions"
+    INFINITE = "infinitely many solutions, of which some are listed"
+    SINGULAR = "J is singular, so Newton's step does not exist; 'pseudoinverse' or 'damped' go on from here"
+    STALLED = "Jᵀe = 0 with e ≠ 0: no step along J reduces the error; start elsewhere"
+    MAX_ITERATIONS = "the number of iterations is used up"
+    DIVERGED = "the iterates grow without bound; a smaller gain or 'damped' would not"
+    UNREACHABLE = "it is proven that no q inside the limits reaches the target"
+    NOT_FOUND = (
+        "no start led to the target within the time limit or the number of starts; that proves nothing, but it is "
+        "likely out of reach"
+    )
 
 
 class IKResult(NamedTuple):
@@ -17,20 +35,20 @@ class IKResult(NamedTuple):
     Attributes:
         status: CONVERGED, UNREACHABLE or NOT_FOUND.
         q: (nq,) the solution, inside the joint limits; else the configuration with the least error that was found.
-        error: |r_d − f(q)| [m, rad], by forward kinematics at `q`.
+        error_norm: |r_d − f(q)| [m, rad], by forward kinematics at `q`.
         starts: how many starts were tried.
     """
 
     status: IKStatus
     q: Array
-    error: float
+    error_norm: float
     starts: int
 
     def __eq__(self, other: object) -> bool:
         """Return whether all entries are the same; a plain tuple would ask an array whether it is true."""
         if not isinstance(other, IKResult) or not np.array_equal(self.q, other.q):
             return False
-        return (self.status, self.error, self.starts) == (other.status, other.error, other.starts)
+        return (self.status, self.error_norm, self.starts) == (other.status, other.error_norm, other.starts)
 
     def __ne__(self, other: object) -> bool:
         return not self == other
@@ -38,10 +56,18 @@ class IKResult(NamedTuple):
     def __hash__(self) -> int:
         return hash(tuple(self))  # which says that an array has none
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return made_again, (type(self), *self)
+
     @property
     def converged(self) -> bool:
         """Whether `q` is a solution: |e| is within the tolerance, and all joints are inside their limits."""
         return self.status is IKStatus.CONVERGED
+
+    def explain(self) -> str:
+        """Return the status with |e| and the number of starts, in a sentence."""
+        where = "|e| =" if self.converged else "the nearest that was found has |e| ="
+        return f"{self.status.value}; {where} {self.error_norm:.3g} ({self.starts} starts)"
 
     def require(self) -> "IKResult":
         """Return self if it converged.
@@ -49,40 +75,51 @@ class IKResult(NamedTuple):
         Raises:
             NotConverged: it did not; the message says why.
         """
-        if not self.converged:
-            raise NotConverged(
-                f"{self.status.value}; the nearest that was found has |e| = {self.error:.3g} ({self.starts} starts)",
-                self,
-            )
-        return self
+        return require(self, self.converged)
 
 
 @dataclass(frozen=True, eq=False)
-class IKBatch:
+class IKBatch(Frozen):
     """The answers for k targets, in their order.
 
     Attributes:
         q: (k, nq); each row is what `IKResult.q` is.
         status: (k,) of IKStatus.
-        error: (k,) |r_d − f(q)| [m, rad].
+        error_norm: (k,) |r_d − f(q)| [m, rad].
         starts: (k,) how many starts were tried.
     """
 
     q: Array
     status: npt.NDArray[Any]
-    error: Array
+    error_norm: Array
     starts: npt.NDArray[np.int64]
+
+    @classmethod
+    def of(cls, parts: "Sequence[IKBatch]") -> "IKBatch":
+        """Return the batches one after the other as one."""
+        return cls(*(np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(cls)))
 
     def __len__(self) -> int:
         return len(self.q)
 
     def __getitem__(self, i: int) -> IKResult:
-        return IKResult(self.status[i], self.q[i], float(self.error[i]), int(self.starts[i]))
+        return IKResult(self.status[i], self.q[i], float(self.error_norm[i]), int(self.starts[i]))
 
     @property
     def converged(self) -> npt.NDArray[np.bool_]:
         """(k,) whether each row of `q` is a solution."""
         return np.array(self.status == IKStatus.CONVERGED, dtype=bool)
+
+    def explain(self) -> str:
+        """Return how many targets were reached, and why the first of the others was not."""
+        missed = np.flatnonzero(~self.converged)
+        if not missed.size:
+            return f"all of {len(self)} targets were reached"
+        first = self[int(missed[0])]
+        return (
+            f"{missed.size} of {len(self)} targets were not reached; the first is target {missed[0]}: "
+            f"{first.status.value}, |e| = {first.error_norm:.3g}"
+        )
 
     def require(self) -> "IKBatch":
         """Return self if every target was reached.
@@ -90,12 +127,4 @@ class IKBatch:
         Raises:
             NotConverged: one was not; the message says which, and why.
         """
-        missed = np.flatnonzero(~self.converged)
-        if missed.size:
-            first = self[int(missed[0])]
-            raise NotConverged(
-                f"{missed.size} of {len(self)} targets were not reached; the first is target {missed[0]}: "
-                f"{first.status.value}, |e| = {first.error:.3g}",
-                self,
-            )
-        return self
+        return require(self, bool(self.converged.all()))

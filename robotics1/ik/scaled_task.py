@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.ik.turns import WholeTurns, unknown_turns, whole_turns
+from robotics1.angles import TURN
+from robotics1.ik.turns import WholeTurns, is_own_function, unknown_turns, whole_turns
 from robotics1.inputs import Array
-from robotics1.robot.box import TURN, JointBox, intervals, joint_box, refuse_open_ranges
+from robotics1.robot.box import JointBox, intervals, joint_box, refuse_open_ranges
 from robotics1.robot.model import Robot
-from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import Task
 
 SAMPLES = 6  # random configurations at which the task is looked at
@@ -132,7 +132,7 @@ def scaled_task(
 
 def _takes_longer(robot: Robot, task: Task, box: JointBox, seconds: float) -> bool:
     """Whether the evaluations of a function that a look at it needs take longer than that [s]."""
-    if not isinstance(task, FunctionTask) or not np.isfinite(seconds):
+    if not is_own_function(task) or not np.isfinite(seconds):
         return False
     begin = perf_counter()
     task.value(robot, 0.5 * box.lower + 0.5 * box.upper)
@@ -147,7 +147,7 @@ def _length(robot: Robot, box: JointBox) -> float:
 
 def _row_factors(task: Task, J: list[Array], length: float) -> Array:
     usual = np.abs(J).max(axis=(0, 2), initial=0.0) if J else np.zeros(task.rows)
-    own = isinstance(task, FunctionTask)
+    own = is_own_function(task)
     return np.array(
         [
             1 / length if unit == "m" else 1 / size if unit == "1" and own and size > 0 else 1.0
@@ -159,8 +159,10 @@ def _row_factors(task: Task, J: list[Array], length: float) -> Array:
 def _moving(task: Task, J: list[Array], length: float, units: Array) -> npt.NDArray[np.bool_]:
     """Return which columns of J, (m, n), do not vanish at every sample: (n,)."""
     entries = np.abs(np.array(J) * _row_factors(task, J, length)[:, None] * units).max(axis=0)
-    differences = isinstance(task, FunctionTask) and task.derivative is None
-    threshold = (1e-8 if differences else MOVES) * np.maximum(entries.max(axis=1, keepdims=True), 1e-3)
+    form = task.frame_map()
+    threshold = (1e-8 if form is not None and form.by_differences else MOVES) * np.maximum(
+        entries.max(axis=1, keepdims=True), 1e-3
+    )
     return np.asarray((entries > threshold).any(axis=0))
 
 

@@ -1,89 +1,211 @@
-"""The search for inverse kinematics solutions: descents from random starts, and what they have found."""
+"""The robust search: from q0, then from further starts, until one arrives or the time is over."""
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
+from time import perf_counter
+from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
 
-from robotics1.ik.descent import REACHED, Descent, End
-from robotics1.inputs import Array
-from robotics1.singularities.points import ON_THE_SET, SingularPoints
+from robotics1.errors import InputError, TaskError
+from robotics1.ik.result import IKBatch, IKResult, IKStatus
+from robotics1.inputs import Array, dimensions, real_array
+from robotics1.kernels.chain import Indices
+from robotics1.robot.model import Robot
 
-SAME = 1e-6  # distance of two solutions that are one
-NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one
-ASIDE = 0.05  # step along the null space that looks for a neighbouring solution, in units
-FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a family
+SOON = 8  # groups of starts that are tried before a proof is tried for longer
+SHORT = 0.05  # of the time limit, that the starts between two looks at the clock take
+MOST_GROUPS = 256  # of starts between two looks at the clock
+PROVING = 0.2  # of the time limit, that a proof may take
+Progress = Callable[[int, int], None]
+Table = tuple[Array, int]  # starts, and how many of them share a group; of a group one start is tried
+Ends = tuple[Array, Indices, Array]  # where descents end, (k, nq), how many starts were tried, (k,), and |e|, (k,)
 
 
-@dataclass(frozen=True, eq=False)
-class SolutionSearch(Descent):
-    """The search for the q in a box with f(q) = target; `points` is the singular set of the task."""
+@dataclass(eq=False)
+class Found:
+    """What has been found so far for k targets.
 
-    points: SingularPoints | None = None
+    Attributes:
+        targets: as they were given.
+        first: the number of the first of them in its batch; None for one that stands alone.
+        goals: (k, ...) the targets in the form of the descent.
+        starts: (k, nq) q0 of each target, or None.
+        q, tried, error: where the least error is, how many starts were tried, and that error |e|.
+        proven: (k,) whether a target is proven to be out of reach.
+    """
 
-    def distinct(self, ends: list[End]) -> list[Array]:
-        """Return the solutions among the ends, each once, in ascending order."""
-        found: list[Array] = []
-        for q, _ in sorted(ends, key=lambda end: end[1]):
-            p = self._at_the_singularity(q) if self.relative_error(q) <= REACHED else None
-            p = None if p is None else self._wound(p)
-            if p is not None and all(self._apart(p, other) > SAME for other in found):
-                found.append(p)
-        return sorted(found, key=lambda q: [round(float(value), 6) for value in q])
+    targets: list[Any]
+    first: int | None
+    goals: npt.NDArray[Any]
+    starts: Array | None
+    q: Array
+    tried: npt.NDArray[np.int64]
+    error: Array
+    proven: npt.NDArray[np.bool_]
 
-    def singular(self, q: Array) -> bool:
-        """Whether J loses rank at q."""
-        return self.points is not None and self.points.gap(q) <= ON_THE_SET
+    def improve(self, left: Indices, ends: Ends) -> None:
+        """Keep of further ends for some of the targets those with a smaller error."""
+        q, tried, error = ends
+        self.tried[left] += tried
+        better = error < self.error[left]
+        self.q[left[better]], self.error[left[better]] = q[better], error[better]
 
-    def dimension(self, q: Array) -> int:
-        """Return in how many independent directions a step along the null space of J leads to other solutions."""
-        moving, units = self.problem.moving, self.problem.box.unit
-        J = self.jacobian(q)[:, moving]
-        _, sigma, Vt = np.linalg.svd(J)
-        flat = np.ones(len(Vt), dtype=bool)
-        flat[: len(sigma)] = sigma < FLAT * sigma[0]
-        moves = []
-        for tangent in Vt[flat]:
-            direction = np.zeros(len(q))
-            direction[moving] = tangent
-            for side in (ASIDE, -ASIDE):
-                p, _ = self.descend(self.problem.box.nearest(q + side * units * direction))
-                move = self.problem.box.difference(p, q)
-                if self.relative_error(p) <= REACHED and 0.2 * ASIDE < np.linalg.norm(move) < 2 * ASIDE:
-                    moves.append(move)
-                    break
-        lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
-        return int(np.count_nonzero(lengths > 0.1 * ASIDE))
+    def batch(self, tolerance: float) -> IKBatch:
+        """Return the answers."""
+        status = np.full(len(self.q), IKStatus.NOT_FOUND)
+        status[self.proven] = IKStatus.UNREACHABLE
+        status[self.error <= tolerance] = IKStatus.CONVERGED
+        return IKBatch(self.q, status, self.error, self.tried)
 
-    def _apart(self, p: Array, q: Array) -> float:
-        return float(np.abs(self.problem.box.difference(p, q)).max(initial=0.0))
 
-    def _wound(self, q: Array) -> Array | None:
-        """Return q with joints turned until f(q) itself is the target; of angles whole turns may be left.
+class Descent(Protocol):
+    """A way down to a target, from one start or from many, of one target or of many.
 
-        None if a row that counts turns cannot count as many within the limits.
+    Attributes:
+        robot: whose joints move.
+        tolerance: on |e|.
+        at_once: how many targets are searched for together.
+        cores: how many of them at the same time.
+        enough: the part of the time limit after which no further starts are tried.
+    """
+
+    robot: Robot
+    tolerance: float
+    at_once: int
+    cores: int
+    enough: float
+
+    def goals(self, targets: list[Any], first: int | None) -> npt.NDArray[Any]:
+        """Return the targets in the form of the descent, checked; `first` is the number of the first in its batch."""
+
+    def begin(self, found: Found, tables: Iterator[Table], seconds: float) -> None:
+        """Try q0, or the first starts where there is none, in not much longer than these seconds."""
+
+    def tables(self) -> Iterator[Table]:
+        """Yield further starts, without an end."""
+
+    def again(self, found: Found, left: Indices, starts: Table, seconds: float) -> Ends:
+        """Return where further starts lead, for the targets that are left."""
+
+    def unreachable(self, goals: npt.NDArray[Any], seconds: float) -> npt.NDArray[np.bool_]:
+        """Return which goals are proven to be out of reach in that time."""
+
+    def miss(self, found: Found, never: Indices, seconds: float) -> None:
+        """Move what was found for targets that were not reached to where |e| is least around it."""
+
+    def prefer(self, found: Found) -> None:
+        """Move the solutions to those that are preferred."""
+
+
+class Search:
+    """The search for solutions inside the joint limits.
+
+    Attributes:
+        descent: how a start is followed down to a target.
+        time_limit: for one target [s].
+    """
+
+    def __init__(self, descent: Descent, time_limit: float) -> None:
+        self.descent, self.time_limit = descent, time_limit
+
+    def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
+        """Return the answer for one target."""
+        start = None if q0 is None else self.descent.robot.configuration(q0, "q0")[None]
+        return self._answers([target], start, None)[0]
+
+    def batch(self, targets: list[Any], q0: npt.ArrayLike | None, progress: Progress | None) -> IKBatch:
+        """Return the answers for many targets."""
+        k, size = len(targets), self.descent.at_once
+        starts, parts = None if q0 is None else starts_of_all(self.descent.robot, q0, k), []
+        for i in range(0, k, size):
+            some = slice(i, min(i + size, k))
+            with numbered(i) if size == 1 else nullcontext():
+                parts.append(self._answers(targets[some], None if starts is None else starts[some], i))
+            if progress is not None:
+                progress(some.stop, k)
+        return parts[0] if len(parts) == 1 else IKBatch.of(parts)
+
+    def _answers(self, targets: list[Any], starts: Array | None, first: int | None) -> IKBatch:
+        begin, k, nq = perf_counter(), len(targets), self.descent.robot.nq
+        found = Found(
+            targets,
+            first,
+            self.descent.goals(targets, first),
+            starts,
+            np.empty((k, nq)),
+            np.zeros(k, dtype=np.int64),
+            np.full(k, np.inf),
+            np.zeros(k, dtype=bool),
+        )
+        tables = self.descent.tables()
+        self.descent.begin(found, tables, self.descent.enough * self.time_limit)
+        left = self._missed(found)
+        if left.size:
+            spent = self._restart(found, left, tables, (perf_counter() - begin) * self._share(k))
+            never = np.flatnonzero(found.error > self.descent.tolerance)  # what the kernel refused has no error
+            if never.size:
+                self.descent.miss(found, never, self.time_limit - spent)
+        self.descent.prefer(found)
+        return found.batch(self.descent.tolerance)
+
+    def _missed(self, found: Found) -> Indices:
+        return np.flatnonzero(~(found.error <= self.descent.tolerance))  # NaN is a miss
+
+    def _share(self, k: int) -> float:
+        """Return the part of the time that passes for k targets which each of them has."""
+        return min(1.0, self.descent.cores / k)
+
+    def _restart(self, found: Found, left: Indices, tables: Iterator[Table], spent: float) -> float:
+        """Try further starts for the targets that are left, until the time is over: return the seconds of a target.
+
+        First comes a short attempt to prove that there is no solution, then starts near the targets, a longer attempt,
+        and starts anywhere.
         """
-        problem = self.problem
-        e = self.task_error(q)
-        wound = problem.turns.wound(q, e, problem.lower, problem.upper)
-        if wound is not None:
-            return wound
-        counting = np.abs(e - problem.turns.wrapped(e)) > 0
-        return q if problem.turns.angle[counting].all() else None
+        left, limit, size = self._not_proven(found, left, seconds=0.0), self.descent.enough * self.time_limit, SOON
+        for number, (starts, group) in enumerate(tables):
+            at = 0
+            while at * group < len(starts):
+                if not left.size or spent >= limit:
+                    return spent
+                begin, share = perf_counter(), self._share(left.size)
+                some = (starts[at * group : (at + size) * group], group)
+                at += size
+                found.improve(left, self.descent.again(found, left, some, limit - spent))
+                left = left[~(found.error[left] <= self.descent.tolerance)]
+                seconds = (perf_counter() - begin) * share
+                spent += seconds
+                size = int(np.clip(size * SHORT * self.time_limit / seconds, 1, MOST_GROUPS))
+            if number == 0 and left.size:
+                begin, share = perf_counter(), self._share(left.size)
+                left = self._not_proven(found, left, seconds=PROVING * self.time_limit)
+                spent += (perf_counter() - begin) * share
+        return spent
 
-    def _at_the_singularity(self, q: Array) -> Array:
-        """Return the singular solution next to q, if there is one; else q.
+    def _not_proven(self, found: Found, left: Indices, *, seconds: float) -> Indices:
+        """Return the targets of which it cannot be proven in the time that they are out of reach."""
+        proven = self.descent.unreachable(found.goals[left], seconds)
+        found.proven[left[proven]] = True
+        return left[~proven]
 
-        At a double solution, such as a stretched arm, |e| grows only with the square of the distance, so that a
-        descent stops 1e-5 away. There Newton's method on e = 0 together with the loss of rank is exact.
-        """
-        if self.points is None or self.points.gap(q) > NEARLY_SINGULAR:
-            return q
-        box, p = self.problem.box, q
-        for _ in range(6):
-            A, b = self.points.linearised(p)
-            block, J = A * box.unit / self.points.box.unit, self.jacobian(p)
-            step = np.linalg.lstsq(np.vstack([J, block]), np.concatenate([self.error(p), -b]), rcond=1e-7)[0]
-            p = box.nearest(p + box.unit * step)
-        near = self._apart(p, q) < NEARLY_SINGULAR
-        reached = self.relative_error(p) <= REACHED and self.points.gap(p) <= ON_THE_SET
-        return p if near and reached else q
+
+def starts_of_all(robot: Robot, q0: npt.ArrayLike, k: int) -> Array:
+    """Return the starts of k targets, (k, nq), of q0 for all of them, (nq,), or for each.
+
+    Raises:
+        InputError: it is neither, or not finite.
+    """
+    if dimensions("q0", q0) < 2:
+        return np.tile(robot.configuration(q0, "q0"), (k, 1))
+    return real_array("q0", q0, (k, robot.nq), "one start for each target")
+
+
+@contextmanager
+def numbered(i: int) -> Iterator[None]:
+    """Name the target, of a batch, that an error is about."""
+    try:
+        yield
+    except (InputError, TaskError) as error:
+        raise type(error)(f"target {i} of the batch: {error}") from error

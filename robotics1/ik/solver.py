@@ -7,12 +7,13 @@ from typing import Any
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.ik.compiled_search import CompiledSearch
-from robotics1.ik.general_search import GeneralSearch
+from robotics1.ik.kernel_descent import KernelDescent, PoseSolver
+from robotics1.ik.python_descent import PythonDescent
 from robotics1.ik.result import IKBatch, IKResult
+from robotics1.ik.search import Search
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask, Task
+from robotics1.tasks.task import Task
 
 PREFERENCES = ("any", "near", "middle")
 
@@ -63,16 +64,20 @@ class IKSolver:
         self._prepare()
 
     def _prepare(self) -> None:
-        self._search: CompiledSearch | GeneralSearch
-        if isinstance(self.task, FrameTask):
-            self._search = CompiledSearch(self.robot, self.task, **self._options)
-        else:
-            self._search = GeneralSearch(self.robot, self.task, **self._options)
-        self._call = self._search.quick_call()
+        form, options = self.task.frame_map(), dict(self._options)
+        time_limit = options.pop("time_limit")
+        if form is None or form.pose_error is None:
+            self._search = Search(PythonDescent(self.robot, self.task, time_limit=time_limit, **options), time_limit)
+            self._solve = self._search.solve
+            return
+        descent = KernelDescent(self.robot, self.task, **options)
+        self._search = Search(descent, time_limit)
+        usual = descent.pose_error.takes_poses and descent.preferred == "any"
+        self._solve = PoseSolver(descent, self._search.solve).solve if usual else self._search.solve
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled and copied: what is prepared, machine code among it, is prepared again."""
-        return {name: value for name, value in vars(self).items() if name not in ("_search", "_call")}
+        return {name: value for name, value in vars(self).items() if name not in ("_search", "_solve")}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -91,10 +96,10 @@ class IKSolver:
         Raises:
             InputError: the target or q0 has the wrong form, or is not finite.
         """
-        return self._call(target, q0)
+        return self._solve(target, q0)
 
     def leave(self, seconds: float) -> None:
-        """Leave a target this much of the time limit [s], and a fifth of it at least: preparing has taken the rest."""
+        """Leave a target so many seconds, and a fifth of the time limit at least: preparing has taken the rest."""
         self._search.time_limit = max(seconds, 0.2 * self._search.time_limit)
 
     def solve_batch(

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import TURN
 from robotics1.inputs import Array
 from robotics1.kinematics import frame_jacobian
-from robotics1.robot.box import TURN, JointBox
+from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
-from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import Task
 
 MOST_TURNS = 12  # of a leader, after which its follower may be back: multipliers such as 0.5, 1/3, 0.75
@@ -88,7 +88,8 @@ def whole_turns(robot: Robot, task: Task, box: JointBox, samples: Array) -> Whol
     size = np.maximum(J.max(axis=(0, 2), initial=0.0), 1e-300)  # of what the rows change by
     for j in np.flatnonzero(robot.revolute).tolist():
         period[j], change[:, j] = _change(robot, task, samples, j, size)
-    own = isinstance(task, FunctionTask) and task.units is None
+    form = task.frame_map()
+    own = form is not None and not form.knows_units
     jumps = _jumps(robot, task, box) if own else np.zeros(task.rows, dtype=bool)
     modulus = np.where(jumps, TURN, 0.0)
     for i in range(task.rows):
@@ -97,8 +98,14 @@ def whole_turns(robot: Robot, task: Task, box: JointBox, samples: Array) -> Whol
             modulus[i] = min(steps.min(), modulus[i] or np.inf)
             odd = np.abs(change[i] / modulus[i] - np.round(change[i] / modulus[i])) > SAME
             period[odd], change[:, odd] = np.inf, 0.0
-    angle = jumps | _turns_with_the_frame(robot, task, samples) if own else jumps
+    angle = jumps if form is None or not own else jumps | _turns_with_the_frame(robot, task, form.frame, samples)
     return WholeTurns(period, change, modulus, angle)
+
+
+def is_own_function(task: Task) -> bool:
+    """Return whether a task is a function of the user's own, whose rates and cost are unknown."""
+    form = task.frame_map()
+    return form is not None and form.S is None
 
 
 def unknown_turns(robot: Robot, task: Task) -> WholeTurns:
@@ -110,7 +117,7 @@ def unknown_turns(robot: Robot, task: Task) -> WholeTurns:
 
 def _change(robot: Robot, task: Task, samples: Array, j: int, size: Array) -> tuple[float, Array]:
     """Return the period of a joint, and the change of the rows by it; (∞, 0) if there is none."""
-    for turns in range(1, MOST_TURNS + 1 if not isinstance(task, FunctionTask) else 2):
+    for turns in range(1, 2 if is_own_function(task) else MOST_TURNS + 1):
         period = turns * TURN
         ahead = samples + period * np.eye(robot.nq)[j]
         change = [task.error(robot, q, task.value(robot, p)) for q, p in zip(samples, ahead, strict=True)]
@@ -134,9 +141,9 @@ def _jumps(robot: Robot, task: Task, box: JointBox) -> npt.NDArray[np.bool_]:
     return jumps
 
 
-def _turns_with_the_frame(robot: Robot, task: Task, samples: Array) -> npt.NDArray[np.bool_]:
+def _turns_with_the_frame(robot: Robot, task: Task, frame: str | None, samples: Array) -> npt.NDArray[np.bool_]:
     """Return which rows are angles of the frame about a fixed axis, (m,): ṙ = a·ω with a constant, |a| whole."""
-    omega = np.hstack([frame_jacobian(robot, q, frame=getattr(task, "frame", None))[3:] for q in samples])
+    omega = np.hstack([frame_jacobian(robot, q, frame=frame)[3:] for q in samples])
     rows = np.hstack([task.jacobian(robot, q) for q in samples])
     a = np.linalg.lstsq(omega.T, rows.T, rcond=1e-9)[0].T
     exact = np.abs(rows - a @ omega).max(axis=1) <= 1e-7

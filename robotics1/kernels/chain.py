@@ -6,7 +6,6 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 
@@ -59,11 +58,7 @@ def chain_arrays(
         UnknownNameError: there is no such frame.
         InputError: a joint has several degrees of freedom, or the tool is open.
     """
-    if robot.nq != robot.nv:
-        raise InputError(
-            f"robot {robot.name!r} has joints with several degrees of freedom; the kernels serve revolute and "
-            f"prismatic joints"
-        )
+    robot.require_single_coordinates("have kernels")
     model, fixed = robot.model, robot.model.frames[robot.frame_id(frame)]
     units = np.where(robot.revolute, 1.0, unit)
     before = pin.SE3.Identity() if axes is None else pin.SE3(np.array(axes).T, np.zeros(3))

@@ -7,7 +7,7 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
-from robotics1.kernels.forward import geometric_jacobian, place_joints
+from robotics1.kernels.forward import forward_kinematics, geometric_jacobian
 from robotics1.kernels.pose_error import leave_out, pose_error
 
 DAMPING = 1e-9  # λ² at the target: small beside σ_min² of what still counts as regular
@@ -38,7 +38,7 @@ def descend(
         wish[j] = 0.0
     least, stuck = np.inf, 0
     for _ in range(STEPS):
-        place_joints(links, x, T, lines)
+        forward_kinematics(links, x, T, lines)
         pose_error(goal, axis, T, M, e)
         linear = counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2]
         angular = counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5]

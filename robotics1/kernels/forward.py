@@ -10,7 +10,7 @@ from robotics1.kernels.compilation import compiled
 
 
 @compiled(contract=True, inline=True)
-def place_joints(links: Array, q: Array, T: Array, lines: Array) -> None:
+def forward_kinematics(links: Array, q: Array, T: Array, lines: Array) -> None:
     """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to lines, (k, 6).
 
     T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
@@ -41,9 +41,9 @@ def place_joints(links: Array, q: Array, T: Array, lines: Array) -> None:
 
 @compiled(contract=True, inline=True)
 def geometric_jacobian(links: Array, T: Array, lines: Array, J: Array) -> None:
-    """Write J, (6, n), from what `place_joints` found: the columns (z × (p − o), z) and, of a prismatic joint, (z, 0).
+    """Write J, (6, n), from what `forward_kinematics` found.
 
-    Joints that share a coordinate add up.
+    A column is (z × (p − o), z), or (z, 0) of a prismatic joint; joints that share a coordinate add up.
     """
     J[:] = 0.0
     for joint in range(len(links) - 1):
@@ -66,6 +66,6 @@ def geometric_jacobian(links: Array, T: Array, lines: Array, J: Array) -> None:
 def pose_and_jacobian(chain: ChainArrays, q: Array, nv: int) -> tuple[Array, Array]:
     """Return the pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
     T, lines, J, links = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv)), chain.links()
-    place_joints(links, q, T, lines)
+    forward_kinematics(links, q, T, lines)
     geometric_jacobian(links, T, lines, J)
     return T, J

@@ -8,7 +8,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy, descend
-from robotics1.kernels.forward import place_joints
+from robotics1.kernels.forward import forward_kinematics
 
 NO_POSE, NO_START = -1, -2  # instead of a number of starts: the goal is no pose, the start is not finite
 ORTHONORMAL = 1.001e-6  # |RᵀR − 1| of what is taken for a rotation: 1e-6, as everywhere, and room for rounding
@@ -68,7 +68,7 @@ def start_table(links: Array, starts: Array) -> Array:
     """Return (s, 12 + n): the poses at the starts, (s, n), row by row, and the starts."""
     table, T, lines = np.empty((len(starts), 12 + starts.shape[1])), np.empty((3, 4)), np.empty((len(links) - 1, 6))
     for s in range(len(starts)):
-        place_joints(links, starts[s], T, lines)
+        forward_kinematics(links, starts[s], T, lines)
         for i in range(3):
             for j in range(4):
                 table[s, 4 * i + j] = T[i, j]
@@ -129,13 +129,13 @@ def from_units(coordinates: Array, active: Indices, x: Array, q: Array) -> None:
 
 @compiled()
 def solve(
-    links: Array, coordinates: Array, active: Indices, task: Array, target: Array, q0: Array, table: Array,
-    group: int, first: int, q: Array,
+    links: Array, coordinates: Array, active: Indices, task: Array, table: Array, group: int, target: Array,
+    q0: Array, from_q0: bool, q: Array,
 ) -> tuple[int, float]:  # fmt: skip
     """Write to q, (nq,), the solution, or the best that was found; return how many starts were tried, and |e|.
 
-    Start −1 is q0, and start i the one of the i-th group of the table whose pose is nearest to the target. The
-    arguments are few, since passing an array into a kernel takes a tenth of the time of a step.
+    The first start is q0, if it is wanted; then comes of each group of the table the start whose pose is nearest to
+    the target. The arguments are few, since passing an array into a kernel takes a tenth of the time of a step.
 
     Args:
         links: of the chain, lengths in units.
@@ -144,9 +144,9 @@ def solve(
         active: (n,) which entries of q move the chain.
         task: (11,) 1 for the six rows of the error that count; the axis that is pointed, or zero; the unit of
             lengths [m]; the tolerance on |e| [m, rad].
+        table: (s, 12 + n) of `start_table`; group: how many starts share a group.
         target: [R p], (3, 4) or more rows [m].
-        q0: (nq,) the start, and the value of the joints that do not move the chain, moved inside the limits.
-        table: (s, 12 + n) of `start_table`; group: how many starts share a group; first: the first start.
+        q0: (nq,) the values of the joints that do not move the chain, moved inside the limits, and, from_q0, a start.
         q: (nq,) the result.
     """
     n = len(active)
@@ -162,7 +162,7 @@ def solve(
     to_units(coordinates, active, q, x0, limits)
     copy(x0, best)
     least, tried = np.inf, 0
-    for start in range(first, len(table) // group):
+    for start in range(-1 if from_q0 else 0, len(table) // group):
         if start < 0:
             copy(x0, x)
         else:
@@ -183,11 +183,11 @@ def solve(
 
 @compiled()
 def solve_all(
-    links: Array, coordinates: Array, active: Indices, task: Array, targets: Array, q0: Array, table: Array,
-    group: int, first: int, q: Array, tried: Indices, errors: Array,
+    links: Array, coordinates: Array, active: Indices, task: Array, table: Array, group: int, targets: Array,
+    q0: Array, from_q0: bool, q: Array, tried: Indices, errors: Array,
 ) -> None:  # fmt: skip
     """Do what `solve` does for every target, (k, 4, 4); q0 is (k, nq)."""
     for i in range(len(targets)):
         tried[i], errors[i] = solve(
-            links, coordinates, active, task, targets[i], q0[i], table, group, first, q[i]
+            links, coordinates, active, task, table, group, targets[i], q0[i], from_q0, q[i]
         )  # fmt: skip

@@ -8,7 +8,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy
-from robotics1.kernels.forward import place_joints
+from robotics1.kernels.forward import forward_kinematics
 from robotics1.kernels.inverse import from_units, in_units, inside, to_units
 from robotics1.kernels.pose_error import pose_error
 
@@ -22,7 +22,7 @@ WEAK = 1e-3  # μ to begin with
 def half_square(links: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array, T: Array, lines: Array,
                 M: Array, e: Array) -> float:  # fmt: skip
     """Return ½ |e|² at x, and write e, (6,): its linear rows in metres, and zero where they do not count."""
-    place_joints(links, x, T, lines)
+    forward_kinematics(links, x, T, lines)
     pose_error(goal, axis, T, M, e)
     total = 0.0
     for i in range(6):

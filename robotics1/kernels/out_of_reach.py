@@ -6,7 +6,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
-from robotics1.kernels.forward import place_joints
+from robotics1.kernels.forward import forward_kinematics
 from robotics1.kernels.pose_error import pose_error
 
 OPEN = -1  # instead of a number of boxes: the proof does not succeed
@@ -41,7 +41,7 @@ def exclude(
         if count == 0:
             break
         box = boxes[count - 1]
-        place_joints(links, box[:n], T, lines)
+        forward_kinematics(links, box[:n], T, lines)
         pose_error(goal, axis, T, M, e)
         linear = math.sqrt(counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2])
         angular = math.sqrt(counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5])

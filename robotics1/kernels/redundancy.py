@@ -9,7 +9,7 @@ from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.descent import DAMPING, descend, move
-from robotics1.kernels.forward import geometric_jacobian, place_joints
+from robotics1.kernels.forward import forward_kinematics, geometric_jacobian
 from robotics1.kernels.inverse import from_units, in_units, to_units, wind
 from robotics1.kernels.pose_error import leave_out, pose_error
 
@@ -32,7 +32,7 @@ def approach(links: Array, limits: Array, counted: Array, axis: Array, goal: Arr
     e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
     longest, last = LONGEST_ASIDE, np.inf
     for _ in range(STEPS_ASIDE):
-        place_joints(links, x, T, lines)
+        forward_kinematics(links, x, T, lines)
         pose_error(goal, axis, T, M, e)
         geometric_jacobian(links, T, lines, columns.T)
         leave_out(counted, axis, T, columns, e)
@@ -70,7 +70,7 @@ def norm(x: Array) -> float:
 
 
 @compiled()
-def bring_near(
+def nullspace_descent(
     links: Array, coordinates: Array, active: Indices, task: Array, target: Array, wished: Array, q: Array,
     error: float,
 ) -> float:  # fmt: skip
@@ -102,11 +102,11 @@ def bring_near(
 
 
 @compiled()
-def bring_all_near(
+def all_nullspace_descents(
     links: Array, coordinates: Array, active: Indices, task: Array, targets: Array, wished: Array, q: Array,
     errors: Array,
 ) -> None:  # fmt: skip
-    """Do what `bring_near` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
+    """Do what `nullspace_descent` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
     for i in range(len(targets)):
         if errors[i] <= task[10]:
-            errors[i] = bring_near(links, coordinates, active, task, targets[i], wished[i], q[i], errors[i])
+            errors[i] = nullspace_descent(links, coordinates, active, task, targets[i], wished[i], q[i], errors[i])

@@ -10,9 +10,10 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, real_number
 from robotics1.notation import joint_value
 from robotics1.orientation.elementary import turn, unit_vector
-from robotics1.orientation.expressions import Matrix, expression, expressions, told
+from robotics1.orientation.expressions import Matrix, as_matrix, expression, expressions
 from robotics1.orientation.nearest import PRINTED, rotation_of
 from robotics1.orientation.quaternion import quaternion_of
+from robotics1.results import Frozen
 
 
 def axis_angle_to_rotation(axis: Any, angle: Any) -> Matrix:
@@ -36,11 +37,11 @@ def axis_angle_to_rotation(axis: Any, angle: Any) -> Matrix:
     length = sympy.sqrt(r @ r)
     if length == 0:
         raise InputError("axis must have a direction; it is the zero vector")
-    return told(turn(r / length, expression("angle", angle[()])))
+    return as_matrix(turn(r / length, expression("angle", angle[()])))
 
 
 @dataclass(frozen=True, eq=False)
-class AxisAngle:
+class AxisAngle(Frozen):
     """The axis and the angle of a rotation.
 
     Attributes:
@@ -55,18 +56,17 @@ class AxisAngle:
 
     @property
     def solutions(self) -> tuple[tuple[Array, float], ...]:
-        """All (r, θ), θ ∈ (−π, π]: (r, θ) and (−r, −θ), at half a turn (r, π) and (−r, π); none told of θ = 0."""
+        """All (r, θ), θ ∈ (−π, π]: (r, θ) and (−r, −θ), at half a turn (r, π) and (−r, π); none of θ = 0."""
         if self.axis is None:
             return ()
         return (self.axis, self.angle), (-self.axis, -self.angle if self.angle < np.pi else self.angle)
 
-    @property
-    def determined(self) -> str:
-        """What is known of the axis and the angle, in a sentence."""
+    def explain(self) -> str:
+        """Return what R determines of the axis and the angle, in a sentence."""
         if self.axis is None:
-            return "no rotation: θ = 0, and the axis is not determined: any will do"
+            return "no rotation: θ = 0, and the axis is not determined: every one gives R"
         if self.angle == np.pi:
-            return "half a turn: θ = π about r and about −r is the same"
+            return "half a turn: θ = π about r and about −r are the same rotation"
         return f"two solutions: (r, θ) and (−r, −θ), with θ = {joint_value(self.angle)}"
 
 

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
-from robotics1.orientation.expressions import Matrix, cosine_and_sine, expressions, told, vanishes
+from robotics1.orientation.expressions import Matrix, as_matrix, cosine_and_sine, expressions, vanishes
 
 SKEW = 1e-6  # |S + Sᵀ| of a matrix that is taken for skew-symmetric, relative to the larger of 1 and |S|
 
@@ -48,7 +48,7 @@ def skew(v: npt.ArrayLike) -> Matrix:
     Raises:
         InputError: v is no vector of three numbers or expressions.
     """
-    return told(cross_matrix(expressions("v", v, (3,))))
+    return as_matrix(cross_matrix(expressions("v", v, (3,))))
 
 
 def vee(S: Any) -> Matrix:
@@ -69,7 +69,7 @@ def axial_vector(name: str, S: Array, tolerance: float) -> Matrix:
     if S.dtype == object:
         if not all(vanishes(entry) for entry in (S + S.T)[np.triu_indices(3)]):
             raise InputError(f"{name} must be skew-symmetric; S + Sᵀ is {(S + S.T).tolist()}")
-        return told(np.array([S[2, 1], S[0, 2], S[1, 0]]))
+        return as_matrix(np.array([S[2, 1], S[0, 2], S[1, 0]]))
     defect = float(np.abs(S + S.T).max())
     if defect > tolerance * max(1.0, float(np.abs(S).max())):
         raise InputError(f"{name} must be skew-symmetric; |S + Sᵀ| is {defect:.1e}")

@@ -9,16 +9,18 @@ import numpy.typing as npt
 from robotics1.inputs import Array, real_number
 from robotics1.notation import joint_value
 from robotics1.orientation.euler_inverse import canonical, completed, first_solution, other_solution, sine_squared
-from robotics1.orientation.expressions import Matrix, angle_of, expressions, told
+from robotics1.orientation.expressions import Matrix, angle_of, as_matrix, expressions
 from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
+from robotics1.results import Frozen
 
 
 def euler_to_rotation(sequence: str, angles: Any, *, fixed: bool = False) -> Matrix:
     """Return R = R(e₁, φ₁) R(e₂, φ₂) R(e₃, φ₃), or with fixed axes R(e₃, φ₃) R(e₂, φ₂) R(e₁, φ₁).
 
     Args:
-        sequence: three axes, such as "ZYZ", "XYZ", or "Z-YX" with an angle about −y.
+        sequence: three axes, such as "ZYZ", "XYZ", or "Z-YX" with an angle about −y; in small letters, as in SciPy,
+            axes of the fixed frame.
         angles: (3,) [rad], in the order of the sequence: numbers give a (3, 3) array; SymPy expressions or names
             such as ("alpha", "beta", "gamma"), also among numbers, a `sympy.Matrix`.
         fixed: rotations about the axes of the fixed frame; otherwise about those that have already moved.
@@ -30,11 +32,11 @@ def euler_to_rotation(sequence: str, angles: Any, *, fixed: bool = False) -> Mat
     appendix B.
     """
     R1, R2, R3 = euler_sequence(sequence, fixed).turns(expressions("angles", angles, (3,), "[rad]"))
-    return told(R1 @ R2 @ R3)
+    return as_matrix(R1 @ R2 @ R3)
 
 
 @dataclass(frozen=True, eq=False)
-class EulerSolutions:
+class EulerSolutions(Frozen):
     """The angles of a sequence that give a rotation.
 
     Attributes:
@@ -56,9 +58,8 @@ class EulerSolutions:
     combined: float | None
     correction: float
 
-    @property
-    def determined(self) -> str:
-        """What is known of the angles, in a sentence."""
+    def explain(self) -> str:
+        """Return what R determines of the angles, in a sentence."""
         if self.combination is None or self.combined is None:
             return "the angles are determined: there are two solutions"
         sign = "+" if self.combination[2] > 0 else "−"

@@ -46,7 +46,7 @@ def solution_formula(sequence: EulerSequence, M: Array, sign: int, square: Any) 
 def completed(sequence: EulerSequence, M: Array, first: float) -> Array:
     """Return the angles (3,) whose moving φ₁ is known: the others are read from R_x(φ₁)ᵀ M = R_y(ψ) R_x(φ₃).
 
-    So the three belong together to the last digit however small sin ψ is; where it is zero any φ₁ serves.
+    So the three belong together to the last digit however small sin ψ is; where it is zero, φ₁ may have any value.
     """
     c, s = math.cos(first), math.sin(first)
     second = _second(sequence, s * M[1, 0] - c * M[2, 0], M[0, 0])

@@ -52,7 +52,7 @@ def expression(name: str, entry: Any) -> Any:
     return entry
 
 
-def told(array: Array) -> Matrix:
+def as_matrix(array: Array) -> Matrix:
     """Return a float array as it is, and an array of expressions as a `sympy.Matrix`."""
     if array.dtype != object:
         return array

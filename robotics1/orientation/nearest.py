@@ -8,6 +8,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.notation import vector
+from robotics1.results import Frozen
 
 PRINTED = 1e-3  # largest correction of an entry: three or four printed digits are accepted
 SINGULAR = 1e-9  # a sine or cosine below this counts as zero where something is divided by it, as singular values do
@@ -15,7 +16,7 @@ ROUNDING = 2e-15  # what rounding leaves of a sine or cosine that is zero: nine 
 
 
 @dataclass(frozen=True, eq=False)
-class NearestRotation:
+class NearestRotation(Frozen):
     """The rotation nearest to a given matrix.
 
     Attributes:

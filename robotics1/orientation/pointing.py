@@ -10,19 +10,20 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
 from robotics1.notation import joint_value
 from robotics1.orientation.elementary import cross_matrix, turn, unit_vector
-from robotics1.orientation.expressions import Matrix, expressions, told
+from robotics1.orientation.expressions import Matrix, as_matrix, expressions
 from robotics1.orientation.nearest import ROUNDING, SINGULAR, rotation_of
+from robotics1.results import Frozen
 
 
 @dataclass(frozen=True, eq=False)
-class Alignment:
+class Alignment(Frozen):
     """All rotations with R a = d: R(d, ψ) R₀ for every ψ.
 
     Attributes:
         rotation: R₀ (3, 3), that turns the body least: by `angle` about `axis`, from where it starts.
         axis: (3,) the unit vector of that turn, normal to both directions; None when the body points there already.
         angle: of that turn [rad], in [0, π].
-        unique: whether there is one such least turn; of opposite directions half a turn about any normal serves.
+        unique: whether one turn is the least; between opposite directions it is half a turn about any normal.
         direction: d, (3,), a unit vector.
     """
 
@@ -38,14 +39,13 @@ class Alignment:
         Raises:
             InputError: ψ is neither a number nor an expression.
         """
-        return told(turn(self.direction, expressions("psi", psi, (), "an angle [rad]")[()]) @ self.rotation)
+        return as_matrix(turn(self.direction, expressions("psi", psi, (), "an angle [rad]")[()]) @ self.rotation)
 
-    @property
-    def determined(self) -> str:
-        """What is known of the rotation, in a sentence."""
+    def explain(self) -> str:
+        """Return what the two directions determine of the rotation, in a sentence."""
         family = "every R(d, ψ) R₀ aligns the axis"
         if not self.unique:
-            return f"{family}; the directions are opposite, so the least turn, π, is about any normal: one is told"
+            return f"{family}; the directions are opposite: the least turn is π about any normal, such as `axis`"
         return f"{family}; R₀ turns least, by {joint_value(self.angle)}"
 
 
@@ -78,7 +78,7 @@ def align_direction(a: npt.ArrayLike, d: npt.ArrayLike, *, start: npt.ArrayLike 
 
 
 @dataclass(frozen=True, eq=False)
-class FrameAlignment:
+class FrameAlignment(Frozen):
     """The rotation that takes two directions of the body to two given ones, the first exactly.
 
     Attributes:
@@ -95,14 +95,13 @@ class FrameAlignment:
         """Whether both are aligned, to 1e-7."""
         return self.misalignment <= 1e-7
 
-    @property
-    def verdict(self) -> str:
-        """What was possible, in a sentence."""
+    def explain(self) -> str:
+        """Return whether one rotation aligns both axes, in a sentence."""
         if self.exact:
             return "one rotation aligns both axes"
         return (
             f"no rotation aligns both axes: the angle between them is not that between the directions; the first is "
-            f"aligned, and the second as nearly as can be, to {joint_value(self.misalignment)}"
+            f"aligned, and the second is {joint_value(self.misalignment)} from its direction, the least possible"
         )
 
 

@@ -10,8 +10,9 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import Array, one_of, real_number
 from robotics1.orientation.elementary import cross_matrix
-from robotics1.orientation.expressions import Matrix, expressions, told
+from robotics1.orientation.expressions import Matrix, as_matrix, expressions
 from robotics1.orientation.nearest import PRINTED, SINGULAR, NearestRotation, rotation_of
+from robotics1.results import Frozen
 
 
 def quaternion_to_rotation(quaternion: Any) -> Matrix:
@@ -29,7 +30,9 @@ def quaternion_to_rotation(quaternion: Any) -> Matrix:
     Q = unit_quaternion(quaternion)
     eta, epsilon = Q[0], Q[1:]
     one = np.eye(3, dtype=int)
-    return told((eta**2 - epsilon @ epsilon) * one + 2 * np.outer(epsilon, epsilon) + 2 * eta * cross_matrix(epsilon))
+    return as_matrix(
+        (eta**2 - epsilon @ epsilon) * one + 2 * np.outer(epsilon, epsilon) + 2 * eta * cross_matrix(epsilon)
+    )
 
 
 def quaternion_rate_map(quaternion: Any, *, reference: str = "world") -> Matrix:
@@ -39,7 +42,7 @@ def quaternion_rate_map(quaternion: Any, *, reference: str = "world") -> Matrix:
     those of a quaternion are never singular. Conversely ω = 4 Eᵀ Q̇.
 
     Args:
-        quaternion: (4,) scalar first, as of `quaternion_to_rotation`.
+        quaternion: (4,) scalar first, as in `quaternion_to_rotation`.
         reference: the axes ω is written in: "world" or "body".
 
     Raises:
@@ -50,7 +53,7 @@ def quaternion_rate_map(quaternion: Any, *, reference: str = "world") -> Matrix:
     one_of("reference", reference, ("world", "body"))
     half = unit_quaternion(quaternion) / 2
     turned = -cross_matrix(half[1:]) if reference == "world" else cross_matrix(half[1:])
-    return told(np.vstack([-half[1:], half[0] * np.eye(3, dtype=int) + turned]))
+    return as_matrix(np.vstack([-half[1:], half[0] * np.eye(3, dtype=int) + turned]))
 
 
 def unit_quaternion(quaternion: Any) -> Array:
@@ -69,7 +72,7 @@ def unit_quaternion(quaternion: Any) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class UnitQuaternions:
+class UnitQuaternions(Frozen):
     """The two unit quaternions of a rotation.
 
     Attributes:

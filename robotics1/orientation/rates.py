@@ -1,4 +1,4 @@
-"""The rates of the angles of a sequence and the angular velocity: ω = T(φ) φ̇."""
+"""The angular velocity: of a rotation that changes, [ω]× = Ṙ Rᵀ, and of the rates of angles, ω = T(φ) φ̇."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -8,11 +8,12 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array, one_of, real_array
 from robotics1.notation import vector
-from robotics1.orientation.elementary import turn
+from robotics1.orientation.elementary import axial_vector, turn
 from robotics1.orientation.euler_inverse import sine_squared
-from robotics1.orientation.expressions import Matrix, cosine_and_sine, expressions, root, told
-from robotics1.orientation.nearest import SINGULAR
+from robotics1.orientation.expressions import Matrix, as_matrix, cosine_and_sine, expressions, root, simplified
+from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
+from robotics1.results import Frozen
 
 
 def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference: str = "world") -> Matrix:
@@ -34,7 +35,7 @@ def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.6.
     """
     one_of("reference", reference, ("world", "body"))
-    return told(rate_map(euler_sequence(sequence, fixed), expressions("angles", angles, (3,), "[rad]"), reference))
+    return as_matrix(rate_map(euler_sequence(sequence, fixed), expressions("angles", angles, (3,), "[rad]"), reference))
 
 
 def rate_map(sequence: EulerSequence, angles: Array, reference: str = "world") -> Array:
@@ -75,7 +76,7 @@ def inverse_rate_map(sequence: EulerSequence, R: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class EulerRates:
+class EulerRates(Frozen):
     """The rates of the angles that produce an angular velocity.
 
     Attributes:
@@ -99,14 +100,13 @@ class EulerRates:
         """Whether the rates produce ω: |ω − T φ̇| ≤ 1e-9 max(1, |ω|)."""
         return not self.unproduced.any()
 
-    @property
-    def verdict(self) -> str:
-        """What can be produced, in a sentence."""
+    def explain(self) -> str:
+        """Return whether rates of the angles produce ω, in a sentence."""
         if self.lost is None:
-            return f"det T = {self.determinant:.4g}: every ω is produced by one φ̇"
+            return f"det T = {self.determinant:.4g}: one φ̇ produces each ω"
         if self.feasible:
-            return "T is singular, but this ω is produced, by infinitely many φ̇; the shortest is told"
-        return f"T is singular and this ω is not produced: no ω has a part along {vector(self.lost)}"
+            return "T is singular, but infinitely many φ̇ produce this ω; `rates` is the shortest of them"
+        return f"T is singular and no φ̇ produces this ω: no ω that it produces has a part along {vector(self.lost)}"
 
 
 def euler_rates(
@@ -138,3 +138,27 @@ def euler_rates(
     unproduced = part * lost if abs(part) > SINGULAR * max(1.0, float(np.linalg.norm(omega))) else np.zeros(3)
     null = np.array([1, 0, -np.sign(T[:, 0] @ T[:, 2])]) / np.sqrt(2)
     return EulerRates(np.linalg.pinv(T, rcond=1e-6) @ omega, det, True, unproduced, lost, null)
+
+
+def angular_velocity(R: Any, R_dot: Any, *, reference: str = "world") -> Matrix:
+    """Return ω (3,) of Ṙ = [ω]× R in world axes, or Ω = Rᵀω of Ṙ = R [Ω]× in the body's.
+
+    Numbers give an array [rad/s], expressions a `sympy.Matrix`, simplified: with R(s) and dR/ds it is ω per unit of ṡ.
+
+    Args:
+        R: (3, 3) the rotation.
+        R_dot: (3, 3) its derivative.
+        reference: the axes ω is written in: "world" or "body".
+
+    Raises:
+        InputError: R is no rotation, or R_dot is not the derivative of one: Ṙ Rᵀ is not skew-symmetric.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.1.1.
+    """
+    one_of("reference", reference, ("world", "body"))
+    R, R_dot = expressions("R", R, (3, 3)), expressions("R_dot", R_dot, (3, 3))
+    if object not in (R.dtype, R_dot.dtype):
+        R = rotation_of("R", R).rotation
+    name, S = ("R_dot Rᵀ", R_dot @ R.T) if reference == "world" else ("Rᵀ R_dot", R.T @ R_dot)
+    omega = axial_vector(name, S, PRINTED)
+    return omega.applyfunc(simplified) if S.dtype == object else omega

@@ -1,6 +1,6 @@
 """A sequence of three rotations about coordinate axes, moving or fixed.
 
-Let e₁, e₂, e₃ be the axes of a moving sequence, R = R(e₁, φ₁) R(e₂, φ₂) R(e₃, φ₃). One picture serves all of them:
+Let e₁, e₂, e₃ be the axes of a moving sequence, R = R(e₁, φ₁) R(e₂, φ₂) R(e₃, φ₃). One picture holds for all of them:
 e₁ and e₃ are both normal to e₂, and R(e₂, λ) takes e₁ to e₃, with λ = 0 or π for ZYZ and its like and ±π/2 for ZYX
 and its like. So every sequence is R R(e₂, λ) = R(e₁, φ₁) R(e₂, ψ) R(e₁, φ₃) with ψ = φ₂ + λ, the angle from e₁ to
 R e₃, and is singular where sin ψ = 0: there the first and the last axis are parallel.
@@ -67,7 +67,7 @@ class EulerSequence:
 
 
 def euler_sequence(name: str, fixed: bool = False) -> EulerSequence:
-    """Return the sequence of three axes such as "ZYZ", "XYZ" or "Z-YX"; fixed=True: about fixed axes.
+    """Return the sequence of three axes such as "ZYZ", "XYZ" or "Z-YX"; fixed=True, or "xyz": about fixed axes.
 
     A minus before an axis means that the angle counts positive about its negative sense.
 
@@ -76,7 +76,8 @@ def euler_sequence(name: str, fixed: bool = False) -> EulerSequence:
     """
     if not isinstance(fixed, bool | np.bool_):
         raise InputError(f"fixed must be True (fixed axes) or False (moving axes); it is {fixed!r}")
-    return _sequence(text("sequence", name), bool(fixed))
+    name = text("sequence", name)
+    return _sequence(name.upper(), True) if name.islower() else _sequence(name, bool(fixed))
 
 
 @lru_cache(maxsize=256)
@@ -84,8 +85,8 @@ def _sequence(name: str, fixed: bool) -> EulerSequence:
     found = re.fullmatch("(-?[XYZ])" * 3, name)
     if not found:
         raise InputError(
-            f"sequence must be three axes in capitals, such as 'ZYZ', 'XYZ' or 'Z-YX' (a minus turns the axis after "
-            f"it round), and fixed=True for fixed axes; it is {name!r}"
+            f"sequence must be three axes, such as 'ZYZ', 'XYZ' or 'Z-YX' (a minus turns the axis after it round) of "
+            f"the moving frame, or in small letters, as 'xyz', of the fixed frame; it is {name!r}"
         )
     first, second, third = (axis[-1] for axis in found.groups())
     if second in (first, third):

@@ -1,4 +1,4 @@
-"""All that a textbook says of a sequence of three angles, as formulas."""
+"""The formulas of a sequence of three angles: rotation, inverse, rates, singular angles."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -41,7 +41,7 @@ def iteration_table(run: IKIteration, title: str = "") -> Table:
     for row in run.table:
         r = row.r.translation if isinstance(row.r, pin.SE3) else row.r
         last = row.det if square else row.sigma_min
-        rows.append((str(row.k), vector(row.q), vector(r), f"{row.error:.5f}", number(last)))
+        rows.append((str(row.k), vector(row.q), vector(r), f"{row.error_norm:.5f}", number(last)))
     return table(("k", "q", "r", "|e|", "det J" if square else "σ_min"), rows, title)
 
 

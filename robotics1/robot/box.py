@@ -6,11 +6,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import TURN
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
 from robotics1.robot.model import Robot
-
-TURN = 2 * np.pi
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,11 +77,7 @@ def joint_box(
         UnknownNameError: no such joint.
         InputError: a prismatic joint has no limits, or an interval is empty or outside the limits.
     """
-    if robot.nq != robot.nv:
-        raise InputError(
-            f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and "
-            f"prismatic joints can be searched"
-        )
+    robot.require_single_coordinates("can be searched")
     lower, upper = intervals(robot, box)
     given = np.isin(robot.joint_names, list(box or {}))
     if unlimited is not None:

@@ -1,4 +1,4 @@
-"""From a checked and cleaned URDF tree to Pinocchio's model, joint by joint.
+"""From a URDF tree to joints as numbers, and from these to Pinocchio's model, joint by joint.
 
 Pinocchio's own reader of URDF gives the same model, where it can read the file. It reports on the process's stderr,
 which can be caught only by moving file descriptor 2 under every thread, and it takes no infinite limits.
@@ -12,15 +12,16 @@ only an earlier one, so
 """
 
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import pinocchio as pin
 
-from robotics1.inputs import Array
-from robotics1.robot.checking import linked
 from robotics1.robot.checking_parts import MOMENTS
-from robotics1.robot.ordering import late_leaders, leaders_first, root_link
-from robotics1.robot.rewriting import numbers, placement
+from robotics1.robot.joints import Joint, root_of
+from robotics1.robot.markup import linked
+from robotics1.robot.mimic import late_leaders, leaders_first
+from robotics1.robot.normalize import leader, numbers, placement
 
 UNIT_AXES = np.eye(3)
 ALIGNED = {
@@ -28,40 +29,82 @@ ALIGNED = {
     "prismatic": (pin.JointModelPX, pin.JointModelPY, pin.JointModelPZ),
 }
 UNALIGNED = {"revolute": pin.JointModelRevoluteUnaligned, "prismatic": pin.JointModelPrismaticUnaligned}
-FREE = {"planar": pin.JointModelPlanar, "floating": pin.JointModelFreeFlyer}
 WITHOUT_LIMIT = 1e308  # what stands for infinity in files, since urdfdom refuses that
+FREE = {"planar": pin.JointModelPlanar, "floating": pin.JointModelFreeFlyer}
 
 
-def build_model(root: ET.Element) -> pin.Model:
-    """Return the model of a URDF tree: links are body frames, and a follower has no coordinate of its own."""
-    links = {link.get("name", ""): link for link in root.findall("link")}
-    order = leaders_first(root)
-    late = late_leaders(order)
+def build_model(name: str, links: Mapping[str, pin.Inertia], joints: Sequence[Joint]) -> pin.Model:
+    """Return the model of a tree of links: links are body frames, and a follower has no coordinate of its own.
+
+    Args:
+        name: the robot's name.
+        links: link → its inertia about its own axes.
+        joints: what connects them.
+    """
     model = pin.Model()
-    model.name = root.get("name", "")
-    coordinate = {
-        joint.get("name", ""): _add_joint(model, 0, _kind(joint), pin.SE3.Identity(), joint.get("name", ""), joint)
-        for joint in late
-    }
-    first = root_link(root)
-    at = {first: model.addFrame(pin.Frame(first, 0, 0, pin.SE3.Identity(), pin.FrameType.BODY, inertia(links[first])))}
+    model.name = name
+    order = leaders_first(tuple(links), joints)
+    coordinate = {joint.name: _add_joint(model, 0, pin.SE3.Identity(), joint) for joint in late_leaders(order)}
+    first = root_of(tuple(links), joints)
+    at = {first: model.addFrame(pin.Frame(first, 0, 0, pin.SE3.Identity(), pin.FrameType.BODY, links[first]))}
     for joint in order:
-        name, child = joint.get("name", ""), str(linked(joint, "child"))
-        frame, body = at[str(linked(joint, "parent"))], inertia(links[child])
-        parent, T = int(model.frames[frame].parentJoint), model.frames[frame].placement * placement(joint)
-        if joint.get("type") == "fixed":
-            fixed = model.addFrame(pin.Frame(name, parent, frame, T, pin.FrameType.FIXED_JOINT, body))
-            at[child] = model.addBodyFrame(child, parent, T, fixed)
+        frame, body = at[joint.parent], links[joint.child]
+        parent, T = int(model.frames[frame].parentJoint), model.frames[frame].placement * joint.placement
+        if joint.kind == "fixed":
+            fixed = model.addFrame(pin.Frame(joint.name, parent, frame, T, pin.FrameType.FIXED_JOINT, body))
+            at[joint.child] = model.addBodyFrame(joint.child, parent, T, fixed)
             continue
         number = _add_moving(model, parent, T, joint, coordinate)
-        model.frames[model.addJointFrame(number, frame)].name = name
+        model.frames[model.addJointFrame(number, frame)].name = joint.name
         if body != pin.Inertia.Zero():
             model.appendBodyToJoint(number, body, pin.SE3.Identity())
-        at[child] = model.addBodyFrame(child, number, pin.SE3.Identity(), model.nframes - 1)
+        at[joint.child] = model.addBodyFrame(joint.child, number, pin.SE3.Identity(), model.nframes - 1)
     return model
 
 
-def inertia(link: ET.Element) -> pin.Inertia:
+def read_joints(root: ET.Element) -> tuple[Joint, ...]:
+    """Return the joints of a URDF tree that has been checked and normalized, in the order of the file."""
+    return tuple(map(_joint, root.findall("joint")))
+
+
+def _joint(joint: ET.Element) -> Joint:
+    name, kind = joint.get("name", ""), joint.get("type", "")
+    limit, dynamics, mimic, origin = (joint.find(tag) for tag in ("limit", "dynamics", "mimic", "origin"))
+    x, y, z = numbers(origin, "xyz", "0 0 0")
+    roll, pitch, yaw = numbers(origin, "rpy", "0 0 0")
+    u, v, w = numbers(joint.find("axis"), "xyz", "1 0 0")
+    bounded = kind in ("revolute", "prismatic")
+    return Joint(
+        name,
+        kind.replace("continuous", "revolute"),
+        str(linked(joint, "parent")),
+        str(linked(joint, "child")),
+        (x, y, z),
+        (roll, pitch, yaw),
+        (u, v, w),
+        lower=_limit(limit, "lower", 0.0) if bounded else -np.inf,
+        upper=_limit(limit, "upper", 0.0) if bounded else np.inf,
+        max_velocity=_limit(limit, "velocity", np.inf),
+        max_effort=_limit(limit, "effort", np.inf),
+        friction=numbers(dynamics, "friction", "0")[0],
+        damping=numbers(dynamics, "damping", "0")[0],
+        leader=leader(joint) or name,
+        multiplier=numbers(mimic, "multiplier", "1")[0],
+        offset=numbers(mimic, "offset", "0")[0],
+    )
+
+
+def _limit(limit: ET.Element | None, key: str, default: float) -> float:
+    value = numbers(limit, key, repr(default))[0]
+    return np.inf if value >= WITHOUT_LIMIT else value
+
+
+def read_links(root: ET.Element) -> dict[str, pin.Inertia]:
+    """Return link → its inertia, of a URDF tree that has been checked and normalized."""
+    return {link.get("name", ""): _inertia(link) for link in root.findall("link")}
+
+
+def _inertia(link: ET.Element) -> pin.Inertia:
     """Return the inertia of a link about its own axes; zero where the file gives none."""
     inertial = link.find("inertial")
     if inertial is None:
@@ -75,58 +118,48 @@ def inertia(link: ET.Element) -> pin.Inertia:
     return Y
 
 
-def _add_moving(model: pin.Model, parent: int, T: pin.SE3, joint: ET.Element, coordinate: dict[str, int]) -> int:
+def _add_moving(model: pin.Model, parent: int, T: pin.SE3, joint: Joint, coordinate: dict[str, int]) -> int:
     """Add a joint with a coordinate of its own, or one that follows; `coordinate` is leader → the joint that has it."""
-    name, mimic = joint.get("name", ""), joint.find("mimic")
-    if mimic is not None:
-        a, b = numbers(mimic, "multiplier", "1")[0], numbers(mimic, "offset", "0")[0]
-        follower = _following(model, _kind(joint), coordinate[mimic.get("joint", "")], a, b)
-        return int(model.addJoint(parent, follower, T, name))
-    if name in coordinate:
-        itself = f"{name} (itself)"
+    if joint.follows:
+        follower = _following(model, joint, coordinate[joint.leader], joint.multiplier, joint.offset)
+        return int(model.addJoint(parent, follower, T, joint.name))
+    if joint.name in coordinate:
+        itself = f"{joint.name} (itself)"
         while model.existJointName(itself):
             itself += "_"
-        return int(model.addJoint(parent, _following(model, _kind(joint), coordinate[name], 1.0, 0.0), T, itself))
-    coordinate[name] = _add_joint(model, parent, _kind(joint), T, name, joint)
-    return coordinate[name]
+        return int(model.addJoint(parent, _following(model, joint, coordinate[joint.name], 1.0, 0.0), T, itself))
+    coordinate[joint.name] = _add_joint(model, parent, T, joint)
+    return coordinate[joint.name]
 
 
-def _following(model: pin.Model, kind: pin.JointModel, leader: int, a: float, b: float) -> pin.JointModelMimic:
+def _following(model: pin.Model, joint: Joint, leader: int, a: float, b: float) -> pin.JointModelMimic:
     """Return a joint whose coordinate is a q + b, with q that of the leader."""
-    own = model.joints[leader]
+    own, kind = model.joints[leader], _kind(joint)
     kind.setIndexes(leader, own.idx_q, own.idx_v, own.idx_vExtended)
     return pin.JointModelMimic(kind, a, b)
 
 
-def _kind(joint: ET.Element) -> pin.JointModel:
+def _kind(joint: Joint) -> pin.JointModel:
     """Return the motion of a joint, about or along its axis; a continuous one is revolute, with one coordinate."""
-    kind = joint.get("type", "").replace("continuous", "revolute")
-    if kind in FREE:
-        return pin.JointModel(FREE[kind]())
-    axis = np.array(numbers(joint.find("axis"), "xyz", "1 0 0"))
-    for aligned, unit in zip(ALIGNED[kind], UNIT_AXES, strict=True):
+    if joint.kind in FREE:
+        return pin.JointModel(FREE[joint.kind]())
+    axis = np.array(joint.axis)
+    for aligned, unit in zip(ALIGNED[joint.kind], UNIT_AXES, strict=True):
         if np.linalg.norm(axis - unit) <= 1e-12:
             return pin.JointModel(aligned())
-    return pin.JointModel(UNALIGNED[kind](axis / np.linalg.norm(axis)))
+    return pin.JointModel(UNALIGNED[joint.kind](axis / np.linalg.norm(axis)))
 
 
-def _add_joint(model: pin.Model, parent: int, kind: pin.JointModel, T: pin.SE3, name: str, joint: ET.Element) -> int:
+def _add_joint(model: pin.Model, parent: int, T: pin.SE3, joint: Joint) -> int:
     """Add a joint with a coordinate of its own, its limits and its friction."""
+    kind = _kind(joint)
     none, free = np.zeros(kind.nv), np.full(kind.nv, np.inf)
     if kind.nq > 1:  # a length for each coordinate that moves, and a unit vector for what turns
         lengths = {3: 2, 6: 3}[kind.nv]
         upper = np.r_[np.full(lengths, np.inf), np.full(kind.nq - lengths, 1.01)]
-        return int(model.addJoint(parent, kind, T, name, -free, free, -free, free, -upper, upper, none, none, none))
-    limit, dynamics = joint.find("limit"), joint.find("dynamics")
-    effort, velocity = (_limit(limit, key, np.inf) for key in ("effort", "velocity"))
-    lower, upper = (_limit(limit, key, 0.0) for key in ("lower", "upper"))
-    if joint.get("type") == "continuous":
-        lower, upper = -free, free
-    friction, damping = (np.array(numbers(dynamics, key, "0")) for key in ("friction", "damping"))
-    ranges = (-effort, effort, -velocity, velocity, lower, upper, -friction, friction)
-    return int(model.addJoint(parent, kind, T, name, *ranges, damping))
-
-
-def _limit(limit: ET.Element | None, key: str, default: float) -> Array:
-    values = np.array(numbers(limit, key, repr(default)))
-    return np.where(values >= WITHOUT_LIMIT, np.inf, values)
+        return int(
+            model.addJoint(parent, kind, T, joint.name, -free, free, -free, free, -upper, upper, none, none, none)
+        )
+    effort, velocity, friction = joint.max_effort, joint.max_velocity, joint.friction
+    ranges = (-effort, effort, -velocity, velocity, joint.lower, joint.upper, -friction, friction)
+    return int(model.addJoint(parent, kind, T, joint.name, *(np.array([x]) for x in ranges), np.array([joint.damping])))

@@ -4,17 +4,17 @@ Pinocchio takes in silence a zero axis, a link with two parents, limits the wron
 gives no reason for what it refuses, and a very long chain crashes it. So all of that is found here, with the line.
 """
 
-import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import cast
 
 from robotics1.robot.checking_parts import check_joint, check_link
 from robotics1.robot.findings import LARGEST, Findings
-from robotics1.robot.leftovers import unprocessed
-from robotics1.robot.markup import Element
+from robotics1.robot.markup import Element, children, linked
 
 MOST_LINKS = 1000  # Pinocchio's parser recurses: 5000 links in a row crash it
 MOST_DEGREES = 128  # its memory grows with the cube: 200 degrees of freedom take 513 MB
+DEFINITIONS = ("xacro:property", "xacro:arg", "xacro:macro")  # without use, they are no harm
+READ = ("link", "joint", "material")  # what a URDF's robot is made of; the rest is for other programs
 RESERVED = {"universe": "Pinocchio's name for the world"}
 FREEDOM = {"fixed": 0, "revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
 
@@ -41,19 +41,8 @@ def check_urdf(root: Element) -> Findings:
     return findings
 
 
-def children(parent: ET.Element, tag: str) -> list[Element]:
-    """Return the children of a tag."""
-    return cast("list[Element]", parent.findall(tag))
-
-
-def linked(joint: ET.Element, end: str) -> str | None:
-    """Return the link at an end of a joint, "parent" or "child", or None when it is not said."""
-    element = joint.find(end)
-    return None if element is None else element.get("link")
-
-
 def _is_a_robot(findings: Findings, root: Element) -> bool:
-    found = unprocessed(root)
+    found = _unprocessed(root)
     if found is not None:
         findings.error(found, "is unprocessed xacro; expand the file, or give its name the suffix .xacro")
         return False
@@ -63,6 +52,36 @@ def _is_a_robot(findings: Findings, root: Element) -> bool:
     if not (root.get("name") or "").strip():
         findings.error(root, "has no name; write <robot name='...'>")
     return True
+
+
+def _unprocessed(root: Element) -> Element | None:
+    """Return the first element that means something only when xacro has expanded it, or None.
+
+    These are calls and conditions, and `${...}` and `$(...)` where the robot is described; in a file without links
+    also definitions.
+    """
+    if root.tag.startswith("xacro:") or _refers(root):
+        return root
+    parts = [cast("Element", part) for part in root]
+    for part in parts:
+        if part.tag in READ or (part.tag.startswith("xacro:") and part.tag not in DEFINITIONS):
+            for element in _outside_definitions(part):
+                if element.tag.startswith("xacro:") or _refers(element):
+                    return element
+    if not any(part.tag == "link" for part in parts):
+        return next((part for part in parts if part.tag.startswith("xacro:")), None)
+    return None
+
+
+def _outside_definitions(element: Element) -> Iterator[Element]:
+    if element.tag not in DEFINITIONS:
+        yield element
+        for part in element:
+            yield from _outside_definitions(cast("Element", part))
+
+
+def _refers(element: Element) -> bool:
+    return any("${" in value or "$(" in value for value in element.attrib.values())
 
 
 def _check_size(findings: Findings, root: Element, links: list[Element], joints: list[Element]) -> None:

@@ -2,9 +2,7 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
-from robotics1.errors import RobotFileError
 from robotics1.robot.markup import Element
 
 LARGEST = 1e18  # of lengths, angles and factors: sums and products of a few of them stay finite
@@ -79,23 +77,11 @@ class Findings:
         return Findings([replace(finding, line=None) for finding in self.found])
 
     @property
-    def errors(self) -> list[Finding]:
+    def errors(self) -> tuple[Finding, ...]:
         """What makes the file unusable."""
-        return [finding for finding in self.found if finding.severe]
+        return tuple(finding for finding in self.found if finding.severe)
 
     @property
-    def warnings(self) -> list[Finding]:
+    def warnings(self) -> tuple[Finding, ...]:
         """What is odd but harmless."""
-        return [finding for finding in self.found if not finding.severe]
-
-    def stop(self, path: Path) -> None:
-        """Raise the first error, if there is one.
-
-        Raises:
-            RobotFileError: with the number of the others.
-        """
-        errors = self.errors
-        if errors:
-            first, others = errors[0], len(errors) - 1
-            more = f" (and {others} more error{'s' if others > 1 else ''})" if others else ""
-            raise RobotFileError(first.message + more, path=path, line=first.line, element=first.element)
+        return tuple(finding for finding in self.found if not finding.severe)

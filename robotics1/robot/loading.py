@@ -1,29 +1,34 @@
-"""From a file to a `Robot`: the text is expanded, checked and cleaned, and Pinocchio makes the model of it."""
+"""From a file to a `Robot`: the text is expanded, checked and normalized, and becomes joints and Pinocchio's model."""
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pinocchio as pin
 
-from robotics1.errors import InputError, UnknownNameError
+from robotics1.errors import InputError, MissingExtraError, RobotFileError, Robotics1Error, UnknownNameError
 from robotics1.inputs import by_name
-from robotics1.robot.building import build_model
+from robotics1.robot.building import build_model, read_joints, read_links
 from robotics1.robot.checking import check_urdf
-from robotics1.robot.findings import Findings
-from robotics1.robot.follower_limits import narrow_leaders
+from robotics1.robot.findings import Finding
+from robotics1.robot.joints import Joint
 from robotics1.robot.locking import lock
 from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
+from robotics1.robot.mimic import narrow_leaders
 from robotics1.robot.model import Robot, frame_number, tips
-from robotics1.robot.parameters import Parameters
-from robotics1.robot.rewriting import clean, rebase
+from robotics1.robot.normalize import clean, rebase
+from robotics1.robot.parameters import Parameters, Placements, agree, fitted_placements
+from robotics1.robot.report import NotComparable, RobotReport, difference_from_yourdfpy
 from robotics1.robot.sources import robot_file, robot_text
-from robotics1.robot.xacro.expansion import expand_xacro
+from robotics1.robot.xacro.expansion import Expanded, expand_xacro
 
 USUAL_TOOLS = ("tool0", "tool")
+FEW = 6  # parameters: with more, or in a large file, the polynomials are found when formulas are first asked for
+LITTLE = 0.01  # of what an expansion may use
 
 
 def load_robot(
@@ -62,89 +67,158 @@ def load_robot(
         InputError: a value has another form or is not finite, or the file has no parameters.
     """
     path = robot_file(source)
-    return robot_from_text(
-        robot_text(source, path),
-        path=path,
-        parameters=parameters,
-        base=base,
-        tool=tool,
-        locked=locked,
-        packages=packages,
-        trusted=trusted,
-    )
+    text = robot_text(source, path)
+    return RobotText(text, path, parameters, base, tool, locked, packages, trusted).read().require()
 
 
-def robot_from_text(
-    text: str,
+def check_robot(
+    source: str | Path,
     *,
-    path: Path,
     parameters: Mapping[str, float | str] | None = None,
     base: str | None = None,
     tool: str | None = None,
     locked: Mapping[str, Any] | None = None,
     packages: Iterable[str | Path] = (),
     trusted: bool = False,
-) -> Robot:
-    """Return the robot of a URDF text, or of a xacro text when the path ends in `.xacro`.
+) -> RobotReport:
+    """Return everything that is wrong or odd in a robot file, where `load_robot` raises its first error.
 
-    The path says where the text comes from, for messages and for the files it names. The other arguments and the
-    errors are those of `load_robot`.
+    Its forward kinematics is compared with that of yourdfpy, where that is installed and can read the file. The
+    arguments are those of `load_robot`.
+
+    Raises:
+        RobotFileError: there is no such file.
+        UnknownNameError, InputError: what `load_robot` raises for its arguments.
     """
-    folders = _folders(packages)
-    trusted = trusted is True
-    values_at = by_name("locked", locked, "{'q1': 0.5}")
-
-    place = path.absolute() if path.is_file() else path  # the working folder may be another one later
-    given = by_name("parameters", parameters, "{'l2': 0.5}")
-    source = LoadedText(text, place, given, base, tool, values_at, tuple(folders), trusted)
-    text, values = urdf_text(text, path, given, folders, trusted=trusted)
-    root = parse_xml(text, path)
-    findings = findings_of(root, path)
-    findings.stop(path)
-    warnings = [str(finding) for finding in findings.warnings]
-    warnings += find_meshes(root, path, folders, trusted=trusted)
-    lock(root, values_at)
-    clean(root)
-    if base is not None:
-        rebase(root, base, tool)
-    text = _written(root)
-    model = build_model(root)
-    warnings += narrow_leaders(model, root)
-    return Robot(
-        model.name,
-        model,
-        _tool(model, tool),
-        Parameters(values),
-        text,
-        path,
-        tuple(warnings),
-        source if values else None,
-    )
+    path = robot_file(source)
+    try:
+        text = robot_text(source, path)
+        report = RobotText(text, path, parameters, base, tool, locked, packages, trusted).read()
+    except RobotFileError as error:
+        return RobotReport(path, (Finding(True, error.message, error.line, error.element),))
+    if report.robot is None or base is not None or locked:  # the other parser knows nothing of these two
+        return report
+    with suppress(MissingExtraError, NotComparable):
+        report = replace(report, fk_difference=difference_from_yourdfpy(report.robot, report.urdf))
+    return report
 
 
 @dataclass(frozen=True)
-class LoadedText:
-    """The arguments of `robot_from_text`, kept so that a xacro can be expanded with other parameters."""
+class RobotText:
+    """A URDF text, or a xacro text when the path ends in `.xacro`, and how it is read; see `load_robot`.
+
+    It is kept, so that the text can be read again with other parameters. The path says where the text comes from, for
+    messages and for the files that it names.
+    """
 
     text: str
     path: Path
-    parameters: Mapping[str, float | str]
-    base: str | None
-    tool: str | None
-    locked: Mapping[str, Any]
-    packages: tuple[Path, ...]
-    trusted: bool
+    parameters: Mapping[str, float | str] | None = None
+    base: str | None = None
+    tool: str | None = None
+    locked: Mapping[str, Any] | None = None
+    packages: Iterable[str | Path] = ()
+    trusted: bool = False
+    known: Placements | None = None  # the placements of the joints as polynomials in the parameters
+
+    def __post_init__(self) -> None:
+        """Check the arguments, and copy them."""
+        self.__dict__["packages"] = _folders(self.packages)
+        self.__dict__["trusted"] = self.trusted is True
+        self.__dict__["locked"] = by_name("locked", self.locked, "{'q1': 0.5}")
+        self.__dict__["parameters"] = by_name("parameters", self.parameters, "{'l2': 0.5}")
+
+    def read(self) -> RobotReport:
+        """Return what is found in the text, and the robot if it has no errors.
+
+        Raises:
+            RobotFileError: it is no XML, or cannot be expanded.
+            UnknownNameError, InputError: as `load_robot`.
+        """
+        urdf, parameters, effort = self._expanded()
+        root = parse_xml(urdf, self.path)
+        findings = check_urdf(root)
+        if self.path.suffix == ".xacro":
+            findings = findings.without_lines()
+        if findings.errors:
+            return RobotReport(self.path, findings.errors, findings.warnings, None, urdf)
+        more = find_meshes(root, self.path, self._folders, trusted=self.trusted)
+        self._normalize(root)
+        joints, contradictions = narrow_leaders(read_joints(root))
+        model = build_model(root.get("name", ""), read_links(root), joints)
+        warnings = findings.warnings + tuple(Finding(False, text) for text in (*more, *contradictions))
+        robot = Robot(
+            model.name,
+            model,
+            joints,
+            _tool(model, self.tool),
+            Parameters(parameters),
+            _written(root),
+            self.path,
+            tuple(map(str, warnings)),
+            self._source(joints, parameters, effort) if parameters else None,
+        )
+        return RobotReport(self.path, (), warnings, robot, urdf)
+
+    def _source(self, joints: Sequence[Joint], parameters: Mapping[str, float], effort: float) -> "RobotText":
+        """Return what is kept of the text with the robot; with the polynomials, where these cost little."""
+        path = self.path.absolute() if self.path.is_file() else self.path  # the working folder may be another one later
+        known = self.known if self.known is not None and agree(self.known, joints, parameters) else None
+        if known is None and effort <= LITTLE and len(parameters) <= FEW:
+            with suppress(Robotics1Error):  # which is raised once somebody asks for formulas
+                known = fitted_placements(joints, parameters, self._joints_at)
+        return replace(self, path=path, known=known)
 
     def with_parameters(self, values: Mapping[str, float]) -> Robot:
         """Return the robot of the text with these parameters; the others stay as they were given."""
-        options = dict(vars(replace(self, parameters={**self.parameters, **values})))
-        return robot_from_text(options.pop("text"), **options)
+        return self._at(values).read().require()
+
+    def placements(self, robot: Robot) -> Placements:
+        """Return the placements of the joints as polynomials in the parameters."""
+        return self.known or fitted_placements(robot.joints, robot.parameters, self._joints_at)
+
+    @property
+    def _folders(self) -> tuple[Path, ...]:
+        return cast("tuple[Path, ...]", self.packages)
+
+    def _at(self, values: Mapping[str, float]) -> "RobotText":
+        return replace(self, parameters={**(self.parameters or {}), **values})
+
+    def _joints_at(self, values: Mapping[str, float]) -> tuple[Joint, ...]:
+        """Return the joints alone, at these parameters, with the limits that they have in the text."""
+        again = self._at(values)
+        root = parse_xml(again._expanded().urdf, self.path)
+        errors = check_urdf(root).errors
+        if errors:
+            RobotReport(self.path, errors).require()
+        again._normalize(root)
+        return read_joints(root)
+
+    def _expanded(self) -> Expanded:
+        """Return the URDF text, expanded if it is xacro.
+
+        Raises:
+            InputError: parameters are given to a plain URDF.
+        """
+        parameters = self.parameters or {}
+        if self.path.suffix == ".xacro":
+            return expand_xacro(self.text, self.path, parameters, self._folders, trusted=self.trusted)
+        if parameters:
+            names = ", ".join(parameters)
+            raise InputError(f"{self.path.name} is a plain URDF and has no parameters; {names} cannot be set")
+        return Expanded(self.text, {}, 0.0)
+
+    def _normalize(self, root: Element) -> None:
+        lock(root, self.locked or {})
+        clean(root)
+        if self.base is not None:
+            rebase(root, self.base, self.tool)
 
 
-def _folders(packages: Iterable[str | Path]) -> list[Path]:
+def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
     listed = [packages] if isinstance(packages, str | Path) else packages
     try:
-        return [Path(folder).resolve() for folder in listed]
+        return tuple(Path(folder).resolve() for folder in listed)
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
 
@@ -155,27 +229,6 @@ def _written(root: ET.Element) -> str:
     for element in root.iter():
         element.attrib = dict(sorted(element.attrib.items()))
     return ET.tostring(root, encoding="unicode")
-
-
-def findings_of(root: Element, path: Path) -> Findings:
-    """Return what is wrong with a URDF; of an expanded xacro, without lines."""
-    findings = check_urdf(root)
-    return findings.without_lines() if path.suffix == ".xacro" else findings
-
-
-def urdf_text(
-    text: str, path: Path, parameters: Mapping[str, float | str], packages: list[Path], *, trusted: bool
-) -> tuple[str, dict[str, float]]:
-    """Return the URDF text, expanded if it is xacro, and the values of its parameters.
-
-    Raises:
-        InputError: parameters are given to a plain URDF.
-    """
-    if path.suffix == ".xacro":
-        return expand_xacro(text, path, parameters, packages, trusted=trusted)
-    if parameters:
-        raise InputError(f"{path.name} is a plain URDF and has no parameters; {', '.join(parameters)} cannot be set")
-    return text, {}
 
 
 def _tool(model: pin.Model, named: str | None) -> str | None:

@@ -10,8 +10,8 @@ import pinocchio as pin
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_array, real_number
 from robotics1.robot.findings import LARGEST
+from robotics1.robot.normalize import factor, leader, numbers, placement, remove, set_placement, tidy
 from robotics1.robot.placements import homogeneous
-from robotics1.robot.rewriting import factor, leader, numbers, placement, remove, set_placement, tidy
 
 
 def lock(root: ET.Element, locked: Mapping[str, Any]) -> None:

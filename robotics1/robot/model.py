@@ -13,52 +13,75 @@ import pinocchio as pin
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.robot.joints import Joint, joints_to
+from robotics1.robot.parameters import Placements, constant_placements
 
 
 class RobotSource(Protocol):
-    """What a robot was made from, so that it can be made again with other parameters."""
+    """What a robot with named parameters was made from."""
 
     def with_parameters(self, values: Mapping[str, float]) -> "Robot":
         """Return the robot with these values of its named parameters; the others stay."""
+
+    def placements(self, robot: "Robot") -> Placements:
+        """Return the placements of the robot's joints as polynomials in its parameters."""
 
 
 @dataclass(frozen=True, eq=False)
 class Robot:
     """A robot as Pinocchio sees it.
 
-    Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied.
+    Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. Its
+    limits are its own: they stay as they are when those of the model are changed.
 
     Attributes:
         name: the robot's name in its file.
         model: the `pin.Model`; q and q̇ are in its order of joints.
+        joints: all joints as numbers, in the order of the file.
         tool: the frame meant when no frame is named, or None when the file leaves it open.
         parameters: the named lengths and their values [m].
         urdf: the URDF text the model was made from.
         path: the file it came from.
         warnings: what is odd about the file, one sentence each.
         source: what the robot was made from, which `with_parameters` uses.
+        lower, upper: (nq,) joint limits [rad or m]; ∓∞ where there is none.
+        max_velocity: (nv,) velocity limits [rad/s or m/s]; +∞ where there is none.
+        max_effort: (nv,) effort limits [N m or N]; +∞ where there is none.
     """
 
     name: str
     model: pin.Model = field(repr=False)
+    joints: tuple[Joint, ...] = field(repr=False)
     tool: str | None
     parameters: Mapping[str, float]
     urdf: str = field(repr=False)
     path: Path
     warnings: tuple[str, ...] = ()
     source: RobotSource | None = field(default=None, repr=False)
+    lower: Array = field(init=False, repr=False)
+    upper: Array = field(init=False, repr=False)
+    max_velocity: Array = field(init=False, repr=False)
+    max_effort: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Make the place for the scratch memory of each thread."""
-        object.__setattr__(self, "_scratch", threading.local())
+        """Copy the limits of the model, and make the place for the scratch memory of each thread."""
+        model = self.model
+        limits = {
+            "lower": model.lowerPositionLimit,
+            "upper": model.upperPositionLimit,
+            "max_velocity": model.upperVelocityLimit,
+            "max_effort": model.upperEffortLimit,
+        }
+        self.__setstate__({name: np.array(limit) for name, limit in limits.items()})
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled and copied: the fields, but no scratch memory."""
         return {f.name: getattr(self, f.name) for f in fields(self)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        self.__post_init__()
+        self.__dict__.update(state, _scratch=threading.local())
+        for name in ("lower", "upper", "max_velocity", "max_effort"):
+            self.__dict__[name].flags.writeable = False
 
     @property
     def data(self) -> pin.Data:
@@ -85,6 +108,16 @@ class Robot:
             raise InputError(f"robot {self.name!r} has no named parameters that could be given other values")
         return self.source.with_parameters(by_name("values", values, "{'l2': 0.5}"))
 
+    @cached_property
+    def placements(self) -> Placements:
+        """The placement of each joint by its name, as polynomials in the parameters, or why there are none.
+
+        They are found once: of a small xacro file when it is loaded, of a large one when they are first asked for.
+        """
+        if self.source is None or not self.parameters:
+            return constant_placements(self.joints)
+        return self.source.placements(self)
+
     @property
     def nq(self) -> int:
         """The length of q."""
@@ -96,45 +129,28 @@ class Robot:
         return int(self.model.nv)
 
     @cached_property
-    def _own_joints(self) -> tuple[int, ...]:
-        """The numbers of the joints that have a coordinate of their own: not the world, and no mimicking joint."""
-        return tuple(i for i in range(1, self.model.njoints) if self.model.joints[i].nq > 0)
+    def moving_joints(self) -> tuple[Joint, ...]:
+        """The joints with a coordinate of their own, which are those that mimic no other, in the order of q."""
+        named = {joint.name: joint for joint in self.joints}
+        numbers = [i for i in range(1, self.model.njoints) if self.model.joints[i].nq > 0]
+        return tuple(named[self.model.names[i]] for i in numbers)
 
     @property
     def joint_names(self) -> tuple[str, ...]:
         """The moving joints, in the order of q."""
-        return tuple(self.model.names[i] for i in self._own_joints)
+        return tuple(joint.name for joint in self.moving_joints)
 
     @cached_property
     def frame_names(self) -> tuple[str, ...]:
         """The links of the robot, each of which is a frame."""
         return tuple(frame.name for frame in self.model.frames if frame.type == pin.FrameType.BODY)
 
-    @property
-    def lower(self) -> Array:
-        """(nq,) lower joint limits [rad or m]; −∞ where there is none."""
-        return np.array(self.model.lowerPositionLimit)
-
-    @property
-    def upper(self) -> Array:
-        """(nq,) upper joint limits [rad or m]; +∞ where there is none."""
-        return np.array(self.model.upperPositionLimit)
-
-    @property
-    def max_velocity(self) -> Array:
-        """(nv,) velocity limits [rad/s or m/s]; +∞ where there is none."""
-        return np.array(self.model.upperVelocityLimit)
-
-    @property
-    def max_effort(self) -> Array:
-        """(nv,) effort limits [N m or N]; +∞ where there is none."""
-        return np.array(self.model.upperEffortLimit)
-
     @cached_property
     def revolute(self) -> npt.NDArray[np.bool_]:
         """One entry for each of `joint_names`: True where its coordinate is an angle, False where it is a length."""
-        kinds = [self.model.joints[i].shortname().removeprefix("JointModel") for i in self._own_joints]
-        return np.array([kind.startswith("R") for kind in kinds], dtype=bool)
+        turns = np.array([joint.kind == "revolute" for joint in self.moving_joints], dtype=bool)
+        turns.flags.writeable = False
+        return turns
 
     @cached_property
     def fixed_length(self) -> float:
@@ -198,6 +214,37 @@ class Robot:
         if number is None:
             raise UnknownNameError(f"frame of robot {self.name!r} named", frame, self.frame_names)
         return number
+
+    def link_of(self, frame: str | None) -> str:
+        """Return the link that a frame is: of a joint's frame, the link that the joint moves; of None, the tool's.
+
+        Raises:
+            UnknownNameError: there is no such frame.
+            InputError: no frame is named and the tool is open.
+        """
+        found = self.model.frames[self.frame_id(frame)]
+        if found.type == pin.FrameType.BODY:
+            return str(found.name)
+        return next((joint.child for joint in self.joints if joint.name == found.name), str(found.name))
+
+    def joints_to(self, frame: str | None) -> tuple[Joint, ...]:
+        """Return the joints on the way from the root to a frame; None means the tool. Raises as `link_of`."""
+        return joints_to(self.joints, self.link_of(frame))
+
+    def require_single_coordinates(self, purpose: str) -> None:
+        """Refuse a robot of which a joint has several degrees of freedom.
+
+        Args:
+            purpose: what only revolute and prismatic joints can be used for, such as "can be searched".
+
+        Raises:
+            InputError: there is a planar or floating joint.
+        """
+        if self.nq != self.nv:
+            raise InputError(
+                f"robot {self.name!r} has joints with several degrees of freedom; only arms of revolute and prismatic "
+                f"joints {purpose}"
+            )
 
     def within_limits(self, q: npt.ArrayLike, tolerance: float = 1e-9) -> bool:
         """Return whether lower − tolerance ≤ q ≤ upper + tolerance for every joint."""

@@ -1,6 +1,26 @@
-"""The named lengths of a robot and their values, read-only."""
+"""The named parameters of a robot, and how the placements of its joints depend on them.
 
-from collections.abc import Iterator, Mapping
+A xacro file is expanded again at other values, and each number is fitted by a polynomial of the lowest degree up to
+two that further expansions confirm.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import combinations_with_replacement
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.inputs import Array
+from robotics1.robot.joints import Joint
+
+HIGHEST_DEGREE = 2
+CONFIRMATIONS = 2  # expansions beyond those that determine a polynomial
+SPREAD = 0.3  # of the values, to both sides
+CONFIRMS = 1e-9  # difference of a fitted and an expanded number that is rounding
+
+Monomial = tuple[str, ...]  # the parameters that are multiplied; () is the constant
+Polynomial = Mapping[Monomial, float]
 
 
 class Parameters(Mapping[str, float]):
@@ -23,3 +43,113 @@ class Parameters(Mapping[str, float]):
 
     def __repr__(self) -> str:
         return repr(self._values)
+
+
+class Placement(NamedTuple):
+    """The placement of a joint in its parent link, as polynomials in the parameters [m, rad]."""
+
+    xyz: tuple[Polynomial, ...]
+    rpy: tuple[Polynomial, ...]
+
+    def at(self, parameters: Mapping[str, float]) -> Array:
+        """Return x, y, z, roll, pitch and yaw at these values of the parameters, (6,)."""
+        return np.array(
+            [
+                sum(c * float(np.prod([parameters[name] for name in m])) for m, c in number.items())
+                for number in (*self.xyz, *self.rpy)
+            ],
+            dtype=float,
+        )
+
+
+Placements = Mapping[str, Placement | str]  # of the joints; or the sentence that says why there are no polynomials
+
+
+def placement_of(coefficients: Sequence[Polynomial]) -> Placement:
+    """Return the placement of six polynomials, without their zeros."""
+    numbers = [{m: float(c) for m, c in number.items() if c != 0} for number in coefficients]
+    return Placement(tuple(numbers[:3]), tuple(numbers[3:]))
+
+
+def constant_placements(joints: Sequence[Joint]) -> dict[str, Placement | str]:
+    """Return the placements of joints that do not depend on parameters."""
+    return {joint.name: placement_of([{(): x} for x in (*joint.xyz, *joint.rpy)]) for joint in joints}
+
+
+def agree(placements: Placements, joints: Sequence[Joint], parameters: Mapping[str, float]) -> bool:
+    """Whether polynomials give the placements of these joints, of all of them, at these values of the parameters."""
+    if [joint.name for joint in joints] != list(placements):
+        return False
+    found = [(joint, placements[joint.name]) for joint in joints]
+    return all(
+        not isinstance(placement, str) and np.abs(placement.at(parameters) - (*joint.xyz, *joint.rpy)).max() <= CONFIRMS
+        for joint, placement in found
+    )
+
+
+def fitted_placements(
+    joints: Sequence[Joint], parameters: Mapping[str, float], joints_at: Callable[[dict[str, float]], Sequence[Joint]]
+) -> dict[str, Placement | str]:
+    """Return the placements of joints as polynomials in the parameters.
+
+    Args:
+        joints: the joints at the values of the parameters.
+        parameters: name → value.
+        joints_at: gives the joints at other values.
+    """
+    names, rng = tuple(parameters), np.random.default_rng(0)
+    centre = np.array(list(parameters.values()))
+    points, numbers = [centre], [_numbers(joints)]
+    polynomials: list[dict[Monomial, float]] = [{} for _ in numbers[0]]
+    unknown = set(range(len(polynomials)))
+    failed: dict[str, str] = {}
+    for degree in range(HIGHEST_DEGREE + 1):
+        monomials = [m for d in range(degree + 1) for m in combinations_with_replacement(names, d)]
+        while len(points) < len(monomials) + CONFIRMATIONS:
+            point = centre + np.where(centre == 0, 1.0, np.abs(centre)) * rng.uniform(-SPREAD, SPREAD, len(names))
+            others = {joint.name: joint for joint in joints_at(dict(zip(names, map(float, point), strict=True)))}
+            failed |= {joint.name: why for joint in joints if (why := _differs(joint, others.get(joint.name)))}
+            points.append(point)
+            numbers.append(_numbers([others.get(joint.name, joint) for joint in joints]))
+        coefficients, wrong = _fit(names, monomials, points, numbers)
+        for i in [i for i in unknown if not wrong[i]]:
+            polynomials[i] = dict(zip(monomials, coefficients[:, i], strict=True))
+            unknown.remove(i)
+        if not unknown:
+            break
+    for i in sorted(unknown):
+        name, attribute = joints[i // 6].name, ("xyz", "rpy")[i % 6 // 3]
+        failed.setdefault(
+            name, f"{attribute} of joint {name!r} is no polynomial of degree {HIGHEST_DEGREE} in the parameters"
+        )
+    return {j.name: failed.get(j.name) or placement_of(polynomials[6 * k : 6 * k + 6]) for k, j in enumerate(joints)}
+
+
+def _numbers(joints: Sequence[Joint]) -> Array:
+    """Return x, y, z, roll, pitch and yaw of all joints, (6k,)."""
+    return np.array([x for joint in joints for x in (*joint.xyz, *joint.rpy)], dtype=float)
+
+
+def _differs(joint: Joint, other: Joint | None) -> str | None:
+    """Return what differs, beside its placement, in a joint at other values of the parameters."""
+    if other is None or (joint.kind, joint.parent, joint.child) != (other.kind, other.parent, other.child):
+        return "the joints themselves depend on a parameter"
+    if np.abs(np.subtract(joint.axis, other.axis)).max() > CONFIRMS:
+        return f"the axis of joint {joint.name!r} depends on a parameter"
+    if (joint.leader, joint.multiplier, joint.offset) != (other.leader, other.multiplier, other.offset):
+        return f"how joint {joint.name!r} mimics {joint.leader!r} depends on a parameter"
+    return None
+
+
+def _fit(
+    names: tuple[str, ...], monomials: list[Monomial], points: list[Array], numbers: list[Array]
+) -> tuple[Array, npt.NDArray[np.bool_]]:
+    """Return the coefficients of the monomials, (monomials, 6k), and which numbers the last points contradict."""
+    matrix = np.array([[np.prod([p[names.index(name)] for name in m]) for m in monomials] for p in points])
+    flat = np.array(numbers)
+    count = len(points) - CONFIRMATIONS
+    solution = np.linalg.lstsq(matrix[:count], flat[:count], rcond=None)[0]
+    wrong = np.abs(matrix @ solution - flat).max(axis=0, initial=0.0) > CONFIRMS
+    solution = np.where(np.abs(solution) < CONFIRMS, 0.0, solution)
+    rounded = np.round(solution, 9)
+    return np.where(np.abs(solution - rounded) < CONFIRMS / 10, rounded, solution), wrong

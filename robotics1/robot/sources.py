@@ -7,7 +7,7 @@ from stat import S_ISDIR, S_ISREG
 
 from robotics1.errors import InputError, MissingExtraError, RobotFileError, UnknownNameError
 from robotics1.robot import markup
-from robotics1.robot.encoding import decoded
+from robotics1.robot.markup import decoded
 
 TEXT = Path("<text>")  # stands for the file of a robot that is given as a text
 LONGEST_PATH = 4096  # characters: no system takes longer ones

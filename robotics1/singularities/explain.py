@@ -9,7 +9,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
 from robotics1.singularities.spaces import echelon
-from robotics1.tasks.turns import turns_of
+from robotics1.tasks.task import turns_of
 
 if TYPE_CHECKING:
     from robotics1.robot.model import Robot

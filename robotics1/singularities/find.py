@@ -14,8 +14,7 @@ from robotics1.singularities.numeric import numeric_branches
 from robotics1.singularities.points import NOTHING_MOVES, singular_points
 from robotics1.singularities.result import SingularBranch, SingularSet
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
-from robotics1.tasks.task import Task
-from robotics1.tasks.turns import turns_of
+from robotics1.tasks.task import Task, turns_of
 
 if TYPE_CHECKING:
     from robotics1.singularities.symbolic import Found

@@ -12,7 +12,7 @@ from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
 from robotics1.kernels.singularity_measures import SingularityMeasures, measures_of, singularity_measures
 from robotics1.kinematics import reference_axes
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask, Task
+from robotics1.tasks.task import FrameMap, Task
 
 
 class Measurement(Protocol):
@@ -106,17 +106,17 @@ def measurement_of(robot: Robot, task: Task, rank: int, length: float) -> Measur
     """Return the measurement of a task's J, with lengths in units of `length` [m]: by the kernels if they serve it."""
     if robot.nv == 0:
         return WithoutJoints()
-    if isinstance(task, FrameTask):
-        S = _constant_rows(robot, task)
-        if S is not None:
-            return _kernel_measurement(robot, task, S, rank, length)
+    form = task.frame_map()
+    S = None if form is None else _constant_rows(robot, task, form)
+    if form is not None and S is not None:
+        return _kernel_measurement(robot, form, S, rank, length)
     rows = np.array([1 / length if unit == "m" else 1.0 for unit in task.row_units])
     return TaskMeasurement(robot, task, rows, np.where(robot.revolute, 1.0, length), rank)
 
 
-def _kernel_measurement(robot: Robot, task: FrameTask, S: Array, rank: int, length: float) -> KernelMeasurement:
-    axes = reference_axes(robot, np.zeros(robot.nq), task.reference)
-    chain = chain_arrays(robot, task.frame, unit=length, axes=axes)
+def _kernel_measurement(robot: Robot, form: FrameMap, S: Array, rank: int, length: float) -> KernelMeasurement:
+    axes = reference_axes(robot, np.zeros(robot.nq), form.reference)
+    chain = chain_arrays(robot, form.frame, unit=length, axes=axes)
     moving = np.unique(chain.coordinate)
     units = np.where(robot.revolute, 1.0, length)
     chain = chain._replace(coordinate=np.searchsorted(moving, chain.coordinate))
@@ -132,12 +132,12 @@ def named(found: SingularityMeasures, names: tuple[str, ...]) -> dict[str, Array
     return {name: answer[name] for name in names}
 
 
-def _constant_rows(robot: Robot, task: FrameTask) -> Array | None:
+def _constant_rows(robot: Robot, task: Task, form: FrameMap) -> Array | None:
     """Return S, (m, 6), of a task ṙ = S V whose S is the same everywhere and whose axes stand still, else None."""
-    if not task.has_constant_rows:
+    if form.S is None or not form.constant_rows:
         return None
     try:
         task.check_integrable(robot)
     except TaskError:
         return None
-    return np.asarray(task.S(np.zeros(3), np.eye(3)), dtype=float)
+    return np.asarray(form.S(np.zeros(3), np.eye(3)), dtype=float)

@@ -8,13 +8,13 @@ import numpy as np
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
+from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
-from robotics1.singularities.spaces import numeric_rank, vanishing_block
+from robotics1.singularities.spaces import vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
-from robotics1.tasks.task import Task
-from robotics1.tasks.units import unitless_jacobian
+from robotics1.tasks.task import Task, unitless_jacobian
 
 ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
 NOTHING_MOVES = "no joint moves the task at all: its Jacobian is zero everywhere"

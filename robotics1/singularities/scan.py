@@ -17,8 +17,7 @@ from robotics1.singularities.reduction import MEASURES, Reduction, reduced
 from robotics1.singularities.refinement import refine as refine_worst
 from robotics1.singularities.samples import METHODS, Chunk, samples_of
 from robotics1.singularities.scan_result import SingularityScan
-from robotics1.tasks.task import Task
-from robotics1.tasks.turns import turns_of
+from robotics1.tasks.task import Task, turns_of
 
 KEPT = 10  # worst configurations, or as many as are refined
 WAITING = 32  # chunks handed to an executor at a time: of Sobol's sequence 30 MB for seven joints

@@ -7,10 +7,10 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array, real_number
+from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
 from robotics1.results import Frozen
 from robotics1.singularities.printed_digits import all_printed, half_units
 
-RANK_TOLERANCE = 1e-9  # σᵢ counts as zero when σᵢ ≤ 1e-9 σ₁
 FOUR_DECIMALS = 5e-5  # of σ₁: what a configuration that is rounded to four decimals does not tell from zero
 DECIMALS = 3  # of an entry of a matrix that is a rounded one: with fewer, as 0.5 and 0.25, it is a choice
 
@@ -161,13 +161,3 @@ def echelon(basis: Array) -> Array:
     if k == 1:
         columns *= np.sign(columns[np.abs(columns) > 1e-12][0])
     return np.where(np.abs(columns) < 1e-12, 0.0, columns)
-
-
-def numeric_rank(singular_values: Array) -> int:
-    """Return the number of σᵢ > 1e-9 σ₁, of singular values in descending order."""
-    return int(np.count_nonzero(singular_values > RANK_TOLERANCE * singular_values[:1]))
-
-
-def pseudoinverse(J: Array) -> Array:
-    """Return J⁺ (n, m), with the singular values below the threshold of rank taken as zero."""
-    return np.asarray(np.linalg.pinv(J, rcond=RANK_TOLERANCE))

@@ -6,15 +6,16 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import sympy
 
+from robotics1.angles import TURN
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
-from robotics1.robot.box import TURN, JointBox
+from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.singularities.points import NEAR, NOTHING_MOVES, SingularPoints, note_on_limits, singular_points
 from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import subspaces
-from robotics1.symbolic.kinematics.cleaning import cleaned
-from robotics1.symbolic.kinematics.convenient_axes import Convenient
+from robotics1.symbolic.kinematics.exact import exact_robot
+from robotics1.symbolic.kinematics.mid_chain import MidChainJacobian
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas, SymbolicJacobian
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros, singular_loci
@@ -92,8 +93,8 @@ def symbolic_branches(
 def _with_exact_jacobian(robot: Robot, task: Task, box: JointBox, rng: np.random.Generator) -> Found:
     """Return what is known before the search: the Jacobian in exact form, verified, and ρ."""
     formula = formulas(robot, task)
-    exact_robot, _ = cleaned(robot)
-    points = singular_points(exact_robot, task, box, rng)
+    exact, _ = exact_robot(robot)
+    points = singular_points(exact, task, box, rng)
     if points.rank == 0:
         raise TaskError(NOTHING_MOVES)
     in_world = isinstance(task, FrameTask) and task.reference == "world"
@@ -105,24 +106,24 @@ def _with_exact_jacobian(robot: Robot, task: Task, box: JointBox, rng: np.random
     lower = np.where(robot.revolute, -far, np.minimum(-far, box.lower))
     upper = np.where(robot.revolute, far, np.maximum(far, box.upper))
     anywhere = JointBox(lower, upper, robot.revolute, box.unit, TURN * turns)
-    jacobian = SymbolicJacobian(exact_robot, rows, formula.groups, parameters, anywhere)
+    jacobian = SymbolicJacobian(exact, rows, formula.groups, parameters, anywhere)
     return Found(points, jacobian, cleaned=formula.cleaned)
 
 
-def _rows(formula: Formulas, in_world: bool) -> Convenient:
+def _rows(formula: Formulas, in_world: bool) -> MidChainJacobian:
     """Return J as X M, with M seen from the middle of the chain where the task's axes are the world's, and with
     fractions for √2 and √3.
     """
     reading = formula.reading
-    rows = reading.convenient if in_world else Convenient(reading.rows)
+    rows = reading.mid_chain if in_world else MidChainJacobian(reading.rows)
     if any(entry.has_roots for entry in rows.M.flat):
         reading = replace(reading, chain=replace(reading.chain, rational=True))
-        rows = reading.convenient if in_world else Convenient(reading.rows)
+        rows = reading.mid_chain if in_world else MidChainJacobian(reading.rows)
     return replace(rows, leads_back=reading.factored.is_plain)
 
 
 def _verify(
-    rows: Convenient, points: SingularPoints, parameters: Mapping[sympy.Symbol, float], rng: np.random.Generator
+    rows: MidChainJacobian, points: SingularPoints, parameters: Mapping[sympy.Symbol, float], rng: np.random.Generator
 ) -> None:
     """Compare J = X M, or of a task with quotients the null space of M, with Pinocchio.
 

@@ -13,6 +13,7 @@ from robotics1.inputs import Array, counting_number, real_array
 from robotics1.kinematics import forward_kinematics
 from robotics1.orientation.expressions import wrapped
 from robotics1.robot.model import Robot
+from robotics1.tasks.task import FrameMap
 
 TaskFunction = Callable[[Array, Array, Array], npt.ArrayLike]
 UNITS = ("m", "rad", "1")
@@ -24,15 +25,15 @@ class FunctionTask:
 
     Attributes:
         f: the function; it returns (m,).
-        m: how many rows it returns.
-        derivative: J(p, R, q), (m, nv), if known; otherwise central differences are taken.
+        rows: m, how many numbers it returns.
+        derivative: J(p, R, q), (m, nv), if known; otherwise central differences are taken. `jacobian=` gives it too.
         frame: the frame's name; None for the tool.
         units: the unit of each row: "m", "rad" or "1". A row in "rad" is an angle: of its error whole turns are left
             out. None if they are unknown: then each row is a number, whose whole turns count.
     """
 
     f: TaskFunction
-    m: int
+    rows: int
     derivative: TaskFunction | None = None
     frame: str | None = None
     units: tuple[str, ...] | None = None
@@ -45,27 +46,28 @@ class FunctionTask:
         *,
         frame: str | None = None,
         units: Sequence[str] | None = None,
+        derivative: TaskFunction | None = None,
     ) -> None:
-        object.__setattr__(self, "f", f)
-        object.__setattr__(self, "m", counting_number("rows", rows, least=1))
-        object.__setattr__(self, "derivative", jacobian)
-        object.__setattr__(self, "frame", frame)
-        object.__setattr__(self, "units", None if units is None else _row_units(units, self.m))
-
-    @property
-    def rows(self) -> int:
-        """m, the number of rows."""
-        return self.m
+        m = counting_number("rows", rows, least=1)
+        values = {
+            "f": f,
+            "rows": m,
+            "derivative": derivative if jacobian is None else jacobian,
+            "frame": frame,
+            "units": None if units is None else _row_units(units, m),
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
 
     @property
     def row_names(self) -> tuple[str, ...]:
         """r1, r2, ..."""
-        return tuple(f"r{i + 1}" for i in range(self.m))
+        return tuple(f"r{i + 1}" for i in range(self.rows))
 
     @property
     def row_units(self) -> tuple[str, ...]:
         """Those that were given; without them the rows are taken as numbers."""
-        return ("1",) * self.m if self.units is None else self.units
+        return ("1",) * self.rows if self.units is None else self.units
 
     def value(self, robot: Robot, q: npt.ArrayLike) -> Array:
         """Return r = f(p, R, q), (m,).
@@ -73,11 +75,11 @@ class FunctionTask:
         Raises:
             TaskError: f fails, or returns something else than m finite numbers.
         """
-        return self._evaluate(self.f, robot, robot.configuration(q), (self.m,))
+        return self._evaluate(self.f, robot, robot.configuration(q), (self.rows,))
 
     def target(self, target: Any) -> Array:
         """Return the target as (m,)."""
-        return real_array("the target", target, (self.m,), "one number for each row of the task")
+        return real_array("the target", target, (self.rows,), "one number for each row of the task")
 
     def error(self, robot: Robot, q: npt.ArrayLike, target: Any) -> Array:
         """Return r_d − r, (m,); a row in "rad" is wrapped into (−π, π]."""
@@ -88,13 +90,23 @@ class FunctionTask:
         if self.derivative is None:
             r = self.value(robot, q)  # from which an angle differs little, also where it jumps from π to −π
             return configuration_derivative(lambda x: self._difference(self.value(robot, x), r), robot, q)
-        return self._evaluate(self.derivative, robot, robot.configuration(q), (self.m, robot.nv))
+        return self._evaluate(self.derivative, robot, robot.configuration(q), (self.rows, robot.nv))
 
     def check(self, robot: Robot) -> None:
         """Any robot will do."""
 
     def check_integrable(self, robot: Robot) -> None:
         """J is the derivative of f by construction."""
+
+    def frame_map(self) -> FrameMap:
+        """Return f itself, of the frame in world axes."""
+        return FrameMap(
+            self.frame,
+            "world",
+            self.f,
+            by_differences=self.derivative is None,
+            knows_units=self.units is not None,
+        )
 
     def _difference(self, a: Array, b: Array) -> Array:
         """Return a − b, (m,), angles wrapped into (−π, π]."""

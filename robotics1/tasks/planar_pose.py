@@ -13,7 +13,7 @@ from robotics1.kinematics import frame_jacobian
 from robotics1.orientation.expressions import angle_of, wrapped
 from robotics1.robot.model import Robot
 from robotics1.tasks.position import AXES
-from robotics1.tasks.task import FrameTask
+from robotics1.tasks.task import FrameTask, PoseError
 
 
 @dataclass(frozen=True)
@@ -70,13 +70,12 @@ class PlanarPoseTask(FrameTask):
         e[2] = wrapped(e[2])
         return e
 
-    @property
-    def pose_rows(self) -> tuple[int, ...]:
-        """The coordinates, and the turn about n."""
+    def pose_error(self) -> PoseError:
+        """Return the coordinates, and the turn about n."""
         a, b = (AXES.index(axis) for axis in self.plane)
-        return (a, b, 6 - a - b)
+        return PoseError((a, b, 6 - a - b), self._goal)
 
-    def goal(self, robot: Robot, target: Any) -> Array:
+    def _goal(self, robot: Robot, target: Any) -> Array:
         """Return the pose of the target; the tilt out of the plane is that of every pose of the robot."""
         r = self.target(target)
         here = self._pose(robot, pin.neutral(robot.model))

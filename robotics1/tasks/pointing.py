@@ -10,10 +10,12 @@ from robotics1.inputs import Array
 from robotics1.orientation.elementary import cross_matrix, unit_vector
 from robotics1.orientation.pointing import align_direction
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask
+from robotics1.tasks.task import FrameTask, PoseError
 
 NAMED = {sign + name: factor * row for sign, factor in (("", 1), ("-", -1))
          for name, row in zip("xyz", np.eye(3, dtype=int), strict=True)}  # fmt: skip
+
+ROUNDING = 1e-15  # of the length of a unit vector
 
 
 @dataclass(frozen=True)
@@ -34,8 +36,10 @@ class PointingTask(FrameTask):
         """Refuse an axis that is none; a direction is kept as a unit vector."""
         super().__post_init__()
         if not isinstance(self.axis, str):
-            x, y, z = unit_vector("axis", self.axis).tolist()
-            object.__setattr__(self, "axis", (x, y, z))
+            a = unit_vector("axis", self.axis)
+            given = np.array(self.axis, dtype=float)
+            same = np.allclose(given, a, rtol=0.0, atol=ROUNDING)  # else replace() would round it once more
+            object.__setattr__(self, "axis", tuple((given if same else a).tolist()))
         elif self.axis not in NAMED:
             raise InputError(f"axis must be 'x', 'y', 'z', one of these with a minus, or a vector; it is {self.axis!r}")
 
@@ -65,20 +69,14 @@ class PointingTask(FrameTask):
         """Return r_d − r, (3,)."""
         return target - value
 
-    @property
-    def pose_rows(self) -> tuple[int, ...]:
-        """The rows of the rotation, of which the turn about the axis does not count."""
-        return (3, 4, 5)
+    def pose_error(self) -> PoseError:
+        """Return the rows of the rotation, of which the turn about the axis does not count."""
+        return PoseError((3, 4, 5), self._goal, axis=np.array(self._a, dtype=float))
 
-    @property
-    def pointed_axis(self) -> Array:
-        """(3,) the axis a."""
-        return np.array(self._a, dtype=float)
-
-    def goal(self, robot: Robot, target: Any) -> Array:
+    def _goal(self, robot: Robot, target: Any) -> Array:
         """Return a pose with R_d a = r_d: the least turn from a to r_d."""
         T = np.eye(4)
-        T[:3, :3] = align_direction(self.pointed_axis, self.target(target)).rotation
+        T[:3, :3] = align_direction(np.array(self._a, dtype=float), self.target(target)).rotation
         return T
 
     @property

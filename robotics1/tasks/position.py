@@ -8,7 +8,7 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import FrameTask
+from robotics1.tasks.task import FrameTask, PoseError
 
 AXES = "xyz"
 
@@ -61,12 +61,11 @@ class PositionTask(FrameTask):
         """Return r_d − r, (m,)."""
         return target - value
 
-    @property
-    def pose_rows(self) -> tuple[int, ...]:
-        """The chosen rows of p_d − p."""
-        return tuple(self._rows)
+    def pose_error(self) -> PoseError:
+        """Return the chosen rows of p_d − p."""
+        return PoseError(tuple(self._rows), self._goal)
 
-    def goal(self, robot: Robot, target: Any) -> Array:
+    def _goal(self, robot: Robot, target: Any) -> Array:
         """Return a pose with the coordinates of the target."""
         T = np.eye(4)
         T[self._rows, 3] = self.target(target)

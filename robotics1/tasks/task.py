@@ -1,7 +1,8 @@
 """What every task answers, and the frame of the built-in ones."""
 
 from abc import abstractmethod
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import numpy as np
@@ -11,7 +12,58 @@ import pinocchio as pin
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, text
 from robotics1.kinematics import forward_kinematics, frame_jacobian, reference_axes
+from robotics1.robot.mimic import turns_of_followers
 from robotics1.robot.model import Robot
+
+
+@dataclass(frozen=True, eq=False)
+class PoseError:
+    """How the error of a task follows from that of its frame's pose, (p_d − p, log3(R_d Rᵀ)), (6,).
+
+    Attributes:
+        rows: which of the six rows vanish where the task's error does.
+        goal: (robot, target) → (4, 4), a pose T_d at which the task has the target's value; rows that do not count are
+            arbitrary. It raises InputError for a target of the wrong form.
+        axis: (3,) the axis of the frame whose direction alone counts, of the three of R; zero if all of R does.
+        by_angles: whether the task's error holds angles, which near their singularity are many times the missing turn.
+        takes_poses: whether a target is a `pin.SE3`, and its own goal.
+    """
+
+    rows: tuple[int, ...]
+    goal: Callable[[Robot, Any], Array]
+    axis: Array = field(default_factory=lambda: np.zeros(3))
+    by_angles: bool = False
+    takes_poses: bool = False
+
+    @property
+    def counted(self) -> Array:
+        """(6,) 1 for the rows that count, 0 for the others."""
+        return np.isin(np.arange(6), self.rows).astype(float)
+
+
+@dataclass(frozen=True, eq=False)
+class FrameMap:
+    """A task as a function of the pose of one frame: r = g(p, R, q), and ṙ = S(p, R) V where S is known.
+
+    Attributes:
+        frame: the frame's name; None for the tool.
+        reference: the axes of p (3,), R (3, 3) and V: "world", "tool", or a frame's name.
+        g: r, of numbers or of expressions.
+        S: (m, 6), of numbers or of expressions; None for a function of the user's own, which is differentiated.
+        pose_error: how the task's error follows from that of the pose; None where S is.
+        by_differences: whether J is found by differences of the value.
+        constant_rows: whether S is the same at every pose.
+        knows_units: whether the units of the rows are known; a row without may count turns, or be an angle.
+    """
+
+    frame: str | None
+    reference: str
+    g: Callable[[Array, Array, Array], Any]
+    S: Callable[[Array, Array], Array] | None = None
+    pose_error: PoseError | None = None
+    constant_rows: bool = False
+    by_differences: bool = False
+    knows_units: bool = True
 
 
 class Task(Protocol):
@@ -47,12 +99,15 @@ class Task(Protocol):
     def check_integrable(self, robot: Robot) -> None:
         """Raise TaskError if J is not the derivative of the value."""
 
+    def frame_map(self) -> FrameMap | None:
+        """Return the task as a function of one frame's pose, for kernels and formulas; None if it is no such one."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class FrameTask:
     """A task on one frame: r = g(T) and ṙ = S(T) V, with T the frame's pose and V = (v, ω) its velocity.
 
-    A subclass says g, S and the error of two values; where the frame is, and which axes are meant, is said here.
+    A subclass has g, S and the error of two values; this class knows where the frame is and which axes are meant.
     With axes other than the world's, T has p = R_rᵀ p and R = R_rᵀ R, and V is resolved in them: J is the
     textbook's ʳJ, which is ∂r/∂q when those axes do not move.
 
@@ -96,38 +151,25 @@ class FrameTask:
     def difference(self, target: Any, value: Any) -> Array:
         """Return r_d − r, (m,)."""
 
-    @property
     @abstractmethod
-    def pose_rows(self) -> tuple[int, ...]:
-        """Which of the six rows of the pose error (p_d − p, log3(R_d Rᵀ)) vanish where this task's error does."""
-
-    @property
-    def pointed_axis(self) -> Array:
-        """(3,) the axis of the frame whose direction alone counts, of the three of R; zero if all of R does."""
-        return np.zeros(3)
+    def pose_error(self) -> PoseError:
+        """Return how the task's error follows from that of the frame's pose."""
 
     @property
     def has_constant_rows(self) -> bool:
         """Whether S(T) is the same at every pose."""
         return False
 
-    @property
-    def tells_angles(self) -> bool:
-        """Whether the task's error is one of angles, which near their singularity are many times the turn missing."""
-        return False
-
-    @property
-    def takes_poses(self) -> bool:
-        """Whether a target is a `pin.SE3`, and its own goal."""
-        return False
-
-    @abstractmethod
-    def goal(self, robot: Robot, target: Any) -> Array:
-        """Return (4, 4), a pose T_d at which the task has the target's value; rows that do not count are arbitrary.
-
-        Raises:
-            InputError: the target has the wrong form.
-        """
+    def frame_map(self) -> FrameMap:
+        """Return g, S and the error of the pose."""
+        return FrameMap(
+            self.frame,
+            self.reference,
+            lambda p, R, q: self.g(p, R),
+            self.S,
+            self.pose_error(),
+            constant_rows=self.has_constant_rows,
+        )
 
     @property
     def rows(self) -> int:
@@ -180,3 +222,25 @@ class FrameTask:
             return T
         R = reference_axes(robot, q, self.reference)
         return pin.SE3(R.T @ T.rotation, R.T @ T.translation)
+
+
+def turns_of(robot: Robot, task: Task) -> Array:
+    """Return after how many turns of each joint, (nq,), all joints that matter to the task are back; ∞ if never.
+
+    More than one are needed where another joint turns by a fraction of its angle.
+    """
+    form = task.frame_map()
+    if form is None:
+        return turns_of_followers(robot, [frame.name for frame in robot.model.frames])
+    axes = [] if form.reference == "world" else [None if form.reference == "tool" else form.reference]
+    return turns_of_followers(robot, [form.frame, *axes])
+
+
+def unitless_rows(robot: Robot, task: Task) -> Array:
+    """Return (m,) factors for the rows of a task: 1/reach for those in metres, else 1."""
+    return np.array([1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units])
+
+
+def unitless_jacobian(robot: Robot, task: Task, q: npt.ArrayLike) -> Array:
+    """Return J(q), (m, nv), without units: rows in metres and prismatic speeds are divided by the reach."""
+    return np.asarray(unitless_rows(robot, task)[:, None] * task.jacobian(robot, q) * robot.units)

@@ -10,12 +10,14 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq
 
+from robotics1.angles import TURN
 from robotics1.errors import InputError, NotConverged
-from robotics1.ik.solutions import IKVerdict, ik_solutions
+from robotics1.ik.result import IKStatus
+from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
-from robotics1.robot.box import TURN
+from robotics1.least_squares import generalized_inverse
 from robotics1.robot.model import Robot
-from robotics1.singularities.spaces import Subspaces, pseudoinverse, subspaces
+from robotics1.singularities.spaces import Subspaces, subspaces
 from robotics1.tasks.task import Task
 from robotics1.trajectories.limits.violations import LimitViolation, limit_violations
 from robotics1.trajectories.polynomials.polynomial import PolynomialTrajectory, cubic
@@ -147,8 +149,8 @@ def rendezvous(
     solutions = ik_solutions(robot, task, position)
     branches = [_branch(robot, task, q, velocity, (q0, qdot0), T) for q in solutions.q]
     branches.sort(key=lambda branch: (not branch.feasible, branch.singular))
-    miss = 0.0 if len(solutions) else solutions.least_error
-    return Rendezvous(T, position, velocity, tuple(branches), _verdict(branches, solutions.verdict), miss)
+    miss = 0.0 if len(solutions) else solutions.error_norm
+    return Rendezvous(T, position, velocity, tuple(branches), _verdict(branches, solutions.status), miss)
 
 
 def meeting_time(
@@ -186,7 +188,7 @@ def _branch(robot: Robot, task: Task, q: Array, velocity: Array, start: tuple[Ar
     q = nearest_turn(robot, q, q0)
     J = task.jacobian(robot, q)
     spaces = subspaces(J)
-    qdot = pseudoinverse(J) @ velocity
+    qdot = generalized_inverse(J).solve(velocity)
     trajectory = cubic(q0, q, T, qdot0, qdot)
     lost = _lost(spaces, velocity)
     singular = spaces.rank < min(J.shape)
@@ -205,9 +207,9 @@ def nearest_turn(robot: Robot, q: Array, q0: Array) -> Array:
     return np.where(robot.revolute, q + TURN * turns, q)
 
 
-def _verdict(branches: list[MeetingBranch], solutions: IKVerdict) -> MeetingVerdict:
+def _verdict(branches: list[MeetingBranch], solutions: IKStatus) -> MeetingVerdict:
     if not branches:
-        return MeetingVerdict.UNREACHABLE if solutions is IKVerdict.UNREACHABLE else MeetingVerdict.NOT_FOUND
+        return MeetingVerdict.UNREACHABLE if solutions is IKStatus.UNREACHABLE else MeetingVerdict.NOT_FOUND
     if any(branch.feasible for branch in branches):
         return MeetingVerdict.MEETS
     if any(branch.matches for branch in branches):

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from typing import Any
+from xml.dom import minidom
 
 LONGEST_TEXT = 100_000  # characters; also of a list with everything in it
 LONGEST_LIST = 5_000  # elements
@@ -50,6 +51,11 @@ class Budget:
         if self.left[what] < 0:
             raise too_large(f"it needs more than {MOST[what]} {what}")
 
+    @property
+    def used(self) -> float:
+        """How much of it is used, from 0 to 1, of what most is used of."""
+        return max(1 - left / MOST[what] for what, left in self.left.items())
+
     def weigh(self, value: Any) -> None:
         """Take away the steps that a value costs which was just built.
 
@@ -94,6 +100,17 @@ def check_elements(number: int) -> None:
     """Raise Refused if a list would have too many elements."""
     if number > LONGEST_LIST:
         raise too_large(f"a list of more than {LONGEST_LIST} elements")
+
+
+def written_length(document: minidom.Document) -> int:
+    """Return how many characters a document has when it is written, without its punctuation."""
+    total, rest = 0, list(document.childNodes)
+    while rest:
+        node: Any = rest.pop()
+        total += len(node.nodeName) + len(getattr(node, "data", ""))
+        total += sum(len(name) + len(value) for name, value in node.attributes.items()) if node.attributes else 0
+        rest += node.childNodes
+    return total
 
 
 def too_large(what: str) -> Refused:

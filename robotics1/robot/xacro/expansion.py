@@ -6,21 +6,19 @@ evaluator.py, reading.py, budget.py.
 
 import keyword
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 from xml.dom import minidom
 
 from robotics1.errors import RobotFileError, Robotics1Error, UnknownNameError
 from robotics1.robot.markup import parse_xml
-from robotics1.robot.xacro.arguments import argument, is_number
-from robotics1.robot.xacro.budget import Budget, Located, Refused, check_length, message, shortened
+from robotics1.robot.xacro.budget import Budget, Located, Refused, check_length, message, shortened, written_length
 from robotics1.robot.xacro.evaluator import evaluate
 from robotics1.robot.xacro.functions import global_names, tokenize
-from robotics1.robot.xacro.macro_parameters import macro_parameter
-from robotics1.robot.xacro.private_copy import private_copy
+from robotics1.robot.xacro.private_copy import macro_parameter, private_copy
 from robotics1.robot.xacro.reading import Files
-from robotics1.robot.xacro.substitutions import Substitutions
+from robotics1.robot.xacro.substitutions import Substitutions, argument, is_number
 
 DEEPEST = 120  # macros inside each other: xacro recurses
 MAKERS = ("createElementNS", "createTextNode", "createComment", "createCDATASection", "createProcessingInstruction")
@@ -30,10 +28,24 @@ PIECE = re.compile(
 )
 
 
+class Expanded(NamedTuple):
+    """A xacro text, expanded.
+
+    Attributes:
+        urdf: the URDF text.
+        parameters: the arguments that are numbers, and their values.
+        effort: how much of what an expansion may use it took, from 0 to 1.
+    """
+
+    urdf: str
+    parameters: dict[str, float]
+    effort: float
+
+
 def expand_xacro(
-    text: str, path: Path, parameters: Mapping[str, Any], packages: list[Path], *, trusted: bool = False
-) -> tuple[str, dict[str, float]]:
-    """Return the URDF text of a xacro text and the values of its numeric arguments.
+    text: str, path: Path, parameters: Mapping[str, Any], packages: Sequence[Path], *, trusted: bool = False
+) -> Expanded:
+    """Return the URDF text of a xacro text, with the values of its numeric arguments.
 
     Args:
         text: the xacro.
@@ -58,7 +70,7 @@ def expand_xacro(
     unknown = [name for name in parameters if name not in {*expansion.declared, *expansion.used}]
     if unknown:
         raise UnknownNameError(f"parameter of {path.name} named", unknown[0], expansion.declared)
-    return expanded, expansion.numbers()
+    return Expanded(expanded, expansion.numbers(), expansion.budget.used)
 
 
 class Expansion:
@@ -67,16 +79,17 @@ class Expansion:
     Attributes:
         declared: name → default of the arguments met so far, and of all that stand in the file itself.
         used: the arguments that the caller gives and the file uses.
+        budget: what is left to it.
     """
 
-    def __init__(self, path: Path, given: Mapping[str, Any], packages: list[Path], trusted: bool):
+    def __init__(self, path: Path, given: Mapping[str, Any], packages: Sequence[Path], trusted: bool):
         self.declared: dict[str, str | None] = {}
         self.used: set[str] = set()
         self._path, self._given = path, given
         self._arguments: dict[str, str] = {}  # name → text, once declared
-        self._budget = Budget()
-        self._files = Files(path, packages, trusted, self._budget)
-        self._substitutions = Substitutions(self._argument, self._files, self._budget)
+        self.budget = Budget()
+        self._files = Files(path, packages, trusted, self.budget)
+        self._substitutions = Substitutions(self._argument, self._files, self.budget)
         self._names = global_names(self._functions())
         self._xacro = private_copy(
             _global_symbols=self._names,
@@ -99,7 +112,7 @@ class Expansion:
         self._xacro.init_stacks(str(self._path))
         document = self._document(text)
         self._xacro.process_doc(document, mappings=self._arguments)
-        self._budget.spend("characters", _length(document))
+        self.budget.spend("characters", written_length(document))
         return document.toxml()
 
     def numbers(self) -> dict[str, float]:
@@ -123,8 +136,8 @@ class Expansion:
 
     def _value(self, text: str, symbols: Mapping[str, Any]) -> Any:
         """Return a text with the values of its ${...} and $(...); of a single one the value itself."""
-        self._budget.spend("steps")
-        self._budget.spend("characters", len(text))
+        self.budget.spend("steps")
+        self.budget.spend("characters", len(text))
         if "$" not in text:
             return text
         values, end = [], 0
@@ -141,14 +154,14 @@ class Expansion:
         return "".join(joined)
 
     def _piece(self, piece: re.Match[str], symbols: Mapping[str, Any]) -> Any:
-        self._budget.spend("steps")
+        self.budget.spend("steps")
         source = piece["expression"] or piece["command"]
         if source is None:
             return piece[0].removeprefix("$") if piece["escaped"] else piece[0]
         inner = str(self._value(source, symbols))
         try:
             if piece["expression"]:
-                return evaluate(inner, symbols, self._budget)
+                return evaluate(inner, symbols, self.budget)
             return self._substitutions.value(inner)
         except (Located, Robotics1Error):
             raise
@@ -168,7 +181,7 @@ class Expansion:
         }
 
     def _constant(self, expression: str) -> Any:
-        return evaluate(expression, self._names, self._budget)
+        return evaluate(expression, self._names, self.budget)
 
     # --- arguments
 
@@ -224,7 +237,7 @@ class Expansion:
 
     def _document(self, text: str) -> minidom.Document:
         """Return a document that counts what is made of it."""
-        self._budget.spend("pieces of XML", text.count("<"))
+        self.budget.spend("pieces of XML", text.count("<"))
         document = minidom.parseString(text.lstrip("\ufeff"))
         for make in MAKERS:
             setattr(document, make, self._counted(getattr(document, make)))
@@ -235,20 +248,20 @@ class Expansion:
 
     def _counted(self, make: Callable[..., Any]) -> Callable[..., Any]:
         def counted(*arguments: Any) -> Any:
-            self._budget.spend("pieces of XML")
-            self._budget.spend("characters", len(arguments[-1]))
+            self.budget.spend("pieces of XML")
+            self.budget.spend("characters", len(arguments[-1]))
             return make(*arguments)
 
         return counted
 
     def handle(self, _: int, key: str, number: int, __: minidom.Node, copy: minidom.Node) -> None:
         """Take away what it costs to copy an element of many attributes; minidom calls this."""
-        self._budget.spend("pieces of XML", number // 4)
+        self.budget.spend("pieces of XML", number // 4)
         copy.setUserData(key, number, self)
 
     def _count_call(self, name: str, *_: object) -> None:
         """Take away what a call of a macro costs beside its body."""
-        self._budget.spend("pieces of XML", 4)
+        self.budget.spend("pieces of XML", 4)
         if len(self._xacro.macrostack) >= DEEPEST:
             raise Refused(f"it is too large: macro {name!r} is called {DEEPEST} macros deep; is it a recursion?")
 
@@ -257,7 +270,7 @@ class Expansion:
         new = by if isinstance(by, list) else [by]
         moved = sum(len(part.childNodes) for part in new if part is not None) if content_only else len(new)
         siblings = len(node.parentNode.childNodes) if node.parentNode is not None else 0
-        self._budget.spend("steps", (1 + moved) * siblings // 100)
+        self.budget.spend("steps", (1 + moved) * siblings // 100)
 
     def _before(self, name: str, check: Callable[..., None]) -> None:
         """Let a check precede a function of xacro."""
@@ -268,17 +281,6 @@ class Expansion:
             return function(*arguments, **named)
 
         setattr(self._xacro, name, checked)
-
-
-def _length(document: minidom.Document) -> int:
-    """Return how many characters a document has when it is written, without its punctuation."""
-    total, rest = 0, list(document.childNodes)
-    while rest:
-        node: Any = rest.pop()
-        total += len(node.nodeName) + len(getattr(node, "data", ""))
-        total += sum(len(name) + len(value) for name, value in node.attributes.items()) if node.attributes else 0
-        rest += node.childNodes
-    return total
 
 
 def _silent(*_: object, **__: object) -> str:

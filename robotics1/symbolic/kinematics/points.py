@@ -1,10 +1,10 @@
 """A point that is fixed to a link, as one more frame of the robot."""
 
 import re
-import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
+from xml.sax.saxutils import quoteattr
 
 import numpy as np
 import pinocchio as pin
@@ -13,23 +13,11 @@ import sympy
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, real_number
 from robotics1.orientation.expressions import expressions
+from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
-from robotics1.robot.parameters import Parameters
+from robotics1.robot.parameters import HIGHEST_DEGREE, Monomial, Parameters, Placement, Placements, placement_of
 
 UNVALUED = 1.0  # the length that a name without a value stands for [m]
-
-
-def link_of(robot: Robot, frame: str | None) -> str:
-    """Return the link that a frame is: of a joint's frame, the link that the joint moves.
-
-    Raises:
-        UnknownNameError: there is no such frame.
-    """
-    found = robot.model.frames[robot.frame_id(frame)]
-    if found.type == pin.FrameType.BODY:
-        return str(found.name)
-    joints = ET.fromstring(robot.urdf).iterfind(f"joint[@name='{found.name}']/child")
-    return next((child.get("link", "") for child in joints), str(found.name))
 
 
 def with_point(robot: Robot, frame: str | None, point: Any) -> tuple[Robot, str]:
@@ -46,7 +34,7 @@ def with_point(robot: Robot, frame: str | None, point: Any) -> tuple[Robot, str]
         InputError: the point is no such thing.
         UnknownNameError: there is no such frame.
     """
-    link = link_of(robot, frame)
+    link = robot.link_of(frame)
     coordinates = _coordinates(point)
     names = sorted({symbol.name for x in coordinates for symbol in x.free_symbols})
     home = {**dict.fromkeys(names, UNVALUED), **robot.parameters}
@@ -93,6 +81,21 @@ class RobotWithPoint:
         found = _with_frame(robot, self.link, self.name, p)
         return replace(found, parameters=at, source=replace(self, robot=robot, parameters=at))
 
+    def placements(self, robot: Robot) -> Placements:
+        """Return the placements of the joints as polynomials in these parameters; the point's are its coordinates."""
+        names = [sympy.Symbol(key, real=True) for key in self.parameters]
+        polynomials = [sympy.Poly(x, *names) for x in self.coordinates]
+        joint = f"{self.name}_joint"
+        point: Placement | str = f"xyz of joint {joint!r} is no polynomial of degree {HIGHEST_DEGREE} in the parameters"
+        if all(x.total_degree() <= HIGHEST_DEGREE for x in polynomials):
+            xyz = [{_monomial(names, powers): float(c) for powers, c in x.terms()} for x in polynomials]
+            point = placement_of([*xyz, {}, {}, {}])
+        return {**self.robot.placements, joint: point}
+
+
+def _monomial(names: Sequence[sympy.Symbol], powers: Sequence[int]) -> Monomial:
+    return tuple(name.name for name, power in zip(names, powers, strict=True) for _ in range(power))
+
 
 def _coordinates(point: Any) -> list[sympy.Expr]:
     """Return the coordinates as expressions of real symbols."""
@@ -113,15 +116,16 @@ def _coordinates(point: Any) -> list[sympy.Expr]:
 
 def _with_frame(robot: Robot, link: str, name: str, p: Array) -> Robot:
     """Return the robot with a link of this name, fixed to another one at p."""
-    root = ET.fromstring(robot.urdf)
-    ET.SubElement(root, "link", name=name)
-    joint = ET.SubElement(root, "joint", name=f"{name}_joint", type="fixed")
-    ET.SubElement(joint, "origin", xyz=" ".join(map(repr, p.tolist())), rpy="0 0 0")
-    ET.SubElement(joint, "parent", link=link)
-    ET.SubElement(joint, "child", link=name)
+    x, y, z = map(float, p)
+    joint = Joint(f"{name}_joint", "fixed", link, name, (x, y, z), leader=f"{name}_joint")
     model = pin.Model(robot.model)
     number = robot.frame_id(link)
     parent = model.frames[number]
-    placement = parent.placement * pin.SE3(np.eye(3), p)
+    placement = parent.placement * joint.placement
     model.addFrame(pin.Frame(name, parent.parentJoint, number, placement, pin.FrameType.BODY))
-    return replace(robot, model=model, urdf=ET.tostring(root, encoding="unicode"))
+    before, end, after = robot.urdf.rpartition("</robot>")
+    element = (
+        f'  <link name="{name}"/>\n  <joint name="{joint.name}" type="fixed">\n    <origin xyz="{x!r} {y!r} {z!r}"/>\n'
+        f'    <parent link={quoteattr(link)}/>\n    <child link="{name}"/>\n  </joint>\n'
+    )
+    return replace(robot, model=model, joints=(*robot.joints, joint), urdf=before + element + end + after)

@@ -13,7 +13,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array, one_of
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
-from robotics1.symbolic.kinematics.convenient_axes import Convenient
+from robotics1.symbolic.kinematics.mid_chain import MidChainJacobian
 from robotics1.symbolic.polynomials.factoring import factors
 from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
@@ -53,7 +53,7 @@ class SymbolicJacobian:
     """
 
     robot: Robot
-    rows: Convenient
+    rows: MidChainJacobian
     groups: Groups
     parameters: Mapping[sympy.Symbol, float]
     box: JointBox

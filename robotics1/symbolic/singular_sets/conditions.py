@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 import sympy
 
-from robotics1.symbolic.kinematics.exact import exact_turn
+from robotics1.angles import twelfths_of_pi
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import Part, factors
 from robotics1.symbolic.polynomials.laurent import Laurent, polynomial
@@ -66,7 +66,7 @@ def _angle_of_turn(turn: Laurent) -> sympy.Expr:
     """Return α of exp(i α), a constant times exponentials of other angles, which are left out."""
     ((_, c),) = turn.terms.items()
     number = Evaluated(turn.frequencies.constant(c), {}).complex(np.zeros(len(turn.frequencies.q)))
-    k = exact_turn(float(np.angle(number)), ROUNDING)
+    k = twelfths_of_pi(float(np.angle(number)), ROUNDING)
     if k is None:
         return sympy.Float(np.angle(number))
     return sympy.Rational(k if k != -12 else 12, 12) * sympy.pi

@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 import sympy
 
+from robotics1.angles import TURN, clean_angle
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
-from robotics1.robot.box import TURN
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part
 from robotics1.symbolic.polynomials.factoring import Part
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
@@ -166,7 +166,7 @@ class Piece:
     def completed(self, q: Array) -> Array:
         """Return q, in place, with the values of the joints that have one."""
         for i, (is_angle, f) in self._values.items():
-            q[i] = self.turns[i] * _angle(f.complex(q)) if is_angle else f(q)
+            q[i] = self.turns[i] * clean_angle(float(np.angle(f.complex(q)))) if is_angle else f(q)
         return q
 
     def contains(self, q: Array, tolerance: float = HOLDS) -> bool:
@@ -201,10 +201,3 @@ def pieces_of(locus: Locus, parameters: Mapping[sympy.Symbol, float]) -> Iterato
             choices.append([(joints[0], value) for value in values])
     for choice in product(*choices):
         yield Piece(locus, parameters, dict(choice))
-
-
-def _angle(z: complex) -> float:
-    """Return the angle of exp(i α), a multiple of π/12 without rounding."""
-    angle = float(np.angle(z))
-    k = round(angle * 12 / np.pi)
-    return k * np.pi / 12 if abs(k * np.pi / 12 - angle) < 1e-14 else angle

@@ -7,7 +7,7 @@ import numpy as np
 import sympy
 from sympy.polys.domains import QQ_I
 
-from robotics1.symbolic.kinematics.exact import exact_turn
+from robotics1.angles import twelfths_of_pi
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part
 from robotics1.symbolic.polynomials.factoring import Part, irreducible_parts
 from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
@@ -121,7 +121,7 @@ def _turns(c: Laurent, m: int) -> list[Laurent]:
     angle = float(np.angle(-number.conjugate() / number))
     found = []
     for n in range(m):
-        k = exact_turn((angle + 2 * np.pi * n) / m)
+        k = twelfths_of_pi((angle + 2 * np.pi * n) / m)
         if k is not None and not c * F.turn(k * m) + c.conjugate:
             found.append(F.turn(k))
     (coefficient,) = c.terms.values()
@@ -138,7 +138,7 @@ def _values_of_oneangle_zero(f: Laurent) -> list[Zero]:
     if symbol not in F.q:
         return []
     numbers = Evaluated(f, {}).zeros_in(F.q.index(symbol), np.zeros(len(F.q)))
-    turns = [exact_turn(value) for value in numbers]
+    turns = [twelfths_of_pi(value) for value in numbers]
     if any(k is None for k in turns):
         return []
     found = [angle_zero(symbol, F.turn(k)) for k in turns if k is not None]

@@ -1,7 +1,7 @@
 """From a robot and a task to formulas: its value, its Jacobian, determinant and minors, in SymPy."""
 
-from collections.abc import Sequence
-from copy import copy
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -9,15 +9,13 @@ from robotics1.errors import FormulaError, InputError, UnknownNameError
 from robotics1.inputs import text
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain, chain_to
-from robotics1.symbolic.kinematics.cleaning import cleaned
-from robotics1.symbolic.kinematics.parameters import joints_to
-from robotics1.symbolic.kinematics.points import link_of, with_point
+from robotics1.symbolic.kinematics.exact import exact_robot
+from robotics1.symbolic.kinematics.points import with_point
 from robotics1.symbolic.polynomials.laurent import ROOTS
 from robotics1.symbolic.tasks.reading import Reading
 from robotics1.symbolic.tasks.task_formulas import Formulas
 from robotics1.symbolic.tasks.task_map import task_map
-from robotics1.tasks.function import FunctionTask
-from robotics1.tasks.task import FrameTask, Task
+from robotics1.tasks.task import FrameMap, Task
 
 
 def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str] | None = None) -> Formulas:
@@ -39,39 +37,39 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         FormulaError: the task's function cannot be read, the file's numbers depend on the parameters in a way that
             cannot be told, or a formula does not agree with Pinocchio to 1e-9.
     """
-    if not isinstance(task, FrameTask | FunctionTask):
-        raise FormulaError(f"formulas are written for tasks on a frame and for FunctionTask, not for {task!r}")
-    given = set(robot.parameters)
+    form, given = _on_a_frame(task), set(robot.parameters)
     if point is not None:
-        robot, frame = with_point(robot, task.frame, point)
-        task = _on(task, frame)
+        robot, frame = with_point(robot, form.frame, point)
+        task = replace(task, frame=frame)  # type: ignore[type-var]  # a task on a frame is a dataclass
     task.check(robot)
     places = row_places(task, rows)
-    reading = (_kept_reading if _is_hashable(task) else _reading)(robot, task, places)
+    read: Callable[..., Reading] = _kept_reading if _is_hashable(task) else _reading
+    reading = read(robot, task, places)
     return Formulas(
         robot,
         task,
         tuple(task.row_names[i] for i in places),
         reading.chain.q,
-        cleaned(robot)[1],
+        exact_robot(robot)[1],
         tuple(name for name in robot.parameters if name not in given),
         reading,
     )
 
 
-def _reading(robot: Robot, task: FrameTask | FunctionTask, places: tuple[int, ...]) -> Reading:
+def _reading(robot: Robot, task: Task, places: tuple[int, ...]) -> Reading:
     """Return the task read in symbols."""
-    axes = _link_of_axes(robot, task)
-    chain = chain_to(robot, link_of(robot, task.frame), beside=axes)
+    form = _on_a_frame(task)
+    axes = _link_of_axes(robot, form.reference)
+    chain = chain_to(robot, robot.link_of(form.frame), beside=axes)
     _check_names(robot, chain)
-    joints = () if axes is None else joints_to(robot, axes)
-    return Reading(chain, joints, task_map(task, chain.q).chosen(list(places)))
+    joints = () if axes is None else robot.joints_to(axes)
+    return Reading(chain, joints, task_map(form, task.rows, chain.q).chosen(list(places)))
 
 
 _kept_reading = lru_cache(maxsize=8)(_reading)  # find_singularities reads the same again
 
 
-def _is_hashable(task: FrameTask | FunctionTask) -> bool:
+def _is_hashable(task: Task) -> bool:
     try:
         hash(task)
     except TypeError:
@@ -79,17 +77,21 @@ def _is_hashable(task: FrameTask | FunctionTask) -> bool:
     return True
 
 
-def _on(task: FrameTask | FunctionTask, frame: str) -> FrameTask | FunctionTask:
-    """Return the task on another frame."""
-    moved = copy(task)
-    object.__setattr__(moved, "frame", frame)  # as replace() would, if FunctionTask took its own fields
-    return moved
+def _on_a_frame(task: Task) -> FrameMap:
+    """Return the task as a function of its frame.
+
+    Raises:
+        FormulaError: it is none.
+    """
+    form = task.frame_map() if hasattr(task, "frame_map") else None
+    if form is None:
+        raise FormulaError(f"formulas are written for tasks on a frame and for FunctionTask, not for {task!r}")
+    return form
 
 
-def _link_of_axes(robot: Robot, task: FrameTask | FunctionTask) -> str | None:
+def _link_of_axes(robot: Robot, reference: str) -> str | None:
     """Return the link in whose axes the task is written; None for the world."""
-    reference = getattr(task, "reference", "world")
-    return None if reference == "world" else link_of(robot, None if reference == "tool" else reference)
+    return None if reference == "world" else robot.link_of(None if reference == "tool" else reference)
 
 
 def _check_names(robot: Robot, chain: Chain) -> None:

@@ -9,8 +9,14 @@ from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.orientation.expressions import angle_of
 from robotics1.symbolic.kinematics.chain import Chain
-from robotics1.symbolic.kinematics.convenient_axes import WHOLE, Convenient, convenient
-from robotics1.symbolic.kinematics.frame_motion import FrameMotion, Joints, frame_motion
+from robotics1.symbolic.kinematics.mid_chain import (
+    WHOLE,
+    FrameMotion,
+    Joints,
+    MidChainJacobian,
+    frame_motion,
+    mid_chain_jacobian,
+)
 from robotics1.symbolic.kinematics.parallel import parallel_groups
 from robotics1.symbolic.polynomials.determinants import minors
 from robotics1.symbolic.polynomials.factoring import factors
@@ -98,12 +104,12 @@ class Reading:
         return M
 
     @cached_property
-    def convenient(self) -> Convenient:
+    def mid_chain(self) -> MidChainJacobian:
         """M in the axes and at the point in which it is shortest. Raises as `rows`."""
         names = self.factored.names
         if names in WHOLE:
-            return convenient(self.chain, names, self.motion.J)
-        return Convenient(self.rows)
+            return mid_chain_jacobian(self.chain, names, self.motion.J, self.composition)
+        return MidChainJacobian(self.rows)
 
     @cached_property
     def minors(self) -> dict[tuple[int, ...], Minor]:
@@ -121,7 +127,7 @@ class Reading:
                 if m > n:
                     return self._tall_minors({out: factors(f) for out, f in minors(self.rows, limit).items()})
                 left = self._normal.written(L.left_minor(every, every))
-                return {out: ((left, factors(f)),) for out, f in minors(self.convenient.M, limit).items()}
+                return {out: ((left, factors(f)),) for out, f in minors(self.mid_chain.M, limit).items()}
         except OutOfTime as error:
             raise FormulaError(f"the minors of J were not found within {PATIENCE:g} s") from error
 

@@ -1,7 +1,7 @@
 """A task read as formulas: r = g(p, R, q) and ṙ = S V + D q̇, in symbols for the entries of p and R.
 
-S and D depend on p, R and q; V = (v, ω) is the velocity of the frame. The built-in tasks have g and S, and
-D = 0. Of a function f of the user's own, with Ṙ = [ω]× R,
+S and D depend on p, R and q; V = (v, ω) is the velocity of the frame. The built-in tasks have g and S,
+and D = 0. Of a function f of the user's own, with Ṙ = [ω]× R,
 
     S = [∂f/∂p   Σᵢⱼ ∂f/∂Rᵢⱼ ([e_k]× R)ᵢⱼ],  D = ∂f/∂q.
 """
@@ -18,8 +18,7 @@ from robotics1.errors import FormulaError
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.symbolic.kinematics.exact import exact_length
 from robotics1.symbolic.tasks.tracer import Tracer
-from robotics1.tasks.function import FunctionTask
-from robotics1.tasks.task import FrameTask, Task
+from robotics1.tasks.task import FrameMap
 
 Expressions = np.ndarray[Any, Any]  # of sympy.Expr
 
@@ -49,40 +48,38 @@ class TaskMap:
         return TaskMap(self.p, self.R, value, self.S[rows], self.D[rows], self.wraps)
 
 
-def task_map(task: Task, q: tuple[sympy.Symbol, ...]) -> TaskMap:
-    """Return a task in symbols.
+def task_map(form: FrameMap, m: int, q: tuple[sympy.Symbol, ...]) -> TaskMap:
+    """Return a task of m rows in symbols.
 
     Raises:
-        FormulaError: it is neither a task on a frame nor a function of p, R and q that can be read.
+        FormulaError: its function of p, R and q cannot be read.
     """
     p = np.array([sympy.Dummy(f"p{axis}", real=True) for axis in "xyz"])
     R = np.array([[sympy.Dummy(f"R{i}{j}", real=True) for j in (1, 2, 3)] for i in (1, 2, 3)])
-    if isinstance(task, FrameTask):
-        S = _exact(task.S(p, R))
-        return TaskMap(p, R, _exact(task.g(p, R)), S, np.full((len(S), len(q)), sympy.S.Zero), wraps=True)
-    if isinstance(task, FunctionTask):
-        r = _read(task, p, R, q)
+    if form.S is None:
+        r = _read(form.g, m, p, R, q)
         return TaskMap(p, R, r, *_derivatives(r, p, R, q), wraps=False)
-    raise FormulaError(f"formulas are written for tasks on a frame and for FunctionTask, not for {task!r}")
+    S = _exact(form.S(p, R))
+    return TaskMap(p, R, _exact(form.g(p, R, np.array(q))), S, np.full((len(S), len(q)), sympy.S.Zero), wraps=True)
 
 
-def _read(task: FunctionTask, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]) -> Expressions:
+def _read(f: Callable[..., Any], m: int, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]) -> Expressions:
     """Return f(p, R, q), (m,)."""
     entries = [each(Tracer, np.array(a, dtype=object)) for a in (p, R, q)]
     try:
-        r = _exact(task.f(*entries))
+        r = _exact(f(*entries))
     except Exception as error:
         raise FormulaError(
             f"the task's function cannot be read as a formula: {error!r}; write it with arithmetic and with the "
             f"functions of NumPy or SymPy, such as np.sin, np.arctan2 or np.linalg.norm, without conditions, math.* "
             f"or float()"
         ) from error
-    if r.shape != (task.rows,):
-        raise FormulaError(f"the task's function must return shape ({task.rows},); it returned shape {r.shape}")
-    for f in r:
-        unknown = f.free_symbols.difference(p, R.flat, q)
-        if unknown or f.atoms(AppliedUndef) or f.has(sympy.I, sympy.nan, sympy.zoo, sympy.oo):
-            raise FormulaError(f"the task's function must be a real function of p, R and q alone; it returned {f}")
+    if r.shape != (m,):
+        raise FormulaError(f"the task's function must return shape ({m},); it returned shape {r.shape}")
+    for entry in r:
+        unknown = entry.free_symbols.difference(p, R.flat, q)
+        if unknown or entry.atoms(AppliedUndef) or entry.has(sympy.I, sympy.nan, sympy.zoo, sympy.oo):
+            raise FormulaError(f"the task's function must be a real function of p, R and q alone; it returned {entry}")
     return r
 
 

@@ -13,9 +13,8 @@ from robotics1.differentiation import Estimate, derivative
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
-from robotics1.symbolic.kinematics.cleaning import cleaned
+from robotics1.symbolic.kinematics.exact import exact_robot
 from robotics1.symbolic.writing.numeric_functions import numpy_function
-from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.task import Task
 
 AGREES = 1e-9  # largest difference of a formula from Pinocchio, relative to the larger of 1 and the value
@@ -53,9 +52,9 @@ class Trials:
         found = []
         for _ in range(TRIALS):
             values = {key: value * rng.uniform(0.7, 1.3) for key, value in self.robot.parameters.items()}
-            robot = self.robot.with_parameters(values) if values else self.robot
             q, qdot = rng.uniform(-2, 2, self.robot.nq), rng.uniform(-1, 1, self.robot.nq)
-            found.append(Point(cleaned(robot)[0], list(values.values()), q, qdot / np.abs(qdot).sum()))
+            robot, _ = exact_robot(self.robot, values or None)
+            found.append(Point(robot, list(values.values()), q, qdot / np.abs(qdot).sum()))
         return found
 
     def verify(
@@ -95,7 +94,8 @@ def numeric_value(task: Task, robot: Robot, q: Array) -> Estimate:
 
 def numeric_jacobian(task: Task, robot: Robot, q: Array) -> Estimate:
     """Return J; of a function of the user's own as the derivative of its values."""
-    if not isinstance(task, FunctionTask):
+    form = task.frame_map()
+    if form is None or form.S is not None:
         return rounded(task.jacobian(robot, q))
     if not robot.nv:
         return rounded(np.zeros((task.rows, 0)))

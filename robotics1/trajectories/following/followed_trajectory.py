@@ -9,9 +9,10 @@ import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.differentiation import derivative_inside
-from robotics1.errors import NotConverged
 from robotics1.inputs import Array
-from robotics1.tasks.units import unitless_rows
+from robotics1.results import Frozen, require
+from robotics1.tasks.task import unitless_rows
+from robotics1.trajectories.following.integration import Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
 from robotics1.trajectories.instants import times_inside
 from robotics1.trajectories.protocols import Peak, Side
@@ -20,7 +21,7 @@ ON_PATH = 1e-6  # |r_d − r| in radians, and in reaches of the robot: less is n
 INSTANTS = 201  # at which the error, the residual and σ are looked at, and as many in each segment as fall to it
 
 
-class FollowingVerdict(Enum):
+class FollowingStatus(Enum):
     """Whether the joints stay on the path."""
 
     FOLLOWS = "the path is followed: |r_d − r| ≤ 1e-6 all along, in radians and reaches of the robot"
@@ -30,21 +31,7 @@ class FollowingVerdict(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Segment:
-    """The solution from one switching time to the next.
-
-    Attributes:
-        start, end: [s].
-        state: t → the state.
-    """
-
-    start: float
-    end: float
-    state: Any
-
-
-@dataclass(frozen=True, eq=False)
-class FollowedTrajectory:
+class FollowedTrajectory(Frozen):
     """q(t), (n,) for a number and (k, n) for (k,) times, from the inverse differential kinematics of a task trajectory.
 
     Attributes:
@@ -121,22 +108,21 @@ class FollowedTrajectory:
         return float(np.linalg.norm(self.record[1][-1].error))
 
     @property
-    def verdict(self) -> FollowingVerdict:
+    def status(self) -> FollowingStatus:
         """Whether the joints stay on the path."""
         if self.duration < self.asked_duration:
-            return FollowingVerdict.STOPPED
+            return FollowingStatus.STOPPED
         unitless = unitless_rows(self.flow.robot, self.flow.task)
         errors = np.linalg.norm([unitless * command.error for command in self.record[1]], axis=1)
         if errors[-1] > ON_PATH:
-            return FollowingVerdict.DEVIATES
-        return FollowingVerdict.FOLLOWS if errors.max() <= ON_PATH else FollowingVerdict.RETURNS
+            return FollowingStatus.DEVIATES
+        return FollowingStatus.FOLLOWS if errors.max() <= ON_PATH else FollowingStatus.RETURNS
 
-    @property
-    def explanation(self) -> str:
-        """The verdict with its numbers, in a sentence."""
+    def explain(self) -> str:
+        """Return the status with its numbers, in a sentence."""
         error, least = self.largest_error, self.least_singular_value
         return (
-            f"{self.verdict.value}; t = {self.duration:.6g} of {self.asked_duration:.6g} s, largest |r_d − r| = "
+            f"{self.status.value}; t = {self.duration:.6g} of {self.asked_duration:.6g} s, largest |r_d − r| = "
             f"{error.value:.3g} at t = {error.time:.4g} s, smallest σ = {least.value:.3g} at t = {least.time:.4g} s"
         )
 
@@ -146,9 +132,7 @@ class FollowedTrajectory:
         Raises:
             NotConverged: it is not.
         """
-        if self.verdict in (FollowingVerdict.DEVIATES, FollowingVerdict.STOPPED):
-            raise NotConverged(self.explanation, self)
-        return self
+        return require(self, self.status not in (FollowingStatus.DEVIATES, FollowingStatus.STOPPED))
 
     @property
     def _ends(self) -> list[float]:

@@ -1,23 +1,34 @@
 """Inverse differential kinematics at one state: q̇ from ṙ, and q̈ from r̈, with what cannot be realised."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
 
 from robotics1.differentiation import directional_derivative
 from robotics1.inputs import Array, a_robot_and_a_task, real_array
+from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
-from robotics1.singularities.spaces import RANK_TOLERANCE, subspaces
+from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
 
 NEAR = 1e-2  # σ_min/σ_max: below, joint velocities become large
+Wish = npt.ArrayLike | Callable[..., npt.ArrayLike] | None
+Softness = Callable[[Array], float]
 
 
-class RateVerdict(Enum):
+def exact(A: Array) -> float:
+    """Return that no inverse is softened."""
+    return 0.0
+
+
+class RateStatus(Enum):
     """Whether what is asked of the task is realised."""
 
     REALISED = "realised"
@@ -28,7 +39,7 @@ class RateVerdict(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Resolved:
+class Resolved(Frozen):
     """The inputs u that realise b = A u best.
 
     Attributes:
@@ -39,7 +50,7 @@ class Resolved:
         singular_values: of A, descending.
         rank: of A.
         damping: the λ that was used.
-        verdict: whether b is realised; NEARLY_SINGULAR where a singularity is within the rounding of q.
+        status: whether b is realised; NEARLY_SINGULAR where a singularity is within the rounding of q.
         rounded: q with its printed digits, and the singular configuration within them.
     """
 
@@ -50,7 +61,7 @@ class Resolved:
     singular_values: Array
     rank: int
     damping: float
-    verdict: RateVerdict
+    status: RateStatus
     rounded: RoundedConfiguration = field(kw_only=True)
 
     @property
@@ -63,18 +74,25 @@ class Resolved:
         """Whether the rank is lost, or σ_min ≤ 0.01 σ_max."""
         return bool((self.singular_values[-1:] <= NEAR * self.singular_values[:1]).any())
 
-    @property
-    def explanation(self) -> str:
-        """The verdict with its numbers, in a sentence."""
-        if self.verdict is RateVerdict.NEARLY_SINGULAR:
+    def explain(self) -> str:
+        """Return the status with its numbers, in a sentence."""
+        if self.status is RateStatus.NEARLY_SINGULAR:
             return f"{self.rounded.explain()}; the answer there is `at_singularity`"
         rank = f"rank {self.rank} of {min(len(self.realised), len(self.inputs))}"
         near = ""
         if self.near_singular and self.singular_values[-1] > 0:
             near = f", near a singularity: σ_min/σ_max = {self.singular_values[-1] / self.singular_values[0]:.2g}"
         left = float(np.linalg.norm(self.residual))
-        rest = "" if self.verdict.name.startswith("REALISED") else f"; |residual| = {left:.6g}"
-        return f"{self.verdict.value} ({rank}{near}{rest})"
+        rest = "" if self.status.name.startswith("REALISED") else f"; |residual| = {left:.6g}"
+        return f"{self.status.value} ({rank}{near}{rest})"
+
+    def require(self) -> Self:
+        """Return self if b is realised.
+
+        Raises:
+            NotConverged: a part of it is not, or the configuration may be singular.
+        """
+        return require(self, self.status in (RateStatus.REALISED, RateStatus.REALISED_ALL_THE_SAME))
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,8 +126,8 @@ class JointAcceleration(Resolved):
 def joint_velocity(
     robot: Robot,
     task: Task,
-    q: npt.ArrayLike,
     rdot: npt.ArrayLike,
+    q: npt.ArrayLike,
     *,
     resolution: Resolution | None = None,
     null_velocity: npt.ArrayLike | None = None,
@@ -119,8 +137,8 @@ def joint_velocity(
     Args:
         robot: the robot.
         task: r = f(q).
-        q: (nq,) configuration [rad or m].
         rdot: (m,) ṙ, one number for each row of J.
+        q: (nq,) configuration [rad or m].
         resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
         null_velocity: (nv,) q̇₀, or (k,) of inputs, of which the part that does not move the task is added.
 
@@ -135,24 +153,22 @@ def joint_velocity(
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
     rounded = _rounded(robot, task, chosen, q)
 
-    def at(x: Array, A: Array) -> JointVelocity:
-        u, damping = chosen.solve(A, rdot, _wish("null_velocity", null_velocity, A))
-        parts = _report(A, rdot, u, damping, float(np.linalg.norm(rdot)))
-        return JointVelocity(*parts, chosen.inputs(robot, x) @ u, rounded=rounded)
+    def at(x: Array) -> JointVelocity:
+        rates = resolved_velocity(robot, task, chosen, x, rdot, null_velocity)
+        return JointVelocity(**_outcome(rates, rdot), qdot=rates.joints, rounded=rounded)
 
-    found = at(rounded.q, rounded.spaces.J)
-    if rounded.singular_q is None or rounded.at_singularity is None:
+    found = at(rounded.q)
+    if rounded.singular_q is None:
         return found
-    there = at(rounded.singular_q, rounded.at_singularity.J)
-    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
+    return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=at(rounded.singular_q))
 
 
 def joint_acceleration(
     robot: Robot,
     task: Task,
+    rddot: npt.ArrayLike,
     q: npt.ArrayLike,
     qdot: npt.ArrayLike,
-    rddot: npt.ArrayLike,
     *,
     resolution: Resolution | None = None,
     null_acceleration: npt.ArrayLike | None = None,
@@ -164,9 +180,9 @@ def joint_acceleration(
     Args:
         robot: the robot.
         task: r = f(q).
+        rddot: (m,) r̈, one number for each row of J.
         q: (nq,) configuration [rad or m].
         qdot: (nv,) q̇ [rad/s or m/s]; with an input matrix (k,), the inputs u.
-        rddot: (m,) r̈, one number for each row of J.
         resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
         null_acceleration: (nv,) q̈₀, or (k,) of inputs, of which the part that does not accelerate the task is added.
 
@@ -182,23 +198,60 @@ def joint_acceleration(
     rounded = _rounded(robot, task, chosen, q)
     u = real_array("qdot", qdot, (rounded.spaces.J.shape[1],), "one number for each joint, or each input")
 
-    def at(x: Array, A: Array) -> JointAcceleration:
-        drift, turning = drifts(robot, task, chosen, x, u)
-        udot, damping = chosen.solve(A, rddot - drift, _wish("null_acceleration", null_acceleration, A))
-        parts = _report(A, rddot - drift, udot, damping, float(np.linalg.norm(rddot) + np.linalg.norm(drift)))
-        qddot = chosen.inputs(robot, x) @ udot + turning
-        return JointAcceleration(parts[0], parts[1] + drift, *parts[2:], qddot, drift, rounded=rounded)
+    def at(x: Array) -> JointAcceleration:
+        rates = resolved_acceleration(robot, task, chosen, (x, u), rddot, null_acceleration)
+        return JointAcceleration(**_outcome(rates, rddot), qddot=rates.joints, drift=rates.drift, rounded=rounded)
 
-    found = at(rounded.q, rounded.spaces.J)
-    if rounded.singular_q is None or rounded.at_singularity is None:
+    found = at(rounded.q)
+    if rounded.singular_q is None:
         return found
-    there = at(rounded.singular_q, rounded.at_singularity.J)
-    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
+    return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=at(rounded.singular_q))
 
 
-def _rounded(robot: Robot, task: Task, resolution: Resolution, q: npt.ArrayLike) -> RoundedConfiguration:
-    """Return what the digits of q leave open of the rank of A = J G."""
-    return rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q)
+class Rates(NamedTuple):
+    """What the joints do for what is asked of the task at one state.
+
+    Attributes:
+        A: (m, k) J G.
+        inputs: (k,) u, or u̇.
+        damping: the λ that was used.
+        joints: (nv,) q̇, or q̈.
+        drift: (m,) the part of ṙ, or r̈, that is there without these inputs.
+    """
+
+    A: Array
+    inputs: Array
+    damping: float
+    joints: Array
+    drift: Array
+
+
+def resolved_velocity(
+    robot: Robot, task: Task, resolution: Resolution, q: Array, rdot: Array, wish: Wish, soft: Softness = exact
+) -> Rates:
+    """Return u = A# ṙ + (1 − A⁺A) u₀ and q̇ = G u; `soft` is that of `Resolution.solve`, as a function of A."""
+    G = resolution.inputs(robot, q)
+    A = task.jacobian(robot, q) @ G
+    u, damping = resolution.solve(A, rdot, wished("null_velocity", wish, A, q), soft=soft(A))
+    return Rates(A, u, damping, G @ u, np.zeros(len(rdot)))
+
+
+def resolved_acceleration(
+    robot: Robot,
+    task: Task,
+    resolution: Resolution,
+    state: tuple[Array, Array],
+    rddot: Array,
+    wish: Wish,
+    soft: Softness = exact,
+) -> Rates:
+    """Return u̇ = A# (r̈ − Ȧ u) + (1 − A⁺A) u̇₀ and q̈ = G u̇ + Ġ u, at a state (q, u)."""
+    q, u = state
+    G = resolution.inputs(robot, q)
+    A = task.jacobian(robot, q) @ G
+    drift, turning = drifts(robot, task, resolution, q, u)
+    udot, damping = resolution.solve(A, rddot - drift, wished("null_acceleration", wish, A, q, u), soft=soft(A))
+    return Rates(A, udot, damping, G @ udot + turning, drift)
 
 
 def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array) -> tuple[Array, Array]:
@@ -213,23 +266,43 @@ def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array)
     return rate[: task.rows], rate[task.rows :]
 
 
-def _wish(name: str, value: npt.ArrayLike | None, A: Array) -> Array | None:
-    return None if value is None else real_array(name, value, (A.shape[1],), "one number for each joint, or each input")
+def wished(name: str, wish: Wish, A: Array, *state: Array) -> Array | None:
+    """Return the wished inputs, (k,), of a vector or a function of the state.
+
+    Raises:
+        InputError: they have another shape, or are not finite.
+    """
+    if wish is None:
+        return None
+    value = wish(*state) if callable(wish) else wish
+    return real_array(name, value, (A.shape[1],), "one number for each joint, or each input")
 
 
-def _report(
-    A: Array, b: Array, u: Array, damping: float, size: float
-) -> tuple[Array, Array, Array, Array, Array, int, float, RateVerdict]:
+def _rounded(robot: Robot, task: Task, resolution: Resolution, q: npt.ArrayLike) -> RoundedConfiguration:
+    """Return what the digits of q leave open of the rank of A = J G."""
+    return rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q)
+
+
+def _outcome(rates: Rates, asked: Array) -> dict[str, Any]:
     """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding."""
-    spaces = subspaces(A)
-    inside = bool(np.linalg.norm(spaces.unrealisable(b)) <= RANK_TOLERANCE * size)
-    residual = b - A @ u
+    A, b, spaces = rates.A, asked - rates.drift, subspaces(rates.A)
+    rounding = RANK_TOLERANCE * float(np.linalg.norm(asked) + np.linalg.norm(rates.drift))
+    unrealisable, realised = spaces.unrealisable(b), A @ rates.inputs
+    inside = bool(np.linalg.norm(unrealisable) <= rounding)
     if not inside:
-        verdict = RateVerdict.OUT_OF_RANGE
-    elif damping > 0 and np.linalg.norm(residual) > RANK_TOLERANCE * size:
-        verdict = RateVerdict.DAMPED
+        status = RateStatus.OUT_OF_RANGE
+    elif rates.damping > 0 and np.linalg.norm(b - realised) > rounding:
+        status = RateStatus.DAMPED
     else:
         lost = spaces.rank < min(A.shape)
-        verdict = RateVerdict.REALISED_ALL_THE_SAME if lost else RateVerdict.REALISED
-    unrealisable = np.zeros(len(b)) if inside else spaces.unrealisable(b)
-    return u, A @ u, residual, unrealisable, spaces.singular_values, spaces.rank, damping, verdict
+        status = RateStatus.REALISED_ALL_THE_SAME if lost else RateStatus.REALISED
+    return {
+        "inputs": rates.inputs,
+        "realised": realised + rates.drift,
+        "residual": b - realised,
+        "unrealisable": np.zeros(len(b)) if inside else unrealisable,
+        "singular_values": spaces.singular_values,
+        "rank": spaces.rank,
+        "damping": rates.damping,
+        "status": status,
+    }

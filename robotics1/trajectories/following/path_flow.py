@@ -1,22 +1,19 @@
 """The differential equation of joints that follow a task trajectory, of first and second order."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
-from robotics1.tasks.units import unitless_rows
-from robotics1.trajectories.following.joint_rates import drifts
+from robotics1.tasks.task import Task, unitless_rows
+from robotics1.trajectories.following.joint_rates import Wish, resolved_acceleration, resolved_velocity
 from robotics1.trajectories.following.resolution import Resolution
 from robotics1.trajectories.protocols import Side
 
 SOFT = 1e-4  # σ/σ₁ below which an inverse without damping is softened; elsewhere it is exact
-Wish = npt.ArrayLike | Callable[..., npt.ArrayLike] | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,13 +60,11 @@ class VelocityFlow:
 
     def command(self, t: float, state: Array, side: Side) -> Command:
         """Return what is asked at t and what the joints do."""
-        G = self.resolution.inputs(self.robot, state)
-        A = self.task.jacobian(self.robot, state) @ G
         error = self.task.error(self.robot, state, self.trajectory(t))
         asked = self.trajectory.velocity(t, side=side) + self.gain * error
-        u, _ = self.resolution.solve(A, asked, wished(self.wish, A, state), soft=softness(self.robot, self.task, A))
-        qdot = G @ u
-        return Command(qdot, qdot, error, asked - A @ u, A)
+        soft = partial(softness, self.robot, self.task)
+        rates = resolved_velocity(self.robot, self.task, self.resolution, state, asked, self.wish, soft)
+        return Command(rates.joints, rates.joints, error, asked - rates.A @ rates.inputs, rates.A)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,14 +88,14 @@ class AccelerationFlow:
     def command(self, t: float, state: Array, side: Side) -> Command:
         """Return what is asked at t and what the joints do."""
         q, u = state[: self.robot.nv], state[self.robot.nv :]
-        G = self.resolution.inputs(self.robot, q)
-        A = self.task.jacobian(self.robot, q) @ G
+        qdot = self.resolution.inputs(self.robot, q) @ u
         error = self.task.error(self.robot, q, self.trajectory(t))
-        rate_error = self.trajectory.velocity(t, side=side) - A @ u
+        rate_error = self.trajectory.velocity(t, side=side) - self.task.jacobian(self.robot, q) @ qdot
         asked = self.trajectory.acceleration(t, side=side) + self.gains[1] * rate_error + self.gains[0] * error
-        b = asked - drifts(self.robot, self.task, self.resolution, q, u)[0]
-        udot, _ = self.resolution.solve(A, b, wished(self.wish, A, q, u), soft=softness(self.robot, self.task, A))
-        return Command(G @ u, np.concatenate([G @ u, udot]), error, b - A @ udot, A)
+        soft = partial(softness, self.robot, self.task)
+        rates = resolved_acceleration(self.robot, self.task, self.resolution, (q, u), asked, self.wish, soft)
+        residual = asked - rates.drift - rates.A @ rates.inputs
+        return Command(qdot, np.concatenate([qdot, rates.inputs]), error, residual, rates.A)
 
 
 def softness(robot: Robot, task: Task, A: Array) -> float:
@@ -110,15 +105,3 @@ def softness(robot: Robot, task: Task, A: Array) -> float:
     unitless = unitless_rows(robot, task)[:, None] * A * robot.units
     (a, b), (c, d) = (np.linalg.svd(M, compute_uv=False)[[0, -1]] for M in (A, unitless))
     return float(SOFT * (b / a) / (d / c)) if min(b, d) > 0 else SOFT
-
-
-def wished(wish: Wish, A: Array, *state: Array) -> Array | None:
-    """Return the wished inputs, (k,), of a vector or a function of the state.
-
-    Raises:
-        InputError: they have another shape, or are not finite.
-    """
-    if wish is None:
-        return None
-    value = wish(*state) if callable(wish) else wish
-    return real_array("the null motion", value, (A.shape[1],), "one number for each joint, or each input")

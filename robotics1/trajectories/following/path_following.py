@@ -1,6 +1,5 @@
 """From a task trajectory to a joint trajectory, by integrating the inverse differential kinematics."""
 
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -10,10 +9,12 @@ from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, Segment
-from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow, Wish
+from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory
+from robotics1.trajectories.following.integration import integrated
+from robotics1.trajectories.following.joint_rates import Wish
+from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow
 from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
-from robotics1.trajectories.protocols import Side, Trajectory, require_motion, smooth_ends
+from robotics1.trajectories.protocols import Trajectory, require_motion, smooth_ends
 
 PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of the robot
 RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity
@@ -99,47 +100,28 @@ def follow_trajectory_by_acceleration(
 
 
 def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> FollowedTrajectory:
-    """Integrate from one switching time of the trajectory to the next, to the end or to where it cannot go on."""
-    ends = smooth_ends(flow.trajectory)
+    """Integrate from one switching time of the trajectory to the next, to the end or to where it cannot go on.
+
+    It cannot where a joint is too fast, or where the steps become too many.
+    """
+    ends, n = smooth_ends(flow.trajectory), flow.robot.nv
     fastest = RUNAWAY * flow.robot.units / ends[-1]
     if (np.abs(flow.command(0.0, start, "right").qdot) > fastest).any():
         return FollowedTrajectory(flow, (), start, ends[-1])
-    segments: list[Segment] = []
-    state = start
-    for a, b in pairwise(ends):
-        segment, state = _segment(flow, a, b, state, fastest)
-        segments += [segment] if segment.end > a else []
-        if segment.end < b:
-            break
-    return FollowedTrajectory(flow, tuple(segments), start, ends[-1])
-
-
-def _segment(
-    flow: VelocityFlow | AccelerationFlow, a: float, b: float, state: Array, fastest: Array
-) -> tuple[Segment, Array]:
-    """Integrate from a to b; stop where a joint is faster than `fastest`, or the steps become too many."""
-    from scipy.integrate import DOP853, OdeSolution
-
-    def rate(t: float, y: Array) -> Array:
-        side: Side = "right" if t < b else "left"
-        return flow.command(t, y, side).rate
-
-    n = flow.robot.nv
-    inputs = flow.robot.units if flow.resolution.input_matrix is None else np.ones(len(state) - n)
-    units = np.concatenate([flow.robot.units, inputs / flow.trajectory.duration])[: len(state)]
-    solver = DOP853(rate, a, state, b, rtol=PRECISION, atol=PRECISION * units, first_step=FIRST * (b - a))
-    times: list[float] = [a]
-    pieces: list[Any] = []
-    while solver.status == "running" and len(pieces) < STEPS:
-        solver.step()
-        if solver.status == "failed":
-            break
-        times.append(float(solver.t))
-        pieces.append(solver.dense_output())
-        if (np.abs(solver.f[:n]) > fastest).any():  # the first derivatives of the state are q̇
-            break
-    solution = OdeSolution(times, pieces) if pieces else None
-    return Segment(a, times[-1], solution), np.asarray(solver.y)
+    inputs = flow.robot.units if flow.resolution.input_matrix is None else np.ones(len(start) - n)
+    units = np.concatenate([flow.robot.units, inputs / flow.trajectory.duration])[: len(start)]
+    segments = integrated(
+        lambda t, state, side: flow.command(t, state, side).rate,
+        ends,
+        start,
+        method="DOP853",
+        rtol=PRECISION,
+        atol=PRECISION * units,
+        first_step=FIRST,
+        stop=lambda rates: bool((np.abs(rates[:n]) > fastest).any()),  # the first derivatives of the state are q̇
+        most_steps=STEPS,
+    )
+    return FollowedTrajectory(flow, segments, start, ends[-1])
 
 
 def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> Array:

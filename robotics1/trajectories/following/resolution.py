@@ -8,8 +8,8 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, real_array, real_number
+from robotics1.least_squares import generalized_inverse
 from robotics1.robot.model import Robot
-from robotics1.singularities.spaces import numeric_rank
 
 Matrix = npt.ArrayLike | Callable[[Array], npt.ArrayLike]
 
@@ -75,17 +75,11 @@ class Resolution:
         """
         C = self._root(A.shape[1])
         back = np.linalg.inv(C)
-        U, sigma, Vt = np.linalg.svd(A @ back, full_matrices=False)
-        rank = numeric_rank(sigma)
-        damping = self._damping(sigma, soft)
-        if damping > 0:
-            y = Vt.T @ (sigma / (sigma**2 + damping**2) * (U.T @ b))
-        else:
-            y = Vt[:rank].T @ (U[:, :rank].T @ b / sigma[:rank])
+        inverse = generalized_inverse(A @ back, lambda sigma: self._damping(sigma, soft))
+        y = inverse.solve(b)
         if wish is not None:
-            wanted = C @ wish
-            y = y + wanted - Vt[:rank].T @ (Vt[:rank] @ wanted)
-        return np.asarray(back @ y), damping
+            y = y + inverse.null_part(C @ wish)
+        return np.asarray(back @ y), inverse.damping
 
     def _damping(self, sigma: Array, soft: float) -> float:
         """Return λ: constant, or growing from zero at the edge of the region to the damping where σ_min = 0."""

@@ -1,0 +1,1 @@
+"""Exams solved end to end; every published value is compared with the computed one."""

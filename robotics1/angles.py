@@ -1,0 +1,18 @@
+"""Angles: whole turns, and the multiples of π/12 that files and tables write with few digits."""
+
+from math import pi
+
+TURN = 2 * pi
+MEANT = 1e-5  # an angle this near to a multiple of π/12 is meant to be it: files write 1.5708 for π/2 [rad]
+
+
+def twelfths_of_pi(angle: float, tolerance: float = MEANT) -> int | None:
+    """Return k where an angle is k π/12 to the tolerance [rad], else None."""
+    k = round(angle * 12 / pi)
+    return k if abs(k * pi / 12 - angle) <= tolerance else None
+
+
+def clean_angle(angle: float, tolerance: float = 1e-14) -> float:
+    """Return the multiple of π/12 that an angle is to the tolerance [rad], else the angle itself."""
+    k = twelfths_of_pi(angle, tolerance)
+    return angle if k is None else k * pi / 12

@@ -1,0 +1,128 @@
+"""The steps of a DH table that a robot's own frames already are, so that a table comes back as it was written.
+
+The frame F_i of joint i at q = 0 is that of a table where its z is the joint's axis, and a screw along its x leads to
+the axis of the next joint. Frame 0 is then the link on which joint 1 hangs, and the last frame the link nearest the
+tool to which a screw along x leads from F_n:
+
+    S_i = Z_i X_i,  Z_i from frame i − 1 to F_i,  X_i from F_i to frame i
+"""
+
+from math import atan2, hypot
+
+import numpy as np
+import pinocchio as pin
+
+from robotics1.angles import clean_angle
+from robotics1.dh.common_normals import Axis, Step, clean_placement, first_step
+from robotics1.dh.table import Z
+from robotics1.robot.model import Robot
+
+EXACT = 1e-12  # sine of an angle, and m for each metre of the arm: what is left of a table by rounding
+
+
+def own_steps(robot: Robot, joints: list[int], frame: int, convention: str) -> tuple[pin.SE3, list[Step]] | None:
+    """Return the base and the steps S_0 ... S_n, or None where the robot's frames are not those of a table.
+
+    A table has |θ_i| ≤ π/2 before its last row: the same arm has another in which x_i is turned round.
+
+    Args:
+        robot: its data hold the placements of joints and frames at q = 0.
+        joints: the joints from the world to the frame.
+        frame: the tool.
+        convention: "standard" or "modified".
+    """
+    model, data = robot.model, robot.data
+    axes = {joint.name: joint.axis for joint in robot.moving_joints}
+    if any(np.abs(axes[model.names[joint]] - Z).max() > EXACT for joint in joints):
+        return None
+    near = EXACT * max(1.0, robot.reach)
+    F = [pin.SE3(data.oMi[joint]) for joint in joints]
+    base, first = _start(robot, joints[0], F[0], convention, near)
+    T, steps = base * first.placement, [first]
+    for here, following in zip(F, [*F[1:], None], strict=True):
+        z = _along_z(T.actInv(here), near)
+        x = _last(robot, joints[-1], frame, here, near) if following is None else _to_axis(here.actInv(following), near)
+        if x is None and following is None and convention == "modified":
+            x = Step()  # a modified table ends with Z_n
+        if z is None or x is None:
+            return None
+        if following is not None and abs(z.theta) > np.pi / 2:
+            return None
+        steps.append(Step(z.theta, z.d, x.alpha, x.a))
+        T = T * steps[-1].placement
+    return base, steps
+
+
+def _start(robot: Robot, joint: int, F: pin.SE3, convention: str, near: float) -> tuple[pin.SE3, Step]:
+    """Return the base and S_0: from the link on which joint 1 hangs, in a modified table from the link before it.
+
+    A first axis that is parallel to the world's z needs only a base that is shifted in the plane.
+    """
+    model, data = robot.model, robot.data
+    mount = _links_above(model, int(model.getFrameId(model.names[joint], pin.FrameType.JOINT)))
+    start = [_placement(data, link) for link in mount]
+    if convention == "modified" and len(start) > 1:
+        before = _along_x(start[1].actInv(start[0]), near)
+        if before is not None and before != Step():
+            return start[1], before
+    base, step = first_step(Axis(np.array(F.translation), np.array(F.rotation[:, 2])))
+    return (base, step) if hypot(*F.rotation[:2, 2]) <= EXACT else (start[0], Step())
+
+
+def _along_z(T: pin.SE3, near: float) -> Step | None:
+    """Return θ and d of T = Rot_z(θ) Trans_z(d), or None."""
+    if hypot(*T.rotation[:2, 2]) > EXACT or T.rotation[2, 2] < 0 or hypot(*T.translation[:2]) > near:
+        return None
+    return Step(theta=_angle(T.rotation[1, 0], T.rotation[0, 0]), d=_length(T.translation[2]))
+
+
+def _along_x(T: pin.SE3, near: float) -> Step | None:
+    """Return α and a of T = Rot_x(α) Trans_x(a), or None."""
+    if hypot(*T.rotation[1:, 0]) > EXACT or T.rotation[0, 0] < 0 or hypot(*T.translation[1:]) > near:
+        return None
+    return Step(alpha=_angle(T.rotation[2, 1], T.rotation[1, 1]), a=_length(T.translation[0]))
+
+
+def _to_axis(T: pin.SE3, near: float) -> Step | None:
+    """Return α and a of the screw along x that leads to the z axis of T, or None."""
+    p, u = T.translation, T.rotation[:, 2]
+    if abs(u[0]) > EXACT or abs(p[1] * u[2] - p[2] * u[1]) > near:
+        return None
+    return Step(alpha=_angle(-u[1], u[2]), a=_length(p[0]))
+
+
+def _last(robot: Robot, joint: int, frame: int, here: pin.SE3, near: float) -> Step | None:
+    """Return the screw from F_n to the link nearest the tool to which there is one, beyond the joint's own link."""
+    for link in _links_above(robot.model, frame, itself=True):
+        if int(robot.model.frames[link].parentJoint) == joint:
+            x = _along_x(here.actInv(_placement(robot.data, link)), near)
+            own = robot.model.frames[robot.model.frames[link].parentFrame].type == pin.FrameType.JOINT
+            if x is not None and not (own and link != frame):
+                return x
+    return None
+
+
+def _links_above(model: pin.Model, frame: int, *, itself: bool = False) -> list[int]:
+    """Return the links from a frame towards the world, as far as they are fixed to each other."""
+    links = [frame] if itself else []
+    while frame != model.frames[frame].parentFrame:
+        frame = int(model.frames[frame].parentFrame)
+        kind = model.frames[frame].type
+        if kind == pin.FrameType.JOINT:
+            break
+        if kind == pin.FrameType.BODY:
+            links.append(frame)
+    return links
+
+
+def _placement(data: pin.Data, link: int) -> pin.SE3:
+    return clean_placement(data.oMf[link])
+
+
+def _angle(sine: float, cosine: float) -> float:
+    angle = clean_angle(atan2(sine, cosine)) + 0.0
+    return -angle if angle == -np.pi else angle
+
+
+def _length(value: float) -> float:
+    return round(float(value), 14) + 0.0

@@ -1,0 +1,89 @@
+"""What a DH table looks like: drums at the revolute joints, sleeves at the prismatic ones, rods from joint to joint."""
+
+import math
+from collections import defaultdict
+
+import numpy as np
+import pinocchio as pin
+
+from robotics1.dh.joints import links_of_row
+from robotics1.dh.table import DHTable, X, Z
+from robotics1.inputs import Array
+
+MATERIALS = {
+    "base": "0.55 0.58 0.62 1",
+    "joint": "0.18 0.20 0.24 1",
+    "link": "0.13 0.42 0.71 1",
+    "slide": "0.93 0.55 0.14 1",
+    "tip": "0.80 0.15 0.15 1",
+}
+
+
+def materials() -> list[str]:
+    """Return the lines of the colours."""
+    return [f'  <material name="{name}"><color rgba="{rgba}"/></material>' for name, rgba in MATERIALS.items()]
+
+
+def visuals(table: DHTable) -> dict[str, list[str]]:
+    """Return link → its `<visual>` lines; the links are those of `links_of`."""
+    size = _size(table)
+    w = 0.03 * size  # the radius of a drum
+    shapes: dict[str, list[str]] = defaultdict(list)
+    shapes["base"].append(_rod(-w * Z, 0 * Z, 1.5 * w, "base"))
+    shapes["base"] += _rods(0 * Z, table.base_placement.translation, w / 2, "base")
+    n = len(table.rows)
+    for i, (kind, a, _, d, _) in enumerate(table.numbers, 1):
+        previous, half, link = links_of_row(table.convention, i)
+        fixed, moving, along_x = (previous, half, half) if table.convention == "standard" else (half, link, previous)
+        if kind == "R":
+            shapes[moving].append(_rod(-(d + w) * Z, (w - d) * Z, w, "joint"))
+            shapes[moving] += _rods(-d * Z, 0 * Z, w / 2, "link")
+        else:
+            back, front = _travel(d, table.lower[i - 1], table.upper[i - 1], size / 2)
+            shapes[fixed].append(_box(1.5 * w, "joint"))
+            shapes[moving] += _rods(-back * Z, front * Z, w / 2, "slide")
+        shapes[along_x] += _rods(0 * X, a * X, w / 2, "link")
+    shapes[f"link{n}"] += _rods(0 * Z, table.tool_placement.translation, w / 2, "link")
+    shapes["tool"].append(
+        f'<visual><geometry><sphere radius="{0.8 * w:.6g}"/></geometry><material name="tip"/></visual>'
+    )
+    return dict(shapes)
+
+
+def _size(table: DHTable) -> float:
+    """Return the sum of the lengths [m], or 1 when there is none to see."""
+    lengths = [abs(a) + abs(d) for _, a, _, d, _ in table.numbers]
+    constants = [float(np.linalg.norm(T.translation)) for T in (table.base_placement, table.tool_placement)]
+    size = sum(lengths) + sum(constants)
+    return size if size > 1e-6 else 1.0
+
+
+def _travel(d: float, lower: float, upper: float, unlimited: float) -> tuple[float, float]:
+    """Return how far a sliding rod reaches behind and before its frame, so that it never leaves its sleeve."""
+    furthest = d + upper if math.isfinite(upper) else max(d, 0.0) + unlimited
+    nearest = d + lower if math.isfinite(lower) else min(d, 0.0)
+    return max(furthest, 0.0), max(-nearest, 0.0)
+
+
+def _rods(start: Array, end: Array, radius: float, material: str) -> list[str]:
+    return [_rod(start, end, radius, material)] if np.linalg.norm(end - start) > 1e-9 else []
+
+
+def _rod(start: Array, end: Array, radius: float, material: str) -> str:
+    """Return a cylinder between two points."""
+    along = end - start
+    length = float(np.linalg.norm(along))
+    rpy = pin.rpy.matrixToRpy(pin.Quaternion.FromTwoVectors(Z, along / length).toRotationMatrix())
+    centre = (start + end) / 2
+    shape = f'<cylinder radius="{radius:.6g}" length="{length:.6g}"/>'
+    origin = f'<origin xyz="{_rounded(centre)}" rpy="{_rounded(rpy)}"/>'
+    return f'<visual>{origin}<geometry>{shape}</geometry><material name="{material}"/></visual>'
+
+
+def _box(side: float, material: str) -> str:
+    size = " ".join([f"{side:.6g}"] * 3)
+    return f'<visual><geometry><box size="{size}"/></geometry><material name="{material}"/></visual>'
+
+
+def _rounded(values: Array) -> str:
+    return " ".join(f"{value + 0.0:.6g}" for value in np.round(values, 9))

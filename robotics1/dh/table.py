@@ -1,0 +1,240 @@
+"""A Denavit–Hartenberg table: its rows, where the arm stands, and what it carries."""
+
+import keyword
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+from unicodedata import normalize
+
+import numpy as np
+import numpy.typing as npt
+import pinocchio as pin
+
+from robotics1.errors import InputError, UnknownNameError
+from robotics1.inputs import Array, by_name, one_of, real_array, real_number
+from robotics1.notation import joint_value, number, vector
+from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.findings import LARGEST
+from robotics1.robot.parameters import Parameters
+from robotics1.robot.placements import homogeneous
+
+CONVENTIONS = ("standard", "modified")
+Limits = Sequence[float | None] | Array | None
+X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
+
+
+class DHRow(NamedTuple):
+    """One joint: type "R" or "P", a [m], alpha [rad], d [m], theta [rad]; an entry may be a name, or "-name"."""
+
+    type: str
+    a: float | str
+    alpha: float | str
+    d: float | str
+    theta: float | str
+
+
+@dataclass(frozen=True, eq=False)
+class DHTable:
+    """T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, with
+
+        standard: A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i)
+        modified: A_i = Rot_x(α_{i−1}) Trans_x(a_{i−1}) Rot_z(θ_i) Trans_z(d_i)
+
+    where q_i is added to θ_i for a revolute joint ("R") and to d_i for a prismatic one ("P").
+
+    It is made of the arguments of `robot_from_dh`, and raises its errors; the attributes are what these mean.
+
+    Attributes:
+        rows: one (type, a, alpha, d, theta) a joint [m, rad]; in a modified table, row i holds a_{i−1} and α_{i−1}.
+        convention: "standard" or "modified".
+        base_placement: T_base, of frame 0 in the world; None for the identity.
+        tool_placement: T_tool, of the tool in frame n; None for the identity.
+        lower, upper: (n,) joint limits [rad or m]; ∓∞ where there is none.
+        parameters: the values of the names in the rows [m or rad].
+        joint_names: the joints in the robot the table was found from; q1, q2, ... otherwise.
+        residual: of a table found from a robot: the largest difference between an entry of T_world_tool(q) by the
+            table and by the robot, at configurations drawn at random.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; for the modified convention
+    Craig, Introduction to Robotics, 2005, sections 3.4 and 3.6.
+    """
+
+    rows: tuple[DHRow, ...]
+    convention: str = "standard"
+    base_placement: pin.SE3 = None
+    tool_placement: pin.SE3 = None
+    lower: Array = None  # type: ignore[assignment]  # None becomes ∓∞
+    upper: Array = None  # type: ignore[assignment]
+    parameters: Mapping[str, float] = field(default_factory=Parameters)
+    joint_names: tuple[str, ...] = ()
+    residual: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check the arguments, and copy them."""
+        one_of("convention", self.convention, CONVENTIONS)
+        rows = _rows(self.rows)
+        lower = _limits("lower", self.lower, len(rows), -math.inf)
+        upper = _limits("upper", self.upper, len(rows), math.inf)
+        for i, (a, b) in enumerate(zip(lower, upper, strict=True), 1):
+            if a > b or a == math.inf or b == -math.inf:
+                raise InputError(f"the limits of q{i} must have lower ≤ upper; they are {a:g} and {b:g}")
+        self.__dict__.update(
+            rows=rows,
+            base_placement=homogeneous("base_placement", self.base_placement),
+            tool_placement=homogeneous("tool_placement", self.tool_placement),
+            parameters=Parameters(_values(rows, by_name("parameters", self.parameters, "{'l2': 0.5}"))),
+            joint_names=tuple(self.joint_names) or tuple(f"q{i}" for i in range(1, len(rows) + 1)),
+        )
+        self.__setstate__({"lower": lower, "upper": upper})
+        lengths = [*self.base_placement.translation, *self.tool_placement.translation]
+        for value in (*(x for row in self.numbers for x in row[1:]), *lengths, *lower, *upper):
+            if math.isfinite(value) and abs(value) > LARGEST:
+                raise InputError(f"a DH table has the number {value:g}; at most {LARGEST:g} can be computed with")
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        for limits in (self.lower, self.upper):
+            limits.flags.writeable = False
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """What `robot_from_dh(table.rows, **table.options)` needs beside the rows."""
+        return {
+            "convention": self.convention,
+            "base_placement": self.base_placement,
+            "tool_placement": self.tool_placement,
+            "parameters": dict(self.parameters),
+            "lower": self.lower,
+            "upper": self.upper,
+        }
+
+    @property
+    def numbers(self) -> tuple[tuple[str, float, float, float, float], ...]:
+        """The rows, with the values of their names."""
+        return tuple((row.type, *(self.value(entry) for entry in row[1:])) for row in self.rows)  # type: ignore[misc]
+
+    def value(self, entry: float | str) -> float:
+        """Return the number that an entry stands for."""
+        if not isinstance(entry, str):
+            return entry
+        name = entry.removeprefix("-")
+        return -self.parameters[name] if entry.startswith("-") else self.parameters[name]
+
+    def pose(self, q: npt.ArrayLike) -> pin.SE3:
+        """Return T_world_tool(q), the product of the matrices of the table, for q (n,) [rad or m].
+
+        Raises:
+            InputError: q has the wrong shape or is not finite.
+        """
+        q = real_array("q", q, (len(self.rows),), "one number for each row")
+        T = self.base_placement
+        for (kind, a, alpha, d, theta), q_i in zip(self.numbers, q, strict=True):
+            along_z = screw(Z, theta + q_i, d) if kind == "R" else screw(Z, theta, d + q_i)
+            along_x = screw(X, alpha, a)
+            T = T * along_z * along_x if self.convention == "standard" else T * along_x * along_z
+        return T * self.tool_placement
+
+    def __str__(self) -> str:
+        """The table as on paper, angles as multiples of π where they are."""
+        shift = "" if self.convention == "standard" else "ᵢ₋₁"
+        lines = [["i", "type", f"a{shift}", f"α{shift}", "d", "θ"]]
+        for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
+            turn, slide = _written(theta, joint_value), _written(d, number)
+            if kind == "R":
+                turn = _with_offset(f"q{i}", turn)
+            else:
+                slide = _with_offset(f"q{i}", slide)
+            lines.append([str(i), kind, _written(a, number), _written(alpha, joint_value), slide, turn])
+        widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+        table = ["  ".join(map(str.ljust, line, widths)).rstrip() for line in lines]
+        placements = [("base", self.base_placement), ("tool", self.tool_placement)]
+        constants = [f"{name}: {_placement(T)}" for name, T in placements if not T.isIdentity(1e-12)]
+        values = [f"{name} = {value:g}" for name, value in self.parameters.items()]
+        return "\n".join([f"{self.convention} DH table", *table, *constants, *values])
+
+
+def screw(axis: Array, angle: float, length: float) -> pin.SE3:
+    """Return the turn by `angle` [rad] about an axis through the origin, with the shift by `length` [m] along it."""
+    return pin.SE3(pin.exp3(angle * axis), length * axis)
+
+
+def _written(value: float | str, written: Callable[[float], str]) -> str:
+    return value if isinstance(value, str) else written(value)
+
+
+def _with_offset(joint: str, offset: str) -> str:
+    if offset == "0":
+        return joint
+    return f"{joint} − {offset[1:]}" if offset[0] in "-−" else f"{joint} + {offset}"
+
+
+def _placement(T: pin.SE3) -> str:
+    turn = ", ".join(joint_value(float(angle)) for angle in pin.rpy.matrixToRpy(T.rotation))
+    return f"p = {vector(T.translation)}, rpy = ({turn})"
+
+
+# --- what a caller writes
+
+
+def _rows(rows: Sequence[Sequence[Any]]) -> tuple[DHRow, ...]:
+    try:
+        listed = [(row,) if isinstance(row, str) else tuple(row) for row in rows]
+    except TypeError as error:
+        raise InputError(f"rows must be a list of (type, a, alpha, d, theta), not {rows!r}") from error
+    if not listed:
+        raise InputError("a DH table needs at least one row (type, a, alpha, d, theta)")
+    if len(listed) > MOST_DEGREES:
+        raise InputError(f"a DH table has {len(listed)} rows; at most {MOST_DEGREES} can be computed with")
+    return tuple(_row(i, row) for i, row in enumerate(listed, 1))
+
+
+def _row(i: int, row: tuple[Any, ...]) -> DHRow:
+    if len(row) != len(DHRow._fields):
+        raise InputError(f"row {i} must be (type, a, alpha, d, theta); it is {row!r}")
+    if not isinstance(row[0], str) or row[0] not in ("R", "P"):
+        raise InputError(f"the type of row {i} must be 'R' (revolute) or 'P' (prismatic); it is {row[0]!r}")
+    entries = [_entry(f"{name} of row {i}", value) for name, value in zip(DHRow._fields[1:], row[1:], strict=True)]
+    return DHRow(str(row[0]), *entries)
+
+
+def _entry(where: str, value: Any) -> float | str:
+    """Return a number, "name" or "-name"."""
+    if not isinstance(value, str):
+        return real_number(where, value)
+    sign, name = ("-", value.strip()[1:].strip()) if value.strip().startswith("-") else ("", value.strip())
+    if not name.isidentifier() or normalize("NFKC", name) != name or name.startswith("__") or keyword.iskeyword(name):
+        raise InputError(
+            f"{where} must be a number, a name such as 'l2' or a negated name such as '-l2', not {value!r}; "
+            f"a name has letters, digits and underscores, and numbers are not written as text"
+        )
+    if name == "pi" or re.fullmatch(r"q\d+", name):
+        raise InputError(f"{where} cannot be called {name!r}: q1, q2, ... are the joints and pi is the number math.pi")
+    return sign + name
+
+
+def _values(rows: tuple[DHRow, ...], parameters: Mapping[str, float]) -> dict[str, float]:
+    """Return name → value, in the order of the rows."""
+    entries = [entry for row in rows for entry in row[1:] if isinstance(entry, str)]
+    names = list(dict.fromkeys(entry.removeprefix("-") for entry in entries))
+    missing = [name for name in names if name not in parameters]
+    if missing:
+        raise InputError(f"no value for {', '.join(missing)}: give it, as in parameters={{{missing[0]!r}: 0.5}}")
+    for name in parameters:
+        if name not in names:
+            raise UnknownNameError("parameter of the DH table named", name, names)
+    return {name: real_number(f"parameter {name!r}", parameters[name]) for name in names}
+
+
+def _limits(name: str, value: Limits, n: int, none: float) -> Array:
+    """Return limits (n,), with `none`, an infinity, for each None."""
+    if value is None:
+        return np.full(n, none)
+    try:
+        limits = np.array([none if entry is None else float(entry) for entry in value])
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} must have one number or None for each of {n} joints, not {value!r}") from error
+    if limits.shape != (n,) or np.isnan(limits).any():
+        raise InputError(f"{name} must have one number or None for each of {n} joints; it is {limits.tolist()}")
+    return limits

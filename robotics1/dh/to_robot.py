@@ -1,0 +1,76 @@
+"""From a DH table to a robot."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import pinocchio as pin
+
+from robotics1.dh.joints import joints_of, links_of, placements_of
+from robotics1.dh.table import DHTable, Limits
+from robotics1.dh.to_urdf import urdf_text
+from robotics1.robot.building import build_model
+from robotics1.robot.model import Robot
+from robotics1.robot.parameters import Placements
+
+
+def robot_from_dh(
+    rows: Sequence[Sequence[Any]],
+    *,
+    parameters: Mapping[str, float] | None = None,
+    convention: str = "standard",
+    base_placement: Any = None,
+    tool_placement: Any = None,
+    lower: Limits = None,
+    upper: Limits = None,
+) -> Robot:
+    """Return the robot with T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, with
+
+        standard: A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i)
+        modified: A_i = Rot_x(α_{i−1}) Trans_x(a_{i−1}) Rot_z(θ_i) Trans_z(d_i)
+
+    where q_i is added to θ_i for a revolute joint and to d_i for a prismatic one. The joints are q1, q2, ...; frame i
+    of the table is the link `link{i}`, from `link0`; the world is `base` and the last frame `tool`.
+
+    Args:
+        rows: one (type, a, alpha, d, theta) a joint, type "R" or "P", a and d [m], alpha and theta [rad]; in the
+            modified convention row i holds a_{i−1} and α_{i−1}. An entry may be a name, "l2", or a negated name, "-l2".
+        parameters: the values of the names, which the robot keeps as `robot.parameters`.
+        convention: "standard" or "modified" (Craig's).
+        base_placement: T_base, a `pin.SE3` or (4, 4), of frame 0 in the world; by default the identity.
+        tool_placement: T_tool, likewise, of the tool in frame n.
+        lower, upper: (n,) joint limits [rad or m]; None, for all or for one, means none.
+
+    Raises:
+        InputError: a row, entry, limit or placement is wrong, or a name has no value.
+        UnknownNameError: a parameter is not among the names in the rows.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; Craig, Introduction to Robotics,
+    2005, section 3.6.
+    """
+    table = DHTable(rows, convention, base_placement, tool_placement, lower, upper, parameters or {})  # type: ignore[arg-type]
+    return robot_of(table)
+
+
+def robot_of(table: DHTable) -> Robot:
+    """Return the robot of a table; the text of its URDF has shapes to look at."""
+    joints = joints_of(table)
+    model = build_model("dh", dict.fromkeys(links_of(table), pin.Inertia.Zero()), joints)
+    source = RobotTable(table)
+    return Robot("dh", model, joints, "tool", table.parameters, urdf_text(table), Path("dh_table.urdf"), (), source)
+
+
+@dataclass(frozen=True, eq=False)
+class RobotTable:
+    """The table a robot was made from."""
+
+    table: DHTable
+
+    def with_parameters(self, values: Mapping[str, float]) -> Robot:
+        """Return the robot of the table with these values of its names; the others stay."""
+        return robot_of(replace(self.table, parameters={**self.table.parameters, **values}))
+
+    def placements(self, robot: Robot) -> Placements:
+        """Return the placements of the joints as polynomials in the names."""
+        return placements_of(self.table)

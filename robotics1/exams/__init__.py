@@ -1,1 +1,0 @@
-"""Exams solved end to end, and every published value checked."""

@@ -1,0 +1,59 @@
+"""Least squares: the rank of a matrix, and its generalized inverse, which is the step of Gauss and Newton."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from robotics1.inputs import Array
+
+RANK_TOLERANCE = 1e-9  # σᵢ counts as zero when σᵢ ≤ 1e-9 σ₁
+
+
+def numeric_rank(singular_values: Array) -> int:
+    """Return the number of σᵢ > 1e-9 σ₁, of singular values in descending order."""
+    return int(np.count_nonzero(singular_values > RANK_TOLERANCE * singular_values[:1]))
+
+
+@dataclass(frozen=True, eq=False)
+class GeneralizedInverse:
+    """A# = V diag(σ/(σ² + λ²)) Uᵀ of A = U Σ Vᵀ, (m, n); without damping, λ = 0, it is the pseudoinverse A⁺.
+
+    Attributes:
+        U, sigma, Vt: the singular value decomposition, (m, k), (k,) and (k, n).
+        damping: λ; A# b minimises |b − A x|² + λ² |x|².
+    """
+
+    U: Array
+    sigma: Array
+    Vt: Array
+    damping: float
+
+    @property
+    def rank(self) -> int:
+        """The number of σᵢ > 1e-9 σ₁; the others count as zero in A⁺."""
+        return numeric_rank(self.sigma)
+
+    def solve(self, b: Array) -> Array:
+        """Return A# b."""
+        if self.damping > 0:
+            return np.asarray(self.Vt.T @ (self.sigma / (self.sigma**2 + self.damping**2) * (self.U.T @ b)))
+        r = self.rank
+        return np.asarray(self.Vt[:r].T @ (self.U[:, :r].T @ b / self.sigma[:r]))
+
+    def null_part(self, x: Array) -> Array:
+        """Return (1 − A⁺A) x, the part of x that A maps to zero."""
+        rows = self.Vt[: self.rank]
+        return np.asarray(x - rows.T @ (rows @ x))
+
+
+def generalized_inverse(A: Array, damping: float | Callable[[Array], float] = 0.0) -> GeneralizedInverse:
+    """Return A# of a matrix (m, n), with a damping λ, or one that depends on the singular values.
+
+    It is a step of every iteration here: Δq = A# r of Gauss and Newton (λ = 0), or of Levenberg and Marquardt.
+
+    Source: Golub, Van Loan, Matrix Computations, 2013, section 5.5; Nakamura, Hanafusa, J. Dyn. Sys. Meas. Control 108,
+    1986, and Wampler, IEEE Trans. SMC 16, 1986 (damping).
+    """
+    U, sigma, Vt = np.linalg.svd(A, full_matrices=False)
+    return GeneralizedInverse(U, sigma, Vt, float(damping(sigma) if callable(damping) else damping))

@@ -1,0 +1,159 @@
+"""The pose and the Jacobian of a frame, put together from the middle of the chain.
+
+Seen from a link in the middle, and with its origin as the point, each column of J depends only on the joints between
+its own and the middle one, which keeps it short. From there the point is moved by p to the frame, v + ω × p, and one
+rotation turns to the axes that are asked for. Neither changes the rank nor the null space of J nor, for whole rows,
+its minors.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from sys import maxsize
+
+import numpy as np
+import sympy
+
+from robotics1.inputs import Array
+from robotics1.robot.joints import Joint
+from robotics1.symbolic.kinematics.chain import Chain, Pose, cross
+from robotics1.symbolic.polynomials.evaluation import Evaluated
+from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
+from robotics1.symbolic.writing.composition import Composition
+
+Joints = tuple[Joint, ...]
+WHOLE = {("x", "y", "z", "ωx", "ωy", "ωz"): 6, ("x", "y", "z"): 3, ("ωx", "ωy", "ωz"): -3}
+
+
+@dataclass(frozen=True, eq=False)
+class FrameMotion:
+    """A frame in the axes of a reference; each entry is a polynomial, or an expression where that would be long.
+
+    Attributes:
+        p: (3,) its position.
+        R: (3, 3) its axes.
+        J: (6, n) its Jacobian.
+    """
+
+    p: Matrix
+    R: Matrix
+    J: Matrix
+
+    @property
+    def is_polynomial(self) -> bool:
+        """Whether no entry was too long."""
+        return all(isinstance(entry, Laurent) for M in (self.p, self.R, self.J) for entry in M.flat)
+
+
+@dataclass(frozen=True, eq=False)
+class MidChainJacobian:
+    """J = X M, with M shorter.
+
+    Attributes:
+        M: (m, n) the Jacobian in the axes and, of six rows, at the origin of a link in the middle.
+        axes: R and p that lead back: the axes of the middle link in the world, and the tool in these axes; None
+            when M is J itself.
+        kind: 6 for a twist, 3 for a linear and −3 for an angular velocity.
+        leads_back: whether X is known; not of a task with quotients, whose rows are combinations of these.
+    """
+
+    M: Matrix
+    axes: Pose | None = None
+    kind: int = 0
+    leads_back: bool = True
+
+    def velocity(self, u: Matrix) -> Matrix:
+        """Return X u: a task velocity (m,) in the task's own axes, at its own point."""
+        if self.axes is None:
+            return u
+        R, p = self.axes
+        if self.kind != 6:
+            return np.asarray(R @ u)
+        return np.concatenate([R @ (u[:3] + cross(u[3:], p)), R @ u[3:]])
+
+    def numbers(self, q: Array, parameters: Mapping[sympy.Symbol, float]) -> Array:
+        """Return X M at q (n,), (m, n)."""
+        at = np.vectorize(lambda f: Evaluated(f, parameters)(q), otypes=[float])
+        M = at(self.M)
+        if self.axes is None:
+            return np.asarray(M)
+        R, p = map(at, self.axes)
+        v = M[:3] + np.cross(M[3:].T, p).T if self.kind == 6 else M
+        return np.vstack([R @ v, R @ M[3:]]) if self.kind == 6 else np.asarray(R @ v)
+
+    def force(self, u: Matrix) -> Matrix:
+        """Return X⁻ᵀ u: a force (m,), whose power uᵀ M q̇ stays what it is."""
+        if self.axes is None:
+            return u
+        R, p = self.axes
+        if self.kind != 6:
+            return np.asarray(R @ u)
+        return np.concatenate([R @ u[:3], R @ (u[3:] - cross(p, u[:3]))])
+
+
+def mid_chain_jacobian(
+    chain: Chain, row_names: tuple[str, ...], J: Matrix, composition: Composition
+) -> MidChainJacobian:
+    """Return the shorter form of J, of these rows in world axes, in polynomials of any length; J itself if its rows
+    are not whole.
+    """
+    kind = WHOLE.get(row_names)
+    if kind is None or all(joint.kind == "fixed" for joint in chain.joints):
+        return MidChainJacobian(J)
+    exact = replace(composition, most_products=maxsize, most_terms=maxsize)
+    links = _links_from_the_middle(chain, exact)
+    M = _jacobian_at_the_middle(chain, links, exact)
+    R, p = links[0][0].T, links[-1][1]
+    rows = {6: M, 3: exact.sum(M[:3], exact.cross(M[3:], p)), -3: M[3:]}
+    return MidChainJacobian(rows[kind], (R, p), kind)
+
+
+def frame_motion(chain: Chain, reference: Joints, composition: Composition) -> FrameMotion:
+    """Return the motion of the chain's frame, in the axes of the link that the joints of `reference` lead to."""
+    product, plus = composition.product, composition.sum
+    links = _links_from_the_middle(chain, composition)
+    (_, p_world), (R_frame, p_frame) = links[0], links[-1]
+    M = _jacobian_at_the_middle(chain, links, composition)
+    v, w = plus(M[:3], composition.cross(M[3:], p_frame)), M[3:]
+
+    same = [a.name == b.name for a, b in zip(chain.joints, reference, strict=False)]
+    shared = same.index(False) if False in same else len(same)
+    A = links[shared][0].T  # the axes of the middle, seen from the last link that is shared
+    R = chain.turn(chain.joints[shared:]) if shared > len(chain.joints) // 2 else product(A, R_frame)
+    if shared < len(reference):
+        back = chain.turn(reference[shared:]).T
+        A, R = product(back, A), product(back, R)
+    p = plus(product(A, -p_world), product(A, p_frame))
+    return FrameMotion(p, R, np.vstack([product(A, v), product(A, w)]))
+
+
+def _links_from_the_middle(chain: Chain, composition: Composition) -> list[Pose]:
+    """Return the pose of the world and of the link behind each joint, seen from the link behind the middle joint."""
+    moving = [i for i, joint in enumerate(chain.joints) if joint.kind != "fixed"] or [len(chain.joints) - 1]
+    middle = moving[len(moving) // 2] + 1
+    product, plus = composition.product, composition.sum
+    steps = [chain.step(joint) for joint in chain.joints]
+    links: list[Pose] = [chain.still]
+    for R_step, p_step in steps[middle:]:
+        R, p = links[-1]
+        links.append((product(R, R_step), plus(p, product(R, p_step))))
+    for R_step, p_step in reversed(steps[:middle]):
+        R, p = links[0]
+        R = product(R, R_step.T)
+        links.insert(0, (R, plus(p, -product(R, p_step))))
+    return links
+
+
+def _jacobian_at_the_middle(chain: Chain, links: list[Pose], composition: Composition) -> Matrix:
+    """Return J (6, n) of the point of the last link that is at the origin of the middle one, in its axes."""
+    zero = composition.frequencies.constant(0)
+    J = np.array([[zero] * len(chain.q) for _ in range(6)], dtype=object)
+    for joint, (R, _), (_, p) in zip(chain.joints, links[:-1], links[1:], strict=True):
+        if joint.kind == "fixed":
+            continue
+        i = chain.robot.joint_names.index(joint.leader)
+        axis = composition.product(R, chain.velocity(joint)[:, None])
+        if joint.kind == "prismatic":
+            J[:3, [i]] = composition.sum(J[:3, [i]], axis)
+        else:
+            J[:, [i]] = composition.sum(J[:, [i]], np.vstack([composition.cross(-axis, p), axis]))
+    return J
