@@ -53,7 +53,7 @@ class SingularPoints:
         check_time()  # J of an arm of many joints is asked for hundreds of times in one step
         return self.jacobian(q)
 
-    def gap(self, q: Array) -> float:
+    def relative_sigma(self, q: Array) -> float:
         """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set, and infinite where the
         task has no Jacobian, or no singular value that could vanish.
         """
@@ -86,7 +86,7 @@ class SingularPoints:
         before, multiple = None, None
         for _ in range(iterations):
             check_time()
-            gap = self.gap(q)
+            gap = self.relative_sigma(q)
             if gap < best_gap:
                 best, best_gap = q, gap
             step = self._newton_step(q)
@@ -100,7 +100,7 @@ class SingularPoints:
             if ratio is not None:
                 further = self.box.nearest(q + self.box.unit * step / (1 - ratio))
                 multiple = step if ratio > OF_ORDER_3 else multiple
-                if self.gap(further) < self.gap(ahead):
+                if self.relative_sigma(further) < self.relative_sigma(ahead):
                     ahead, before = further, None
             q = ahead
         if best_gap > ON_THE_SET:
@@ -125,7 +125,7 @@ class SingularPoints:
             else:
                 found = self.box.nearest(at + self.box.unit * step / (1 - ratio))
                 near = np.abs(self.box.difference(found, q)).max() < 0.1 * ASIDE
-                return found if near and self.gap(found) <= ON_THE_SET else q
+                return found if near and self.relative_sigma(found) <= ON_THE_SET else q
         return q
 
     def tangent(self, q: Array, rng: np.random.Generator, radius: float = 3e-3) -> Array:

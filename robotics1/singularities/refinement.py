@@ -74,7 +74,7 @@ def _group(points: SingularPoints, members: Sequence[_Reached]) -> RefinedGroup:
     return RefinedGroup(
         members[0].branch,
         np.array(distinct),
-        np.array([points.gap(q) for q in distinct]),
+        np.array([points.relative_sigma(q) for q in distinct]),
         tuple(points.rank_at(q) for q in distinct),
         tuple(one.start for one in members),
         members[0].values,

@@ -116,7 +116,7 @@ def special_configurations(piece: Piece, rng: np.random.Generator, count: int) -
     """Yield configurations, (n,), from at most `count` starts with most joints at multiples of π/2 and slides at zero,
     and from half as many random ones; those from which an equation can be solved.
     """
-    n = len(piece.locus.frequencies.q)
+    n = len(piece.locus.trig_ring.q)
     for number in range(count + count // 2):
         check_time()
         q = np.where(piece.angles, piece.turns * rng.uniform(-np.pi, np.pi, n), rng.uniform(-1, 1, n))
