@@ -6,17 +6,17 @@ from formula_values import real
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyRing
 
-from robotics1.symbolic.polynomials.laurent import ROOTS, Frequencies
+from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, TrigRing
 from robotics1.symbolic.tasks.normal_form import NormalForm
-from robotics1.symbolic.writing.composition import Composition
 from robotics1.symbolic.writing.sums_of_angles import written
+from robotics1.symbolic.writing.term_budget import TermBudget
 
 q1, q2, q3, q4 = Q = real("q1:5")  # three angles and a slide
 a, b, c = LENGTHS = real("a b c")
 VALUES = {a: 0.5, b: 0.4, c: 0.3}
-F = Frequencies((q1, q2, q3), PolyRing([q4, *LENGTHS, *map(sympy.Symbol, ROOTS)], QQ_I), Q)
+F = TrigRing((q1, q2, q3), PolyRing([q4, *LENGTHS, *map(sympy.Symbol, ROOTS)], QQ_I), Q)
 GROUPS = ((0, 1, 2),)
-_normal = NormalForm(Composition(F, GROUPS, most_products=10**6, most_terms=10**6), {})
+_normal = NormalForm(TermBudget(F, GROUPS, most_products=10**6, most_terms=10**6), {})
 
 
 def poly(expression):

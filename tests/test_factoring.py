@@ -13,7 +13,7 @@ from sympy import cos, sin, sqrt
 from robotics1.angles import twelfths_of_pi
 from robotics1.symbolic.kinematics.chain import chain_to
 from robotics1.symbolic.kinematics.exact import exact_axis, exact_length
-from robotics1.symbolic.polynomials.factoring import factors, in_whole_angles, irreducible_parts
+from robotics1.symbolic.polynomials.factoring import factors, in_whole_angles, irreducible_factors
 from robotics1.symbolic.polynomials.half_tangents import from_numerator, highest_multiples, in_half_angles, numerator
 
 IRREDUCIBLE = [
@@ -77,7 +77,7 @@ def test_irreducible_polynomials_are_one_factor(f):
     ],
 )
 def test_parts_of_half_angles_multiply_to_the_polynomial(f, count):
-    number, parts = irreducible_parts(poly(f))
+    number, parts = irreducible_factors(poly(f))
     halves = reduce(lambda x, y: x * y, [part.in_half_angles for part in parts]) * number
     doubled = {tuple(2 * m for m in k): x for k, x in poly(f).terms.items()}
     assert {k: x for k, x in halves.terms.items() if x} == doubled
@@ -170,7 +170,7 @@ def test_rotations_of_every_test_arm_are_orthogonal_exactly(name):
     """R Rᵀ = 1 in symbols, of arms with turns of any angle about any axis, to the tool and to every joint."""
     robot = arm(name)
     chain = chain_to(robot, robot.tool)
-    one, nothing = chain.frequencies.constant(1), chain.frequencies.constant(0)
+    one, nothing = chain.trig_ring.constant(1), chain.trig_ring.constant(0)
     motions = [chain.motion(joint)[0] for joint in chain.joints]
     for R in [*motions, *(chain.turn(chain.joints[:k]) for k in (1, 2, 3))]:
         product = R @ R.T

@@ -21,8 +21,8 @@ from robotics1 import (
     load_robot,
     robot_from_dh,
 )
-from robotics1.symbolic.tasks import reading
-from robotics1.symbolic.writing import composition
+from robotics1.symbolic.tasks import symbolic_task
+from robotics1.symbolic.writing import term_budget
 
 H = pi / 2
 q1, q2, q3, q4, q5 = real("q1:6")
@@ -156,8 +156,8 @@ def test_angles_that_are_rounded_in_the_file_are_made_exact_and_that_is_said(tmp
 
 @pytest.mark.parametrize("name", ["value", "jacobian", "determinant", "jacobian_rate", "velocity_product"])
 def test_a_formula_that_differs_from_pinocchio_is_an_error_and_no_answer(monkeypatch, name):
-    monkeypatch.setattr(composition, "written", lambda f, groups, write=composition.written: 2 * write(f, groups))
-    monkeypatch.setattr(reading, "written_product", lambda f, groups: 2)
+    monkeypatch.setattr(term_budget, "written", lambda f, groups, write=term_budget.written: 2 * write(f, groups))
+    monkeypatch.setattr(symbolic_task, "written_product", lambda f, groups: 2)
     with pytest.raises(FormulaError, match=r"the formula of .* differs from Pinocchio by"):
         getattr(formulas(load_robot("planar_2r"), PositionTask("xy")), name)
 

@@ -12,10 +12,10 @@ from sympy import cos, pi, sin
 
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated
-from robotics1.symbolic.polynomials.factoring import irreducible_parts
-from robotics1.symbolic.polynomials.laurent import gaussian
+from robotics1.symbolic.polynomials.factoring import irreducible_factors
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.polynomials.trig_polynomial import gaussian
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.pieces import largest_pieces
@@ -255,7 +255,7 @@ def test_the_time_limit_is_kept():
     ids=str,
 )
 def test_divides(g, f, yes):
-    assert all(part.divides(poly(f)) for part in irreducible_parts(poly(g))[1]) is yes
+    assert all(part.divides(poly(f)) for part in irreducible_factors(poly(g))[1]) is yes
 
 
 def test_the_pieces_written_are_the_equations():

@@ -37,7 +37,7 @@ def refined(robot, task, **options):
 def check(scan, found):
     """Every configuration is singular: σ_ρ ≤ 1e-10 σ₁ and the rank lower, without units; each start is told once."""
     for group in found.groups:
-        for q, gap, rank in zip(group.configurations, group.gaps, group.ranks, strict=True):
+        for q, gap, rank in zip(group.configurations, group.relative_sigmas, group.ranks, strict=True):
             sigma = np.linalg.svd(unitless_jacobian(scan.robot, scan.task, q), compute_uv=False)
             assert sigma[scan.rank - 1] <= 1e-10 * sigma[0]
             assert gap <= 1e-10

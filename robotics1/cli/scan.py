@@ -172,7 +172,7 @@ def _refined(scan: "SingularityScan") -> dict[str, Any] | None:
                 "conditions": None if group.branch is None else [str(c) for c in branches[group.branch].conditions],
                 "values": dict(group.values),
                 "q": group.configurations,
-                "gaps": group.gaps,
+                "relative_sigmas": group.relative_sigmas,
                 "ranks": group.ranks,
                 "starts": group.starts,
             }

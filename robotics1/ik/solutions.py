@@ -196,7 +196,7 @@ class SolutionSearch(Descent):
 
     def singular(self, q: Array) -> bool:
         """Whether J loses rank at q."""
-        return self.points is not None and self.points.gap(q) <= ON_THE_SET
+        return self.points is not None and self.points.relative_sigma(q) <= ON_THE_SET
 
     def dimension(self, q: Array) -> int:
         """Return in how many independent directions a step along the null space of J leads to other solutions."""
@@ -240,7 +240,7 @@ class SolutionSearch(Descent):
         At a double solution, such as a stretched arm, |e| grows only with the square of the distance, so that a
         descent stops 1e-5 away. There Newton's method on e = 0 together with the loss of rank is exact.
         """
-        if self.points is None or self.points.gap(q) > NEARLY_SINGULAR:
+        if self.points is None or self.points.relative_sigma(q) > NEARLY_SINGULAR:
             return q
         box, p = self.problem.box, q
         for _ in range(6):
@@ -249,5 +249,5 @@ class SolutionSearch(Descent):
             step = np.linalg.lstsq(np.vstack([J, block]), np.concatenate([self.error(p), -b]), rcond=1e-7)[0]
             p = box.nearest(p + box.unit * step)
         near = self._apart(p, q) < NEARLY_SINGULAR
-        reached = self.relative_error(p) <= REACHED and self.points.gap(p) <= ON_THE_SET
+        reached = self.relative_error(p) <= REACHED and self.points.relative_sigma(p) <= ON_THE_SET
         return p if near and reached else q

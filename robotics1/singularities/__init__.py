@@ -1,1 +1,1 @@
-"""What a Jacobian says: its subspaces, the forces it balances, where it loses rank, and how near to that it is."""
+"""What follows from a Jacobian: its subspaces, the forces it balances, and where it loses rank, or nearly so."""

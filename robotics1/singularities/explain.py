@@ -21,7 +21,7 @@ WIDEST = 160  # characters of an equation that is still read
 
 
 def set_sentences(found: "SingularSet") -> str:
-    """Return what is to be said of the whole set, then of each branch."""
+    """Return the sentences about the whole set, then about each branch."""
     rows, rank = found.task.rows, found.generic_rank
     lines = [found.note] if found.note else []
     if rank < min(rows, found.robot.nv):
@@ -53,8 +53,8 @@ def _almost_everywhere(found: "SingularSet") -> list[str]:
     if found.generic_bases is None:
         return []
     lost, still = (_written(found.generic_bases, name) for name in ("left_null", "null"))
-    said = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
-    return ["Almost everywhere", *said[:-1], said[-1][:-1] + "."] if said else []
+    lines = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
+    return ["Almost everywhere", *lines[:-1], lines[-1][:-1] + "."] if lines else []
 
 
 def _names(found: "SingularSet") -> list[str]:
@@ -68,22 +68,22 @@ def _names(found: "SingularSet") -> list[str]:
 
 def _turns(found: "SingularSet") -> list[str]:
     """Say how far the values of a joint without limits go, where others turn by fractions of its angle."""
-    robot, said = found.robot, []
+    robot, lines = found.robot, []
     for i, number in enumerate(turns_of(robot, found.task) if robot.nq == robot.nv else ()):
         if number == 1 or np.isfinite([robot.lower[i], robot.upper[i]]).any():
             continue
         (name,) = _called([robot.joint_names[i]], robot, symbols=found.jacobian is not None)
         if np.isfinite(number):
-            said.append(
+            lines.append(
                 f"The joints that follow {name} are back after {number:g} turns of it: its values count modulo "
                 f"{joint_value(number * 2 * np.pi)}."
             )
         else:
-            said.append(
+            lines.append(
                 f"No number of turns of {name} brings the joints that follow it back: without a box, two turns "
                 "to both sides are searched."
             )
-    return said
+    return lines
 
 
 def _symbols(names: Sequence[str]) -> list[str]:

@@ -151,10 +151,10 @@ def _note(found: "Found") -> str:
     """Say which angles were made exact, and where the task has no Jacobian."""
     from robotics1.symbolic.writing.printing import line_text
 
-    said = []
+    sentences = []
     if found.cleaned > WORTH_TELLING:
-        said.append(f"Angles of the file were made exact multiples of π/12, by at most {found.cleaned:.1e} rad.")
+        sentences.append(f"Angles of the file were made exact multiples of π/12, by at most {found.cleaned:.1e} rad.")
     if found.undefined:
         places = (" and ".join(map(line_text, piece.conditions)) for piece in found.undefined)
-        said.append(f"Where {' or '.join(places)}, the task itself has no Jacobian.")
-    return " ".join(said)
+        sentences.append(f"Where {' or '.join(places)}, the task itself has no Jacobian.")
+    return " ".join(sentences)

@@ -93,7 +93,7 @@ def _sheet_at(points: SingularPoints, q: Array, rng: np.random.Generator) -> She
 def _never_matters(points: SingularPoints, q: Array, i: int, rng: np.random.Generator) -> bool:
     moved = np.repeat(q[None], 4, axis=0)
     moved[:, i] = points.box.random(rng, 4)[:, i]
-    return all(points.gap(p) < 1e-9 for p in moved)
+    return all(points.relative_sigma(p) < 1e-9 for p in moved)
 
 
 def _moves_further_on(
@@ -235,12 +235,12 @@ def _constant_values(points: SingularPoints, piece: Sheet, samples: list[Array])
     A double root is found only to 1e-8, and rounding makes 4e-16 of a zero.
     """
     constant = list(piece.constant)
-    values = min(samples, key=points.gap)[constant]
+    values = min(samples, key=points.relative_sigma)[constant]
     grid = np.where(points.robot.revolute[constant], np.pi / 12 * np.round(values * 12 / np.pi), 0.0)
     round_values = np.where(np.abs(grid - values) < 1e-6, grid, values) + 0.0  # never −0
     moved = np.array(samples[:8])
     moved[:, constant] = round_values
-    return round_values if all(points.gap(q) <= ON_THE_SET for q in moved) else values
+    return round_values if all(points.relative_sigma(q) <= ON_THE_SET for q in moved) else values
 
 
 def _neighbour(points: SingularPoints, piece: Sheet, q: Array, rng: np.random.Generator) -> Array:

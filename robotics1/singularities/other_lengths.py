@@ -72,7 +72,7 @@ def parameter_conditions(found: "SingularSet", *, time_limit: float | None = Non
 def _lengths_with_a_solution(zero: Zero, parameters: Parameters, box: JointBox) -> tuple[Locus, Parameters] | None:
     """Return lengths of the same signs at which g = 0 has a solution, and the relation between them."""
     g = zero.equation
-    F = g.frequencies
+    F = g.trig_ring
     if not g.symbols & set(F.q):
         solution = value_of_length(g)
         terms = Evaluated(g, parameters).amplitudes.real

@@ -12,6 +12,7 @@ from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
+from robotics1.singularities.spaces import vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.tasks.task import Task, unitless_jacobian
 
@@ -33,14 +34,9 @@ ASIDE = 1e-3  # from which the steps towards such a zero are exact enough, in th
 class SingularPoints:
     """The set {q : rank J(q) < ρ}, where ρ is the rank of J almost everywhere.
 
-    At q, with J = U Σ Vᵀ, let U₂ and V₂ hold the singular vectors from the ρ-th on. The rank is below ρ where
-    the block U₂ᵀ J V₂ vanishes; to first order it changes by U₂ᵀ dJ V₂, which gives a Newton step for q. Its
-    solution of least norm moves q straight to the set and hardly along it, so the step is a projection.
+    The Newton step of `vanishing_block` moves q straight to the set and hardly along it, so it is a projection.
 
     J is taken without units: lengths are divided by the arm's reach. `scale` is the usual σ₁.
-
-    Source of the Newton step: the Schur complement of a rank-revealing block, Golub, Van Loan, Matrix
-    Computations, 2013, chapter 5.
     """
 
     robot: Robot
@@ -57,7 +53,7 @@ class SingularPoints:
         check_time()  # J of an arm of many joints is asked for hundreds of times in one step
         return self.jacobian(q)
 
-    def gap(self, q: Array) -> float:
+    def relative_sigma(self, q: Array) -> float:
         """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set, and infinite where the
         task has no Jacobian, or no singular value that could vanish.
         """
@@ -90,7 +86,7 @@ class SingularPoints:
         before, multiple = None, None
         for _ in range(iterations):
             check_time()
-            gap = self.gap(q)
+            gap = self.relative_sigma(q)
             if gap < best_gap:
                 best, best_gap = q, gap
             step = self._newton_step(q)
@@ -104,7 +100,7 @@ class SingularPoints:
             if ratio is not None:
                 further = self.box.nearest(q + self.box.unit * step / (1 - ratio))
                 multiple = step if ratio > OF_ORDER_3 else multiple
-                if self.gap(further) < self.gap(ahead):
+                if self.relative_sigma(further) < self.relative_sigma(ahead):
                     ahead, before = further, None
             q = ahead
         if best_gap > ON_THE_SET:
@@ -129,14 +125,14 @@ class SingularPoints:
             else:
                 found = self.box.nearest(at + self.box.unit * step / (1 - ratio))
                 near = np.abs(self.box.difference(found, q)).max() < 0.1 * ASIDE
-                return found if near and self.gap(found) <= ON_THE_SET else q
+                return found if near and self.relative_sigma(found) <= ON_THE_SET else q
         return q
 
     def tangent(self, q: Array, rng: np.random.Generator, radius: float = 3e-3) -> Array:
         """Return an orthonormal basis (n, d) of the set's tangent space at q, in the box's units.
 
         Small random displacements, projected back on the set, stay in the tangent space up to radius².
-        This serves also where the derivative of the block vanishes.
+        They do so also where the derivative of the block vanishes.
         """
         n = len(q)
         moves = []
@@ -150,15 +146,9 @@ class SingularPoints:
         return np.asarray(Vt[lengths > 0.03 * radius].T)
 
     def linearised(self, q: Array) -> tuple[Array, Array]:
-        """Return (A, b): near q the block U₂ᵀ J V₂, as a vector, is b + A dx, with dx in the box's units."""
-        k = self.rank - 1
-        U, sigma, Vt = np.linalg.svd(self.jacobian(q))
-        U2, V2 = U[:, k:], Vt[k:].T
-        block = np.zeros((U2.shape[1], V2.shape[1]))
-        np.fill_diagonal(block, sigma[k:])
-        dJ = configuration_derivative(self._in_time, self.robot, q) * self.box.unit
-        A = np.einsum("ia,ijk,jb->abk", U2, dJ, V2).reshape(-1, self.robot.nv)
-        return A, block.ravel()
+        """Return (A, b): near q the block that vanishes on the set is b + A dx, with dx in the box's units."""
+        slopes = configuration_derivative(self._in_time, self.robot, q) * self.box.unit
+        return vanishing_block(self.jacobian(q), slopes, self.rank - 1)
 
 
 def _shrinking(before: Array | None, step: Array) -> float | None:
@@ -196,7 +186,7 @@ def note_on_limits(samples: Array, limits: JointBox, names: Sequence[str]) -> st
         near = (np.abs(inside).max(axis=0) <= NEAR) & ~limits.circular & ~beyond
         at += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(near)]
         outside += [f"the {word} limit of {names[int(i)]}" for i in np.flatnonzero(beyond)]
-    said = [f"It lies at {enumeration(at)}."] if at else []
+    lines = [f"It lies at {enumeration(at)}."] if at else []
     if outside:
-        said.append(f"It lies outside {enumeration(outside)} by less than {NEAR:g}, so that the arm can come to it.")
-    return " ".join(said)
+        lines.append(f"It lies outside {enumeration(outside)} by less than {NEAR:g}, so that the arm can come to it.")
+    return " ".join(lines)

@@ -33,12 +33,12 @@ class _Reached:
 def refine(
     points: SingularPoints, worst: Array, box: Mapping[str, tuple[float, float]] | None, seed: int
 ) -> Refinement:
-    """Move configurations to the singular set, and tell which of its branches they are on.
+    """Move configurations to the singular set, and find which of its branches they are on.
 
     Args:
         points: the singular set of a robot and a task.
         worst: (k, nq) where to start.
-        box: as of `find_singularities`.
+        box: that of `find_singularities`.
         seed: of the random numbers.
     """
     if points.rank == 0:
@@ -74,7 +74,7 @@ def _group(points: SingularPoints, members: Sequence[_Reached]) -> RefinedGroup:
     return RefinedGroup(
         members[0].branch,
         np.array(distinct),
-        np.array([points.gap(q) for q in distinct]),
+        np.array([points.relative_sigma(q) for q in distinct]),
         tuple(points.rank_at(q) for q in distinct),
         tuple(one.start for one in members),
         members[0].values,
@@ -82,7 +82,7 @@ def _group(points: SingularPoints, members: Sequence[_Reached]) -> RefinedGroup:
 
 
 def _lies_on(points: SingularPoints, q: Array, branch: SingularBranch) -> bool:
-    """Whether q is on a branch; of one that was found by numbers, if constant joints say it all."""
+    """Whether q is on a branch; of one that was found by numbers, if its constant joints decide it."""
     if branch.formulas is not None:
         return branch.contains(q)
     if branch.tied_joints:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class SingularBranch(Frozen):
-    """A smooth piece of the singular set; pieces that cross each other are told apart.
+    """A smooth piece of the singular set; pieces that cross each other are two branches.
 
     In exact form it is all that its equations describe, which may be several loops. By numbers it is what walks on the
     set have connected.

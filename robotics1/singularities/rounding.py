@@ -14,7 +14,7 @@ from robotics1.notation import enumeration, joint_value, pi_fraction
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.singularities.printed_digits import half_units
-from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces, subspaces_of_rank
+from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces, subspaces_of_rank, vanishing_block
 from robotics1.tasks.task import Task
 
 ROUNDS = 8  # of Newton's method, which converges quadratically from so near
@@ -102,9 +102,9 @@ def rounded_configuration(matrix: Callable[[Array], Array], robot: Robot, q: npt
 def singular_within(matrix: Callable[[Array], Array], robot: Robot, q: Array, within: Array) -> Array | None:
     """Return the configuration (nq,) nearest to q at which A(q) has a lower rank, if no joint is farther than `within`.
 
-    Where A = U Σ Vᵀ is to lose its k smallest singular values, and with them those that are zero anyway, the block
-    U₀ᵀ A V₀ of their singular vectors must vanish. Newton's method on that block, with the shortest step, finds the
-    nearest such q. The largest k that is found counts; None if there is none.
+    Where A is to lose its k smallest singular values, and with them those that are zero anyway, the block of their
+    singular vectors must vanish. Newton's method on that block, with the shortest step, finds the nearest such q. The
+    largest k that is found counts; None if there is none.
 
     Args:
         matrix: A(q), (m, n).
@@ -141,13 +141,12 @@ def _newton(matrix: Callable[[Array], Array], robot: Robot, q: Array, rank: int,
     try:
         for _ in range(ROUNDS):
             A = matrix(x)
-            U, sigma, Vt = np.linalg.svd(A)
+            sigma = np.linalg.svd(A, compute_uv=False)
             if sigma[rank] <= 4 * np.finfo(float).eps * sigma[0]:
                 break
-            left, right = U[:, rank:], Vt[rank:].T
-            slopes = np.einsum("ia,ijk,jb->abk", left, configuration_derivative(matrix, robot, x), right)
-            tangent = slopes.reshape(-1, robot.nv) * within  # steps in half units: what is printed finer moves less
-            x = x - within * np.linalg.lstsq(tangent, (left.T @ A @ right).ravel(), rcond=1e-6)[0]
+            # steps in half units: what is printed finer moves less
+            tangent, block = vanishing_block(A, configuration_derivative(matrix, robot, x) * within, rank)
+            x = x - within * np.linalg.lstsq(tangent, block, rcond=1e-6)[0]
             if (np.abs(x - q) > 2 * within).any():
                 return None
         singular = numeric_rank(np.linalg.svd(matrix(x), compute_uv=False)) <= rank

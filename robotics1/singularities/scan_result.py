@@ -27,7 +27,7 @@ class RefinedGroup(Frozen):
     Attributes:
         branch: the number of their branch in `Refinement.branches`, from 0; None if they are on none.
         configurations: (k, nq) the distinct ones, σ_ρ ≤ 1e-10 σ₁ without units.
-        gaps: (k,) σ_ρ / σ₁ there.
+        relative_sigmas: (k,) σ_ρ / σ₁ there.
         ranks: (k,) the rank of J there.
         starts: which of the worst configurations led to them; at least k.
         values: of those on no branch, joint → value of the joints that stand still on the set near them.
@@ -35,7 +35,7 @@ class RefinedGroup(Frozen):
 
     branch: int | None
     configurations: Array
-    gaps: Array
+    relative_sigmas: Array
     ranks: tuple[int, ...]
     starts: tuple[int, ...]
     values: Mapping[str, float]

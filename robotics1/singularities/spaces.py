@@ -125,6 +125,26 @@ def subspaces_of_rank(J: Array, r: int, rounding: float = 0.0) -> Subspaces:
     return Subspaces(J, sigma, r, U[:, :r], U[:, r:], Vt[:r].T, Vt[r:].T, rounding)
 
 
+def vanishing_block(J: Array, slopes: Array, r: int) -> tuple[Array, Array]:
+    """Return (A, b): near J = U Σ Vᵀ, (m, n), the block U₂ᵀ J V₂, as a vector, is b + A dx.
+
+    U₂ and V₂ hold the singular vectors after the first r: where the block vanishes, the rank is at most r. The solution
+    of least norm of A dx = −b is a Newton step to such a place.
+
+    Args:
+        J: (m, n).
+        slopes: (m, n, k) ∂J/∂x.
+        r: the rank that is wanted.
+
+    Source: the Schur complement of a rank-revealing block, Golub, Van Loan, Matrix Computations, 2013, chapter 5.
+    """
+    U, sigma, Vt = np.linalg.svd(J)
+    U2, V2 = U[:, r:], Vt[r:].T
+    block = np.zeros((U2.shape[1], V2.shape[1]))
+    np.fill_diagonal(block, sigma[r:])
+    return np.einsum("ia,ijk,jb->abk", U2, slopes, V2).reshape(-1, slopes.shape[2]), block.ravel()
+
+
 def echelon(basis: Array) -> Array:
     """Return another basis of the same span, as it is written by hand: columns with 1 and 0 at the pivot rows,
     and a single column with its first entry positive.

@@ -114,7 +114,7 @@ def _rows(formula: Formulas, in_world: bool) -> MidChainJacobian:
     """Return J as X M, with M seen from the middle of the chain where the task's axes are the world's, and with
     fractions for √2 and √3.
     """
-    reading = formula.reading
+    reading = formula.symbolic_task
     rows = reading.mid_chain if in_world else MidChainJacobian(reading.rows)
     if any(entry.has_roots for entry in rows.M.flat):
         reading = replace(reading, chain=replace(reading.chain, rational=True))
@@ -172,7 +172,7 @@ def _sampler_beside(
 def samples_of(points: SingularPoints, sampler: LocusSampler, rng: np.random.Generator, count: int) -> list[Array]:
     """Return configurations of a piece at which the task has a Jacobian; none if it has none."""
     drawn = [sampler.draw(rng) for _ in range(count)]
-    return [q for q in drawn if q is not None and np.isfinite(points.gap(q))]
+    return [q for q in drawn if q is not None and np.isfinite(points.relative_sigma(q))]
 
 
 def branch_of(
@@ -194,7 +194,7 @@ def branch_of(
             pass  # one sample is a branch
     else:
         samples = samples[:1]
-    worst = max(map(points.gap, samples))
+    worst = max(map(points.relative_sigma, samples))
     if worst > CONFIRMED:
         raise FormulaError(f"the formulas of a singularity are not confirmed: σ_min is {worst:.1e} σ₁ there")
     ranks = list(map(points.rank_at, samples))

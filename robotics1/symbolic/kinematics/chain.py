@@ -19,7 +19,7 @@ from robotics1.robot.mimic import MOST_TURNS, fraction_of, turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placement, Polynomial
 from robotics1.symbolic.kinematics.exact import FINE, exact_axis, exact_length
-from robotics1.symbolic.polynomials.laurent import ROOTS, Frequencies, Laurent, Matrix, gaussian, reduced
+from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, Matrix, TrigPolynomial, TrigRing, gaussian, reduced
 
 Pose = tuple[Matrix, Matrix]  # rotation (3, 3), position (3,)
 MOST_JOINTS = 12  # on the way to a frame
@@ -50,7 +50,7 @@ class Chain:
         return tuple(sympy.symbols(f"q1:{self.robot.nq + 1}", real=True))
 
     @cached_property
-    def frequencies(self) -> Frequencies:
+    def trig_ring(self) -> TrigRing:
         """The angles: revolute joints, and parameters that are angles; the lengths: all others."""
         angular = [number for joint in self.joints for number in placement_formula(self.robot, joint).rpy]
         used = {name for number in angular for m in number for name in m}
@@ -60,7 +60,7 @@ class Chain:
         angles += [symbols[name] for name in symbols if name in used]
         lengths += [symbols[name] for name in symbols if name not in used]
         turns = dict(zip(self.q, self.turns, strict=True))
-        return Frequencies(
+        return TrigRing(
             tuple(angles),
             PolyRing([*lengths, *map(sympy.Symbol, ROOTS)], QQ_I),
             self.q,
@@ -70,7 +70,7 @@ class Chain:
     @cached_property
     def still(self) -> Pose:
         """The identity."""
-        one, zero = self.frequencies.constant(1), self.frequencies.constant(0)
+        one, zero = self.trig_ring.constant(1), self.trig_ring.constant(0)
         R = np.array([[one if i == j else zero for j in range(3)] for i in range(3)], dtype=object)
         return R, np.array([zero] * 3, dtype=object)
 
@@ -91,9 +91,7 @@ class Chain:
         slide.
         """
         R, _ = self.placement(joint)
-        return np.asarray(
-            R @ self._vector(np.array(joint.axis)) * self.frequencies.constant(_rational(joint.multiplier))
-        )
+        return np.asarray(R @ self._vector(np.array(joint.axis)) * self.trig_ring.constant(_rational(joint.multiplier)))
 
     def placement(self, joint: Joint) -> Pose:
         """Return the placement of a joint in the link before it."""
@@ -114,44 +112,44 @@ class Chain:
         return R, p
 
     def _vector(self, axis: Array) -> Matrix:
-        return np.array([self.frequencies.constant(n) for n in self._axis(axis)], dtype=object)
+        return np.array([self.trig_ring.constant(n) for n in self._axis(axis)], dtype=object)
 
     def _axis(self, axis: Array) -> list[Any]:
         """Return the unit axis in the ring."""
         v, square = exact_axis(axis, rational=self.rational)
-        root = self.frequencies.root(square)
+        root = self.trig_ring.root(square)
         return [root * gaussian(value) for value in v]
 
-    def _polynomial(self, number: Polynomial) -> Laurent:
-        ring = self.frequencies.ring
+    def _polynomial(self, number: Polynomial) -> TrigPolynomial:
+        ring = self.trig_ring.ring
         total = ring.zero
         for monomial, coefficient in number.items():
             term = ring(gaussian(exact_length(coefficient, self.robot.reach)))
             for name in monomial:
                 term *= ring(sympy.Symbol(name, real=True))
             total += term
-        return self.frequencies.constant(total)
+        return self.trig_ring.constant(total)
 
-    def _turn(self, joint: Joint, number: Polynomial) -> Laurent:
+    def _turn(self, joint: Joint, number: Polynomial) -> TrigPolynomial:
         """Return exp(i angle) of an angle that is a constant plus whole multiples of parameters."""
         multiples = {m: c for m, c in number.items() if m}
         if any(len(m) > 1 or abs(c - round(c)) > 1e-9 for m, c in multiples.items()):
             raise FormulaError(f"rpy of joint {joint.name!r} is no sum of whole multiples of parameters")
         whole = {sympy.Symbol(m[0], real=True): round(c) for m, c in multiples.items()}
-        return self.frequencies.exponential(whole) * self._constant_turn(number.get((), 0.0))
+        return self.trig_ring.exponential(whole) * self._constant_turn(number.get((), 0.0))
 
-    def _joint_turn(self, joint: Joint) -> Laurent:
+    def _joint_turn(self, joint: Joint) -> TrigPolynomial:
         i = self.robot.joint_names.index(joint.leader)
-        multiple = round(joint.multiplier * self.frequencies.turns_of(self.q[i]))
-        return self.frequencies.exponential({self.q[i]: multiple}) * self._constant_turn(joint.offset)
+        multiple = round(joint.multiplier * self.trig_ring.turns_of(self.q[i]))
+        return self.trig_ring.exponential({self.q[i]: multiple}) * self._constant_turn(joint.offset)
 
-    def _joint_length(self, joint: Joint) -> Laurent:
+    def _joint_length(self, joint: Joint) -> TrigPolynomial:
         i = self.robot.joint_names.index(joint.leader)
-        ring = self.frequencies.ring
+        ring = self.trig_ring.ring
         slope, offset = ring(_rational(joint.multiplier)), ring(_rational(joint.offset))
-        return self.frequencies.constant(slope * ring(self.q[i]) + offset)
+        return self.trig_ring.constant(slope * ring(self.q[i]) + offset)
 
-    def _constant_turn(self, angle: float) -> Laurent:
+    def _constant_turn(self, angle: float) -> TrigPolynomial:
         """Return exp(i angle): exact for multiples of π/12, else a rational point of the circle next to it.
 
         The point (1 + i t)² / (1 + t²), with t rational next to tan(angle/2), has the length 1, so that rotations
@@ -159,14 +157,14 @@ class Chain:
         """
         k = twelfths_of_pi(angle)
         if k is not None and (k % 6 == 0 or not self.rational):
-            return self.frequencies.turn(k)
+            return self.trig_ring.turn(k)
         angle = angle if k is None else k * np.pi / 12
         t = QQ_I(0, Fraction(np.tan(angle / 2)).limit_denominator(FINE))
-        return self.frequencies.constant((1 + t) ** 2 / (1 - t**2))
+        return self.trig_ring.constant((1 + t) ** 2 / (1 - t**2))
 
-    def _rotation(self, axis: Array, turn: Laurent) -> Matrix:
+    def _rotation(self, axis: Array, turn: TrigPolynomial) -> Matrix:
         """Return R = n nᵀ + (1 − n nᵀ) cos + [n]× sin, with exp(i angle) = turn."""
-        F = self.frequencies
+        F = self.trig_ring
         half, down = F.constant(gaussian(Fraction(1, 2))), F.constant(QQ_I(0, Fraction(-1, 2)))
         cos, sin = (turn + turn.conjugate) * half, (turn - turn.conjugate) * down
         n = self._axis(axis)

@@ -17,8 +17,8 @@ from robotics1.inputs import Array
 from robotics1.robot.joints import Joint
 from robotics1.symbolic.kinematics.chain import Chain, Pose, cross
 from robotics1.symbolic.polynomials.evaluation import Evaluated
-from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
-from robotics1.symbolic.writing.composition import Composition
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
+from robotics1.symbolic.writing.term_budget import TermBudget
 
 Joints = tuple[Joint, ...]
 WHOLE = {("x", "y", "z", "ωx", "ωy", "ωz"): 6, ("x", "y", "z"): 3, ("ωx", "ωy", "ωz"): -3}
@@ -41,7 +41,7 @@ class FrameMotion:
     @property
     def is_polynomial(self) -> bool:
         """Whether no entry was too long."""
-        return all(isinstance(entry, Laurent) for M in (self.p, self.R, self.J) for entry in M.flat)
+        return all(isinstance(entry, TrigPolynomial) for M in (self.p, self.R, self.J) for entry in M.flat)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,16 +90,14 @@ class MidChainJacobian:
         return np.concatenate([R @ u[:3], R @ (u[3:] - cross(p, u[:3]))])
 
 
-def mid_chain_jacobian(
-    chain: Chain, row_names: tuple[str, ...], J: Matrix, composition: Composition
-) -> MidChainJacobian:
+def mid_chain_jacobian(chain: Chain, row_names: tuple[str, ...], J: Matrix, budget: TermBudget) -> MidChainJacobian:
     """Return the shorter form of J, of these rows in world axes, in polynomials of any length; J itself if its rows
     are not whole.
     """
     kind = WHOLE.get(row_names)
     if kind is None or all(joint.kind == "fixed" for joint in chain.joints):
         return MidChainJacobian(J)
-    exact = replace(composition, most_products=maxsize, most_terms=maxsize)
+    exact = replace(budget, most_products=maxsize, most_terms=maxsize)
     links = _links_from_the_middle(chain, exact)
     M = _jacobian_at_the_middle(chain, links, exact)
     R, p = links[0][0].T, links[-1][1]
@@ -107,13 +105,13 @@ def mid_chain_jacobian(
     return MidChainJacobian(rows[kind], (R, p), kind)
 
 
-def frame_motion(chain: Chain, reference: Joints, composition: Composition) -> FrameMotion:
+def frame_motion(chain: Chain, reference: Joints, budget: TermBudget) -> FrameMotion:
     """Return the motion of the chain's frame, in the axes of the link that the joints of `reference` lead to."""
-    product, plus = composition.product, composition.sum
-    links = _links_from_the_middle(chain, composition)
+    product, plus = budget.product, budget.sum
+    links = _links_from_the_middle(chain, budget)
     (_, p_world), (R_frame, p_frame) = links[0], links[-1]
-    M = _jacobian_at_the_middle(chain, links, composition)
-    v, w = plus(M[:3], composition.cross(M[3:], p_frame)), M[3:]
+    M = _jacobian_at_the_middle(chain, links, budget)
+    v, w = plus(M[:3], budget.cross(M[3:], p_frame)), M[3:]
 
     same = [a.name == b.name for a, b in zip(chain.joints, reference, strict=False)]
     shared = same.index(False) if False in same else len(same)
@@ -126,11 +124,11 @@ def frame_motion(chain: Chain, reference: Joints, composition: Composition) -> F
     return FrameMotion(p, R, np.vstack([product(A, v), product(A, w)]))
 
 
-def _links_from_the_middle(chain: Chain, composition: Composition) -> list[Pose]:
+def _links_from_the_middle(chain: Chain, budget: TermBudget) -> list[Pose]:
     """Return the pose of the world and of the link behind each joint, seen from the link behind the middle joint."""
     moving = [i for i, joint in enumerate(chain.joints) if joint.kind != "fixed"] or [len(chain.joints) - 1]
     middle = moving[len(moving) // 2] + 1
-    product, plus = composition.product, composition.sum
+    product, plus = budget.product, budget.sum
     steps = [chain.step(joint) for joint in chain.joints]
     links: list[Pose] = [chain.still]
     for R_step, p_step in steps[middle:]:
@@ -143,17 +141,17 @@ def _links_from_the_middle(chain: Chain, composition: Composition) -> list[Pose]
     return links
 
 
-def _jacobian_at_the_middle(chain: Chain, links: list[Pose], composition: Composition) -> Matrix:
+def _jacobian_at_the_middle(chain: Chain, links: list[Pose], budget: TermBudget) -> Matrix:
     """Return J (6, n) of the point of the last link that is at the origin of the middle one, in its axes."""
-    zero = composition.frequencies.constant(0)
+    zero = budget.trig_ring.constant(0)
     J = np.array([[zero] * len(chain.q) for _ in range(6)], dtype=object)
     for joint, (R, _), (_, p) in zip(chain.joints, links[:-1], links[1:], strict=True):
         if joint.kind == "fixed":
             continue
         i = chain.robot.joint_names.index(joint.leader)
-        axis = composition.product(R, chain.velocity(joint)[:, None])
+        axis = budget.product(R, chain.velocity(joint)[:, None])
         if joint.kind == "prismatic":
-            J[:3, [i]] = composition.sum(J[:3, [i]], axis)
+            J[:3, [i]] = budget.sum(J[:3, [i]], axis)
         else:
-            J[:, [i]] = composition.sum(J[:, [i]], np.vstack([composition.cross(-axis, p), axis]))
+            J[:, [i]] = budget.sum(J[:, [i]], np.vstack([budget.cross(-axis, p), axis]))
     return J

@@ -14,7 +14,7 @@ def parallel_groups(chain: Chain) -> Groups:
     robot = chain.robot
     own = [robot.joint_names.index(joint.leader) for joint in chain.joints if joint.kind == "revolute"]
     columns = [i for i in dict.fromkeys(own) if robot.revolute[i]]
-    places = {i: chain.frequencies.angles.index(chain.q[i]) for i in columns}
+    places = {i: chain.trig_ring.angles.index(chain.q[i]) for i in columns}
     rng = np.random.default_rng(0)
     axes = [frame_jacobian(robot, rng.uniform(-2, 2, robot.nq), frame=chain.frame)[3:] for _ in range(2)]
     groups: list[list[int]] = []
@@ -23,5 +23,5 @@ def parallel_groups(chain: Chain) -> Groups:
             groups[-1].append(places[i])
         else:
             groups.append([places[i]])
-    rest = [[j] for j in range(len(chain.frequencies.angles)) if j not in places.values()]
+    rest = [[j] for j in range(len(chain.trig_ring.angles)) if j not in places.values()]
     return tuple(map(tuple, groups + rest))

@@ -11,8 +11,8 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
-from robotics1.symbolic.polynomials.factoring import Part
-from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent
+from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
+from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, TrigPolynomial
 
 VANISHES = 1e-12  # of a polynomial, beside its largest coefficient
 BITS = 64  # that are kept of a quotient
@@ -33,19 +33,19 @@ class Evaluated:
         unit: what the multiples of angles are multiples of: 1, or 1/2 of a polynomial in half angles.
     """
 
-    f: Laurent
+    f: TrigPolynomial
     parameters: Mapping[sympy.Symbol, float]
     unit: float = 1.0
 
     @cached_property
     def q(self) -> tuple[sympy.Symbol, ...]:
         """The symbols of the joints."""
-        return self.f.frequencies.q
+        return self.f.trig_ring.q
 
     @cached_property
     def _table(self) -> tuple[Any, Array, Array]:
         """The terms: complex amplitudes (k,), multiples of the joint angles (k, n), powers of prismatic ones."""
-        F = self.f.frequencies
+        F = self.f.trig_ring
         amplitudes, multiples, powers = [], [], []
         for k, c in self.f.terms.items():
             for m, a in c.terms():
@@ -116,7 +116,7 @@ class Evaluated:
         others = np.prod(np.where(np.arange(len(q)) == i, 1.0, at**powers), axis=1)
         weights = amplitudes * np.exp(1j * multiples @ at) * others
         turns = bool(multiples[:, i].any())
-        unit = self.unit / self.f.frequencies.turns_of(self.q[i])
+        unit = self.unit / self.f.trig_ring.turns_of(self.q[i])
         degrees = np.rint(multiples[:, i] / unit) if turns else powers[:, i]
         lowest = int(degrees.min())
         c = np.zeros(int(degrees.max()) - lowest + 1, dtype=complex)
@@ -154,7 +154,7 @@ def _candidates(c: Array, turns: bool, unit: float) -> Iterator[tuple[float, flo
                 yield float(z.real), within
 
 
-def evaluated_part(part: Part, parameters: Mapping[sympy.Symbol, float]) -> Evaluated:
+def evaluated_factor(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -> Evaluated:
     """Return an irreducible part as a function of numbers, in half angles where it has some."""
     if any(part.parity):
         return Evaluated(part.in_half_angles, parameters, unit=0.5)

@@ -18,29 +18,29 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyElement
 
-from robotics1.symbolic.polynomials.laurent import ROOTS, Exponents, Frequencies, Laurent, gaussian
 from robotics1.symbolic.polynomials.time_limit import check_time, check_time_to_divide
+from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, Exponents, TrigPolynomial, TrigRing, gaussian
 
 Degrees = tuple[int, ...]  # dⱼ, one for each angle
 
 
-def highest_multiples(f: Laurent) -> Degrees:
+def highest_multiples(f: TrigPolynomial) -> Degrees:
     """Return dⱼ, the highest multiple of each angle."""
-    return tuple(max((abs(k[j]) for k in f.terms), default=0) for j in range(len(f.frequencies.angles)))
+    return tuple(max((abs(k[j]) for k in f.terms), default=0) for j in range(len(f.trig_ring.angles)))
 
 
 @lru_cache(maxsize=4096)
-def numerator(f: Laurent) -> fmpq_mpoly:
+def numerator(f: TrigPolynomial) -> fmpq_mpoly:
     """Return N(t) of a real f."""
     terms = _change_exponents(f.terms, highest_multiples(f), _half_tangent_powers)
     numbers: dict[tuple[int, ...], fmpq] = {}
     for t, c in terms.items():
         for m, a in c.terms():
             numbers[m + t] = fmpq(int(a.x.numerator), int(a.x.denominator))
-    return context(f.frequencies).from_dict(numbers)
+    return context(f.trig_ring).from_dict(numbers)
 
 
-def in_half_angles(F: Frequencies, N: fmpq_mpoly, e: Degrees) -> Laurent:
+def in_half_angles(F: TrigRing, N: fmpq_mpoly, e: Degrees) -> TrigPolynomial:
     """Return N(t) / Πⱼ (1 + tⱼ²)^(eⱼ/2) as a polynomial in the exponentials exp(i φⱼ/2) of the half angles."""
     lengths = len(F.ring.symbols)
     terms: dict[Exponents, dict[tuple[int, ...], Any]] = {}
@@ -48,23 +48,23 @@ def in_half_angles(F: Frequencies, N: fmpq_mpoly, e: Degrees) -> Laurent:
         m = tuple(map(int, powers))
         terms.setdefault(m[lengths:], {})[m[:lengths]] = gaussian(a)
     polynomials = {t: F.ring.from_dict(c) for t, c in terms.items()}
-    return Laurent(F, _change_exponents(polynomials, e, _half_angle_powers))
+    return TrigPolynomial(F, _change_exponents(polynomials, e, _half_angle_powers))
 
 
-def from_numerator(F: Frequencies, N: fmpq_mpoly, d: Degrees) -> Laurent:
+def from_numerator(F: TrigRing, N: fmpq_mpoly, d: Degrees) -> TrigPolynomial:
     """Return f = N(t) / Πⱼ (1 + tⱼ²)^dⱼ."""
     halves = in_half_angles(F, N, tuple(2 * dj for dj in d))
-    return Laurent(F, {tuple(k // 2 for k in half): c for half, c in halves.terms.items()})
+    return TrigPolynomial(F, {tuple(k // 2 for k in half): c for half, c in halves.terms.items()})
 
 
 @cache
-def context(F: Frequencies) -> fmpq_mpoly_ctx:
+def context(F: TrigRing) -> fmpq_mpoly_ctx:
     """Return the ring ℚ[lengths, t₁, t₂, ...]: the generators of F.ring, then one for each angle."""
     names = [f"x{i}" for i in range(len(F.ring.symbols) + len(F.angles))]
     return fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
 
 
-def without_squares(F: Frequencies, N: fmpq_mpoly) -> fmpq_mpoly:
+def without_squares(F: TrigRing, N: fmpq_mpoly) -> fmpq_mpoly:
     """Return N with the squares of the generators √2 and √3 replaced by 2 and 3; zero if N is zero."""
     for root, square in roots(F):
         if N.degrees()[int(root.degrees().index(1))] > 1:
@@ -72,7 +72,7 @@ def without_squares(F: Frequencies, N: fmpq_mpoly) -> fmpq_mpoly:
     return N
 
 
-def is_multiple(F: Frequencies, f: fmpq_mpoly, g: fmpq_mpoly) -> bool:
+def is_multiple(F: TrigRing, f: fmpq_mpoly, g: fmpq_mpoly) -> bool:
     """Return whether g divides f over ℚ(√2, √3): f/g = f g' / (g g') with the other conjugates g', and g g' over ℚ."""
     others = context(F).constant(1)
     norm = g
@@ -86,7 +86,7 @@ def is_multiple(F: Frequencies, f: fmpq_mpoly, g: fmpq_mpoly) -> bool:
     return (without_squares(F, f * others) % norm).is_zero()
 
 
-def roots(F: Frequencies) -> list[tuple[fmpq_mpoly, int]]:
+def roots(F: TrigRing) -> list[tuple[fmpq_mpoly, int]]:
     """Return the generators √2 and √3, with their squares."""
     generators = context(F).gens()
     return [(generators[i], ROOTS[str(s)]) for i, s in enumerate(F.ring.symbols) if str(s) in ROOTS]
@@ -101,7 +101,7 @@ def _with_opposite(N: fmpq_mpoly, root: fmpq_mpoly) -> fmpq_mpoly:
 def _change_exponents(
     terms: dict[Exponents, PolyElement], d: Degrees, expansion: Callable[[int, int], dict[int, Any]]
 ) -> dict[Exponents, PolyElement]:
-    """Replace the power k of each variable, one after the other, by the sum Σ c yᵐ that `expansion(k, dⱼ)` says."""
+    """Replace the power k of each variable, one after the other, by the sum Σ c yᵐ of `expansion(k, dⱼ)`."""
     for j, dj in enumerate(d):
         if dj == 0:
             continue

@@ -17,10 +17,10 @@ from flint import fmpq_mpoly
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.evaluation import Evaluated
-from robotics1.symbolic.polynomials.factoring import Part
+from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
 from robotics1.symbolic.polynomials.half_tangents import Degrees, in_half_angles
-from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import check_time
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.elimination import Row, primitive_row
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.locus_sampler import special_configurations
@@ -38,17 +38,17 @@ class BasisVector:
     they must.
 
     Attributes:
-        frequencies: of the entries.
+        trig_ring: of the entries.
         row: N(t) of each entry.
     """
 
-    frequencies: Frequencies
+    trig_ring: TrigRing
     row: Row
 
     @cached_property
     def degrees(self) -> Degrees:
         """The highest power of each tⱼ among the entries."""
-        lengths = len(self.frequencies.ring.symbols)
+        lengths = len(self.trig_ring.ring.symbols)
         degrees = [[int(e) for e in entry.degrees()[lengths:]] for entry in self.row if not entry.is_zero()]
         return tuple(map(max, zip(*degrees, strict=True))) if degrees else ()
 
@@ -58,13 +58,13 @@ class BasisVector:
         return any(e % 2 for e in self.degrees)
 
     @cached_property
-    def entries(self) -> list[Laurent]:
+    def entries(self) -> list[TrigPolynomial]:
         """The entries with multiples of φ/2 as exponents."""
-        return [in_half_angles(self.frequencies, entry, self.degrees) for entry in self.row]
+        return [in_half_angles(self.trig_ring, entry, self.degrees) for entry in self.row]
 
     def written_in_halves(self, groups: Groups) -> list[sympy.Expr]:
         """Return the entries in SymPy, in half angles."""
-        halves = {angle: angle / 2 for angle in self.frequencies.angles}
+        halves = {angle: angle / 2 for angle in self.trig_ring.angles}
         return [written(entry, groups).subs(halves, simultaneous=True) for entry in self.entries]
 
     def numbers(self, parameters: Mapping[sympy.Symbol, float]) -> list[Evaluated]:
@@ -101,7 +101,7 @@ def special_points(M: Matrix, piece: Piece, rank: int) -> SpecialPoints:
     sigmas = [np.linalg.svd([[f(q) for f in row] for row in entries], compute_uv=False) for q in drawn]
     usual = max((float(sigma[0]) for sigma in sigmas), default=0.0)
     kept = [q for q, sigma in zip(drawn, sigmas, strict=True) if (sigma > RANK * usual).sum() == rank]
-    return SpecialPoints(piece.parameters, np.array(kept).reshape(len(kept), len(piece.locus.frequencies.q)))
+    return SpecialPoints(piece.parameters, np.array(kept).reshape(len(kept), len(piece.locus.trig_ring.q)))
 
 
 def keeps_rank(vectors: Sequence[Array]) -> bool:
@@ -130,7 +130,7 @@ def independent_vectors(
     return basis
 
 
-def sums_of(columns: Sequence[Sequence[Laurent]], locus: Locus) -> Iterator[BasisVector]:
+def sums_of(columns: Sequence[Sequence[TrigPolynomial]], locus: Locus) -> Iterator[BasisVector]:
     """Yield columns, their sums and their differences, on a locus."""
     for a in columns:
         yield from _vectors(a, locus)
@@ -139,23 +139,23 @@ def sums_of(columns: Sequence[Sequence[Laurent]], locus: Locus) -> Iterator[Basi
         yield from _vectors([x - y for x, y in zip(a, b, strict=True)], locus)
 
 
-def _vectors(entries: Sequence[Laurent], locus: Locus) -> Iterator[BasisVector]:
+def _vectors(entries: Sequence[TrigPolynomial], locus: Locus) -> Iterator[BasisVector]:
     check_time()
     reduced = [locus.reduced(entry) for entry in entries]
     if any(reduced):
-        yield BasisVector(locus.frequencies, primitive_row(reduced, locus))
+        yield BasisVector(locus.trig_ring, primitive_row(reduced, locus))
 
 
-def vanishing_minors(vectors: Sequence[BasisVector]) -> list[Laurent]:
+def vanishing_minors(vectors: Sequence[BasisVector]) -> list[TrigPolynomial]:
     """Return polynomials in whole angles that vanish together where the vectors lose their rank, and nowhere else."""
-    F = vectors[0].frequencies
+    F = vectors[0].trig_ring
     degrees = tuple(map(sum, zip(*(vector.degrees for vector in vectors), strict=True)))
     found = []
     for rows in combinations(range(len(vectors[0].row)), len(vectors)):
         check_time()
         minor = _determinant([[vector.row[i] for vector in vectors] for i in rows])
         if not minor.is_zero():
-            found.append(Part(F, minor, degrees).whole)
+            found.append(IrreducibleFactor(F, minor, degrees).whole)
     return found
 
 

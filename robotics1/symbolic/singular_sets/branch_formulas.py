@@ -15,8 +15,8 @@ from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.mid_chain import MidChainJacobian
 from robotics1.symbolic.polynomials.factoring import factors
-from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 from robotics1.symbolic.singular_sets.bases import (
     BasisVector,
     SpecialPoints,
@@ -61,7 +61,7 @@ class SymbolicJacobian:
     @property
     def everywhere(self) -> Locus:
         """All configurations."""
-        return Locus(self.rows.M[0, 0].frequencies)
+        return Locus(self.rows.M[0, 0].trig_ring)
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +85,7 @@ class BranchFormulas:
     @property
     def q(self) -> tuple[sympy.Symbol, ...]:
         """The symbols of the joints."""
-        return self.piece.locus.frequencies.q
+        return self.piece.locus.trig_ring.q
 
     @cached_property
     def conditions(self) -> tuple[sympy.Eq, ...]:
@@ -189,7 +189,7 @@ class BranchFormulas:
 
         return self._in_time(found)
 
-    def _basis(self, M: Matrix, lead_back: Callable[[Matrix], Iterable[Laurent]]) -> list[BasisVector]:
+    def _basis(self, M: Matrix, lead_back: Callable[[Matrix], Iterable[TrigPolynomial]]) -> list[BasisVector]:
         """Return a basis of N(M), each vector led back to the task's own axes."""
 
         def found(points: SpecialPoints) -> list[BasisVector]:
@@ -204,7 +204,7 @@ class BranchFormulas:
         n = M.shape[1]
         for columns in combinations(range(n), self.rank + 1):
             for vector in self._eliminated(M[:, list(columns)]).null:
-                whole = np.array([self.piece.locus.frequencies.constant(0)] * n, dtype=object)
+                whole = np.array([self.piece.locus.trig_ring.constant(0)] * n, dtype=object)
                 whole[list(columns)] = vector
                 yield whole
 
@@ -230,12 +230,12 @@ class BranchFormulas:
         return echelon_form(M, at.locus, at.parameters, TimeLimit(SECONDS))
 
     def _vectors(
-        self, vectors: Iterable[Matrix], lead_back: Callable[[Matrix], Iterable[Laurent]]
+        self, vectors: Iterable[Matrix], lead_back: Callable[[Matrix], Iterable[TrigPolynomial]]
     ) -> list[BasisVector]:
         """Return vectors in the task's own axes, each without common divisor."""
         at = self.piece.locus
         led = [[at.reduced(f) for f in lead_back(vector)] for vector in vectors]
-        return [BasisVector(at.frequencies, primitive_row(vector, at)) for vector in led]
+        return [BasisVector(at.trig_ring, primitive_row(vector, at)) for vector in led]
 
     def _written(self, vectors: list[BasisVector], m: int) -> sympy.Matrix:
         """Return vectors as the columns of a matrix, each without common number and with a positive first entry."""
@@ -245,5 +245,5 @@ class BranchFormulas:
     def _entries(self, vector: BasisVector) -> list[sympy.Expr]:
         if vector.has_half_angles:
             return vector.written_in_halves(self.jacobian.groups)
-        whole = in_whole_angles(vector.frequencies, vector.row)
+        whole = in_whole_angles(vector.trig_ring, vector.row)
         return [written_product(factors(f), self.jacobian.groups) if f else sympy.S.Zero for f in whole]

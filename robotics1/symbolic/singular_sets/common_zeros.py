@@ -7,8 +7,8 @@ import numpy as np
 import sympy
 
 from robotics1.symbolic.polynomials.determinants import minors_of_order
-from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import TimeLimit
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, coincidences, zeros
 
@@ -27,7 +27,7 @@ class CommonZeros:
     limit: TimeLimit
     excluded: list[Zero] = field(default_factory=list)
 
-    def common_zeros(self, polynomials: Iterable[Laurent], locus: Locus) -> Iterator[Locus]:
+    def common_zeros(self, polynomials: Iterable[TrigPolynomial], locus: Locus) -> Iterator[Locus]:
         """Yield pieces of the locus that together hold all points at which every polynomial vanishes.
 
         A product vanishes where one of its factors does: the polynomial with the fewest factors is chosen, and each
@@ -38,7 +38,7 @@ class CommonZeros:
         """
         yield from self._common_zeros(polynomials, locus, set())
 
-    def _common_zeros(self, polynomials: Iterable[Laurent], locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
+    def _common_zeros(self, polynomials: Iterable[TrigPolynomial], locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
         """Yield as `common_zeros`; what has been met, by setting the same factors to zero in another order, once."""
         left = _distinct([f for f in map(locus.reduced, polynomials) if f])
         case = locus.key, frozenset(frozenset(f.terms.items()) for f in left)
@@ -60,13 +60,13 @@ class CommonZeros:
         a cos(q2) + a cos(q2 + q3) = 2 a cos(q2 + q3/2) cos(q3/2).
         """
         for part in locus.implicit:
-            relations = coincidences(part.frequencies, self.parameters, part.symbols)
+            relations = coincidences(part.trig_ring, self.parameters, part.symbols)
             g = part.whole
             for relation in relations:
                 g = relation.substitution(g) if relation.substitution is not None else g
             cases = [zero for zero in self._cases(g) if zero.real] if relations else []
             if len(cases) > 1 or any(zero.substitution is not None for zero in cases):
-                reopened: list[Laurent] = []
+                reopened: list[TrigPolynomial] = []
                 for relation in relations:
                     locus, changed = locus.where(relation)
                     reopened += changed
@@ -74,7 +74,7 @@ class CommonZeros:
                 return
         yield locus
 
-    def _cases(self, f: Laurent) -> list[Zero]:
+    def _cases(self, f: TrigPolynomial) -> list[Zero]:
         self.limit.check()
         return zeros(f, self.parameters)
 
@@ -93,7 +93,7 @@ def singular_loci(M: Matrix, rank: int, where: Locus, cases: CommonZeros) -> Ite
     return cases.common_zeros(list(minors_of_order(M, rank, cases.limit)), where)
 
 
-def _distinct(polynomials: list[Laurent]) -> list[Laurent]:
+def _distinct(polynomials: list[TrigPolynomial]) -> list[TrigPolynomial]:
     return list({frozenset(f.terms.items()): f for f in polynomials}.values())
 
 

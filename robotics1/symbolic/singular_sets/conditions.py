@@ -7,9 +7,9 @@ import sympy
 
 from robotics1.angles import twelfths_of_pi
 from robotics1.symbolic.polynomials.evaluation import Evaluated
-from robotics1.symbolic.polynomials.factoring import Part, factors
-from robotics1.symbolic.polynomials.laurent import Laurent, polynomial
+from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, factors
 from robotics1.symbolic.polynomials.substitution import Substitution
+from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, polynomial
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written, written_product
 
@@ -18,7 +18,7 @@ ROUNDING = 1e-13  # of an angle [rad]
 
 def conditions(piece: Piece, groups: Groups) -> tuple[sympy.Eq, ...]:
     """Return the equations of a piece: joints that have a value, then polynomials that vanish."""
-    q = piece.locus.frequencies.q
+    q = piece.locus.trig_ring.q
     values = [_value(s, groups) for s in piece.locus.substitutions if s.symbol in q]
     implicit = [equation for part in piece.locus.implicit for equation in _equations(piece, part, groups)]
     return (*sorted(values, key=lambda equation: str(equation.lhs)), *implicit)
@@ -26,7 +26,7 @@ def conditions(piece: Piece, groups: Groups) -> tuple[sympy.Eq, ...]:
 
 def relations_of_lengths(locus: Locus, groups: Groups) -> tuple[sympy.Eq, ...]:
     """Return the lengths that have a value on a locus, such as a3 = a2."""
-    return tuple(_value(s, groups) for s in locus.substitutions if s.symbol not in locus.frequencies.q)
+    return tuple(_value(s, groups) for s in locus.substitutions if s.symbol not in locus.trig_ring.q)
 
 
 def _value(substitution: Substitution, groups: Groups) -> sympy.Eq:
@@ -35,37 +35,37 @@ def _value(substitution: Substitution, groups: Groups) -> sympy.Eq:
     if not substitution.is_angle:
         return sympy.Eq(symbol, written(value, groups))
     ((k, _),) = value.terms.items()
-    F = value.frequencies
+    F = value.trig_ring
     turns = F.turns_of(symbol)
     added, taken = F.angle([max(n, 0) for n in k]), F.angle([min(n, 0) for n in k])
     return sympy.Eq(symbol - turns * taken, turns * (added + _angle_of_turn(value)))
 
 
-def _equations(piece: Piece, part: Part, groups: Groups) -> tuple[sympy.Eq, ...]:
+def _equations(piece: Piece, part: IrreducibleFactor, groups: Groups) -> tuple[sympy.Eq, ...]:
     """Return part = 0; or the value of its only joint, in closed form where it has a short one."""
     (expression,) = recognised([_expression(part, groups).as_content_primitive()[1]])
     plain = sympy.Eq(-expression if expression.could_extract_minus_sign() else expression, 0)
-    joints = [i for i, symbol in enumerate(part.frequencies.q) if symbol in part.symbols]
+    joints = [i for i, symbol in enumerate(part.trig_ring.q) if symbol in part.symbols]
     pinned = piece.pinned.get(joints[0]) if len(joints) == 1 else None
     if pinned is None:
         return (plain,)
-    symbol = part.frequencies.q[joints[0]]
+    symbol = part.trig_ring.q[joints[0]]
     root = root_of(part, symbol, pinned, piece.parameters)
     return (plain, sympy.Eq(symbol, sympy.Float(pinned))) if root is None else (sympy.Eq(symbol, root),)
 
 
-def _expression(part: Part, groups: Groups) -> sympy.Expr:
+def _expression(part: IrreducibleFactor, groups: Groups) -> sympy.Expr:
     """Return the part in SymPy, in half angles where it has some."""
     if not any(part.parity):
         return written_product(factors(part.in_angles), groups)
-    halves = {angle: angle / 2 for angle in part.frequencies.angles}
+    halves = {angle: angle / 2 for angle in part.trig_ring.angles}
     return written(part.in_half_angles, groups).subs(halves, simultaneous=True)
 
 
-def _angle_of_turn(turn: Laurent) -> sympy.Expr:
+def _angle_of_turn(turn: TrigPolynomial) -> sympy.Expr:
     """Return α of exp(i α), a constant times exponentials of other angles, which are left out."""
     ((_, c),) = turn.terms.items()
-    number = Evaluated(turn.frequencies.constant(c), {}).complex(np.zeros(len(turn.frequencies.q)))
+    number = Evaluated(turn.trig_ring.constant(c), {}).complex(np.zeros(len(turn.trig_ring.q)))
     k = twelfths_of_pi(float(np.angle(number)), ROUNDING)
     if k is None:
         return sympy.Float(np.angle(number))
@@ -73,23 +73,23 @@ def _angle_of_turn(turn: Laurent) -> sympy.Expr:
 
 
 def root_of(
-    part: Part, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
+    part: IrreducibleFactor, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
 ) -> sympy.Expr | None:
     """Return the solution of part = 0 for its only joint that has the given value, or None if there is no short one.
 
     A cos φ + B sin φ + C = 0 has the solutions φ = atan2(B, A) ± acos(−C / √(A² + B²)), A cos φ/2 + B sin φ/2 = 0
     has φ = 2 atan2(−A, B), and a ℓ + b = 0 has −b/a. The joint is at φ, or at d φ if others follow it by fractions.
     """
-    turns = part.frequencies.turns_of(symbol)
+    turns = part.trig_ring.turns_of(symbol)
     root = _root_of(part, symbol, value / turns, parameters)
     return None if root is None else turns * root
 
 
 def _root_of(
-    part: Part, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
+    part: IrreducibleFactor, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
 ) -> sympy.Expr | None:
     """Return the solution for φ, or for the length, as `root_of`."""
-    F = part.frequencies
+    F = part.trig_ring
     if any(part.parity):
         return _from_half_angle(part.in_half_angles)
     g = part.in_angles
@@ -111,7 +111,7 @@ def _root_of(
     return _nearest(solutions, value, parameters)
 
 
-def _from_half_angle(half: Laurent) -> sympy.Expr | None:
+def _from_half_angle(half: TrigPolynomial) -> sympy.Expr | None:
     """Return 2 atan2(−A, B) of A cos φ/2 + B sin φ/2 = 0."""
     if len(half.terms) != 2:
         return None
@@ -120,7 +120,9 @@ def _from_half_angle(half: Laurent) -> sympy.Expr | None:
     return 2 * sympy.atan2(-A, -B)
 
 
-def _from_cosine(g: Laurent, j: int, value: float, parameters: Mapping[sympy.Symbol, float]) -> sympy.Expr | None:
+def _from_cosine(
+    g: TrigPolynomial, j: int, value: float, parameters: Mapping[sympy.Symbol, float]
+) -> sympy.Expr | None:
     """Return ± acos of a root of a polynomial of degree two in cos φ: c₀ + 2 c₁ cos φ + 2 c₂ (2 cos² φ − 1) = 0."""
     c = {k[j]: polynomial(coefficient) for k, coefficient in g.terms.items()}
     if len(g.angles) > 1 or max(c) > 2 or any(c[k] != c.get(-k) for k in c):

@@ -20,8 +20,8 @@ from robotics1.symbolic.polynomials.half_tangents import (
     numerator,
     without_squares,
 )
-from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import TimeLimit, check_time, check_time_to_divide
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, vanishing_lengths
 
@@ -33,13 +33,13 @@ class Echelon:
     """The reduced echelon form of a matrix on a locus: in the column of a pivot all other rows have zero.
 
     Attributes:
-        frequencies: of the entries.
+        trig_ring: of the entries.
         rows: the rows that do not vanish, numerators without common divisor.
         pivots: the column of the pivot of each row.
         columns: n.
     """
 
-    frequencies: Frequencies
+    trig_ring: TrigRing
     rows: list[Row]
     pivots: list[int]
     columns: int
@@ -52,21 +52,21 @@ class Echelon:
     @property
     def null(self) -> list[Matrix]:
         """A basis of the null space: one vector (n,) for each column without pivot."""
-        one = context(self.frequencies).constant(1)
+        one = context(self.trig_ring).constant(1)
         found = []
         for free in (j for j in range(self.columns) if j not in self.pivots):
             vector = [one - one] * self.columns
             vector[free] = one
             for row, j in zip(self.rows, self.pivots, strict=True):
                 solved = -vector[free] * row[free]
-                vector = [without_squares(self.frequencies, entry * row[j]) for entry in vector]
-                vector[j] = without_squares(self.frequencies, solved)
+                vector = [without_squares(self.trig_ring, entry * row[j]) for entry in vector]
+                vector[j] = without_squares(self.trig_ring, solved)
                 vector = primitive(vector)
             found.append(self._vector(vector))
         return found
 
     def _vector(self, row: Row) -> Matrix:
-        return in_whole_angles(self.frequencies, row)
+        return in_whole_angles(self.trig_ring, row)
 
 
 def echelon_form(M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, float], limit: TimeLimit) -> Echelon:
@@ -87,7 +87,7 @@ def _at_lengths(
     M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, float], limit: TimeLimit
 ) -> tuple[Echelon, Zero | None]:
     """Return the echelon form; or the relation between lengths that makes a pivot zero."""
-    F = locus.frequencies
+    F = locus.trig_ring
     equations = [part.numerator for part in locus.implicit]
     left = [_over_common_denominator([locus.reduced(entry) for entry in row]) for row in M]
     done: list[tuple[int, Row]] = []
@@ -109,7 +109,7 @@ def _at_lengths(
     return Echelon(F, [row for _, row in done], [j for j, _ in done], M.shape[1]), relation
 
 
-def _relation(F: Frequencies, row: Row, parameters: Mapping[sympy.Symbol, float]) -> Zero | None:
+def _relation(F: TrigRing, row: Row, parameters: Mapping[sympy.Symbol, float]) -> Zero | None:
     """Return the relation between lengths that makes the whole row zero, if there is one."""
     alone = _lengths_alone(F, row)
     if alone.is_constant():
@@ -117,7 +117,7 @@ def _relation(F: Frequencies, row: Row, parameters: Mapping[sympy.Symbol, float]
     return vanishing_lengths(from_numerator(F, alone, (0,) * len(F.angles)), parameters)
 
 
-def primitive_row(vector: Sequence[Laurent], locus: Locus) -> Row:
+def primitive_row(vector: Sequence[TrigPolynomial], locus: Locus) -> Row:
     """Return the numerators of a vector on a locus without the greatest common divisor of its entries; the shorter of
     those that stand there and of their remainders after division by the equations of the locus.
     """
@@ -138,7 +138,7 @@ def _remainder(entry: fmpq_mpoly, equation: fmpq_mpoly) -> fmpq_mpoly:
     return entry % equation
 
 
-def in_whole_angles(F: Frequencies, row: Row) -> Matrix:
+def in_whole_angles(F: TrigRing, row: Row) -> Matrix:
     """Return numerators over the least powers of 1 + tⱼ² that make all of them polynomials of whole angles."""
     lengths = len(F.ring.symbols)
     degrees = [[int(e) for e in entry.degrees()[lengths:]] for entry in row if not entry.is_zero()]
@@ -146,8 +146,8 @@ def in_whole_angles(F: Frequencies, row: Row) -> Matrix:
     return np.array([from_numerator(F, entry, halves) for entry in row], dtype=object)
 
 
-def _over_common_denominator(row: Sequence[Laurent]) -> Row:
-    F = row[0].frequencies
+def _over_common_denominator(row: Sequence[TrigPolynomial]) -> Row:
+    F = row[0].trig_ring
     generators = context(F).gens()[len(F.ring.symbols) :]
     multiples = [highest_multiples(entry) for entry in row]
     d = [max(column) for column in zip(*multiples, strict=True)]
@@ -160,14 +160,14 @@ def _over_common_denominator(row: Sequence[Laurent]) -> Row:
     return found
 
 
-def _cost(F: Frequencies, entry: fmpq_mpoly) -> tuple[bool, int]:
+def _cost(F: TrigRing, entry: fmpq_mpoly) -> tuple[bool, int]:
     """Entries that cannot vanish are the best pivots, then short ones."""
     used = [bool(e) for e in entry.degrees()]
     joints = [symbol in F.q for symbol in F.ring.symbols] + [True] * len(F.angles)
     return any(a and b for a, b in zip(used, joints, strict=True)), len(entry)
 
 
-def _eliminated(F: Frequencies, row: Row, pivot: Row, j: int, equations: list[fmpq_mpoly]) -> Row:
+def _eliminated(F: TrigRing, row: Row, pivot: Row, j: int, equations: list[fmpq_mpoly]) -> Row:
     """Return the row with zero in column j; what an implicit equation divides is zero too."""
     if row[j].is_zero():
         return row
@@ -192,7 +192,7 @@ def _common_divisor(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     return a.gcd(b)
 
 
-def _lengths_alone(F: Frequencies, row: Row) -> fmpq_mpoly:
+def _lengths_alone(F: TrigRing, row: Row) -> fmpq_mpoly:
     """Return the greatest divisor of a row that has lengths alone: that of the coefficients of all else."""
     lengths = len(F.ring.symbols)
     places = [

@@ -11,10 +11,10 @@ import sympy
 from robotics1.angles import TURN, clean_angle
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
-from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part
-from robotics1.symbolic.polynomials.factoring import Part
-from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
+from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_factor
+from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
 from robotics1.symbolic.polynomials.substitution import Substitution
+from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.zeros import Zero
 
 ROUNDING = 1e-14  # of a coefficient, beside the largest
@@ -26,25 +26,25 @@ class Locus:
     """The configurations at which some joints are functions of the others, and some polynomials vanish.
 
     Attributes:
-        frequencies: of the polynomials.
+        trig_ring: of the polynomials.
         substitutions: joint = value; no value holds a joint that has been replaced.
         zeros: what was set to zero, one thing after the other; the implicit equations with the joints replaced.
         in_numbers: whether joints were given values that were found in numbers, so that what is rounding beside the
             largest coefficient is zero.
     """
 
-    frequencies: Frequencies
+    trig_ring: TrigRing
     substitutions: tuple[Substitution, ...] = ()
     zeros: tuple[Zero, ...] = ()
     in_numbers: bool = False
 
     @cached_property
-    def implicit(self) -> tuple[Part, ...]:
+    def implicit(self) -> tuple[IrreducibleFactor, ...]:
         """The irreducible parts that vanish and tie joints together, or lengths."""
         return tuple(zero.part for zero in self.zeros if zero.part is not None)
 
     @cached_property
-    def equations(self) -> tuple[Laurent, ...]:
+    def equations(self) -> tuple[TrigPolynomial, ...]:
         """Polynomials that vanish on the locus, and nowhere else."""
         return tuple(zero.equation for zero in self.zeros)
 
@@ -54,7 +54,7 @@ class Locus:
         values = {(s.symbol, frozenset(s.value.terms.items())) for s in self.substitutions}
         return frozenset(values), frozenset((str(part.numerator), part.degrees) for part in self.implicit)
 
-    def reduced(self, f: Laurent) -> Laurent:
+    def reduced(self, f: TrigPolynomial) -> TrigPolynomial:
         """Return f on the locus, with joints replaced; zero if one of the implicit equations divides it.
 
         On an irreducible hypersurface a polynomial vanishes only if it is a multiple of the hypersurface's own.
@@ -64,9 +64,9 @@ class Locus:
             f = substitution(f)
         if self.in_numbers:
             f = f.without_rounding(ROUNDING * largest)
-        return self.frequencies.constant(0) if any(part.divides(f) for part in self.implicit) else f
+        return self.trig_ring.constant(0) if any(part.divides(f) for part in self.implicit) else f
 
-    def where(self, zero: Zero) -> "tuple[Locus, list[Laurent]]":
+    def where(self, zero: Zero) -> "tuple[Locus, list[TrigPolynomial]]":
         """Return the part on which one more polynomial vanishes, and what else must vanish there: implicit
         equations in which a joint was replaced, since they may fall into factors.
         """
@@ -88,7 +88,7 @@ class Locus:
         """The joints that matter on the locus: those that have a value, or are in one, or in an implicit equation."""
         valued = [{s.symbol, *s.value.symbols} for s in self.substitutions]
         used = set().union(*valued, *(part.symbols for part in self.implicit))
-        return tuple(i for i, symbol in enumerate(self.frequencies.q) if symbol in used)
+        return tuple(i for i, symbol in enumerate(self.trig_ring.q) if symbol in used)
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,13 +113,13 @@ class Piece:
     @cached_property
     def angles(self) -> npt.NDArray[np.bool_]:
         """(n,) which joints turn."""
-        F = self.locus.frequencies
+        F = self.locus.trig_ring
         return np.array([symbol in F.angles for symbol in F.q])
 
     @cached_property
     def turns(self) -> Array:
         """(n,) how many turns of each joint bring everything back."""
-        F = self.locus.frequencies
+        F = self.locus.trig_ring
         return np.array([float(F.turns_of(symbol)) for symbol in F.q])
 
     @property
@@ -130,12 +130,12 @@ class Piece:
     @cached_property
     def equations(self) -> list[Evaluated]:
         """The implicit equations as functions of q."""
-        return [evaluated_part(part, self.parameters) for part in self.locus.implicit]
+        return [evaluated_factor(part, self.parameters) for part in self.locus.implicit]
 
     @cached_property
     def _values(self) -> dict[int, tuple[bool, Evaluated]]:
         """Each joint that has a value: whether it is an angle, and the value."""
-        q = self.locus.frequencies.q
+        q = self.locus.trig_ring.q
         replaced = [s for s in self.locus.substitutions if s.symbol in q]
         return {q.index(s.symbol): (s.is_angle, Evaluated(s.value, self.parameters)) for s in replaced}
 
@@ -147,14 +147,14 @@ class Piece:
     @property
     def constant(self) -> tuple[int, ...]:
         """The joints that have one value on all of the piece."""
-        q = set(self.locus.frequencies.q)
+        q = set(self.locus.trig_ring.q)
         fixed = {i for i, (_, value) in self._values.items() if not value.f.symbols & q}
         return tuple(sorted(fixed | set(self.pinned)))
 
     @property
     def is_regular(self) -> bool:
         """Whether no equation ties two joints together."""
-        return all(len(part.symbols & set(self.locus.frequencies.q)) < 2 for part in self.locus.implicit)
+        return all(len(part.symbols & set(self.locus.trig_ring.q)) < 2 for part in self.locus.implicit)
 
     def with_pinned(self, q: Array) -> Array:
         """Return a copy of q with the values that are meant."""
@@ -192,12 +192,12 @@ class Piece:
 
 def pieces_of(locus: Locus, parameters: Mapping[sympy.Symbol, float]) -> Iterator[Piece]:
     """Yield the locus once for each choice among the values that an equation in one joint allows."""
-    q = locus.frequencies.q
+    q = locus.trig_ring.q
     choices = []
     for part in locus.implicit:
         joints = [i for i, symbol in enumerate(q) if symbol in part.symbols]
         if len(joints) == 1:
-            values = evaluated_part(part, parameters).zeros_in(joints[0], np.zeros(len(q)))
+            values = evaluated_factor(part, parameters).zeros_in(joints[0], np.zeros(len(q)))
             choices.append([(joints[0], value) for value in values])
     for choice in product(*choices):
         yield Piece(locus, parameters, dict(choice))

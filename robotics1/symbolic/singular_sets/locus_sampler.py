@@ -25,7 +25,7 @@ class LocusSampler:
 
     def __init__(self, piece: Piece, box: JointBox, known: Sequence[Array] | None = None) -> None:
         """Sample a piece in a box. With `known`, configurations that were found elsewhere, least squares start near
-        these; an empty `known` says that least squares find nothing.
+        these; an empty `known` means that least squares find nothing.
         """
         self.piece = piece
         self.box = box
@@ -116,7 +116,7 @@ def special_configurations(piece: Piece, rng: np.random.Generator, count: int) -
     """Yield configurations, (n,), from at most `count` starts with most joints at multiples of π/2 and slides at zero,
     and from half as many random ones; those from which an equation can be solved.
     """
-    n = len(piece.locus.frequencies.q)
+    n = len(piece.locus.trig_ring.q)
     for number in range(count + count // 2):
         check_time()
         q = np.where(piece.angles, piece.turns * rng.uniform(-np.pi, np.pi, n), rng.uniform(-1, 1, n))

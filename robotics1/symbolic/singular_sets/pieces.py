@@ -1,9 +1,9 @@
 """The pieces that loci consist of: each once, none inside another, none that is empty.
 
 Equations may touch zero, without a change of sign or touching each other. (q1 − 1/2)² + q2² = 0 is one equation in two
-joints, and holds at one point. There its derivatives vanish too; with them the equations fall into factors that say so:
-q1 = 1/2, q2 = 0. Where no factor says it, and with √2 and √3 rounded there may be no exact common zero at all, the
-values are found in numbers: multiples of π/12 for angles, zero for slides.
+joints, and holds at one point. There its derivatives vanish too; with them the equations fall into factors that
+show it: q1 = 1/2, q2 = 0. Where no factor shows it, the values are found in numbers: multiples of π/12 for angles, zero
+for slides. With √2 and √3 rounded there may be no exact common zero at all.
 """
 
 from collections.abc import Hashable, Iterable
@@ -15,10 +15,10 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.determinants import minors_of_order
-from robotics1.symbolic.polynomials.evaluation import evaluated_part
-from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
+from robotics1.symbolic.polynomials.evaluation import evaluated_factor
 from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime
+from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
 from robotics1.symbolic.singular_sets.locus import Locus, Piece, pieces_of
 from robotics1.symbolic.singular_sets.locus_sampler import LocusSampler
@@ -98,7 +98,7 @@ def _finer(
     if not seen or depth == DEEPEST or piece.is_regular or not all(piece.is_degenerate(q, TOUCHES) for q in points):
         return whole
     smaller: list[Drawn] = []
-    apart = replace(cases, excluded=[])  # what derivatives exclude says nothing of lengths
+    apart = replace(cases, excluded=[])  # what derivatives exclude is no condition on lengths
     for locus in apart.common_zeros(_dependence(piece.locus), piece.locus):
         for part in pieces_of(locus, cases.parameters):
             smaller += _finer(*_drawn(part, box, rng), cases, rng, depth + 1)
@@ -106,12 +106,12 @@ def _finer(
     return smaller if smaller and holds else whole
 
 
-def _dependence(locus: Locus) -> list[Laurent]:
+def _dependence(locus: Locus) -> list[TrigPolynomial]:
     """Return what vanishes where the gradients of the implicit equations are dependent: the minors of the matrix of
     their derivatives.
     """
     equations = [part.whole for part in locus.implicit]
-    joints = [symbol for symbol in locus.frequencies.q if any(symbol in f.symbols for f in equations)]
+    joints = [symbol for symbol in locus.trig_ring.q if any(symbol in f.symbols for f in equations)]
     slopes = np.array([[f.derivative(symbol) for symbol in joints] for f in equations], dtype=object)
     if len(equations) > len(joints):
         return list(slopes.flat)
@@ -124,7 +124,7 @@ def _at_single_values(sampler: LocusSampler, rng: np.random.Generator) -> list[P
     """
     piece, box = sampler.piece, sampler.box
     locus = piece.locus
-    joints = [i for i, symbol in enumerate(locus.frequencies.q) if any(symbol in p.symbols for p in locus.implicit)]
+    joints = [i for i, symbol in enumerate(locus.trig_ring.q) if any(symbol in p.symbols for p in locus.implicit)]
     if not 1 < len(joints) <= min(MOST_JOINTS, len(locus.implicit)) or piece.pinned:
         return []
     values = _special_zeros(piece, joints)
@@ -146,18 +146,18 @@ def _special_zeros(piece: Piece, joints: list[int]) -> Array:
     q = np.zeros((len(values), len(piece.angles)))
     q[:, joints] = values
     for part in piece.locus.implicit:
-        f = evaluated_part(part, piece.parameters)
+        f = evaluated_factor(part, piece.parameters)
         q = q[np.abs(f.at_many(q)) <= ROUNDED * f.size]
     return q[:, joints]
 
 
 def _with_values(locus: Locus, joints: list[int], values: Array) -> Locus:
     for i, value in zip(joints, values, strict=True):
-        locus, _ = locus.where(_zero_at(locus.frequencies, i, value))  # the equations hold, but for rounding
+        locus, _ = locus.where(_zero_at(locus.trig_ring, i, value))  # the equations hold, but for rounding
     return locus.rounded()
 
 
-def _zero_at(F: Frequencies, i: int, value: float) -> Zero:
+def _zero_at(F: TrigRing, i: int, value: float) -> Zero:
     symbol = F.q[i]
     if symbol in F.angles:
         return angle_zero(symbol, F.turn(round(value * 12 / np.pi)))

@@ -8,10 +8,10 @@ import sympy
 from sympy.polys.domains import QQ_I
 
 from robotics1.angles import twelfths_of_pi
-from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_part
-from robotics1.symbolic.polynomials.factoring import Part, irreducible_parts
-from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent
+from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_factor
+from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, irreducible_factors
 from robotics1.symbolic.polynomials.substitution import Substitution
+from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
 
 ZERO = 1e-12  # of a polynomial in the lengths, beside the sum of its terms
 ROUNDED = 1e-15  # of the same, where √2 and √3 are fractions to 1e-16: sin(q3) + 1 is that, and has a double zero
@@ -23,38 +23,38 @@ class Zero:
 
     Attributes:
         equation: the polynomial that vanishes, real, in whole angles.
-        substitution: the value of a joint that says the same, or None.
-        part: the irreducible part that says the same, where no joint has a value.
-        real: whether it happens at these lengths; told for lengths alone and for one joint, and taken for granted
+        substitution: the value of a joint that is equivalent, or None.
+        part: the irreducible part that is equivalent, where no joint has a value.
+        real: whether it happens at these lengths; known for lengths alone and for one joint, and assumed
             for several joints.
     """
 
-    equation: Laurent
+    equation: TrigPolynomial
     substitution: Substitution | None = None
-    part: Part | None = None
+    part: IrreducibleFactor | None = None
     real: bool = True
 
 
-def zeros(f: Laurent, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
+def zeros(f: TrigPolynomial, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
     """Return the ways in which f vanishes, each once; those that do not happen at the given lengths too."""
-    _, parts = irreducible_parts(f)
+    _, parts = irreducible_factors(f)
     distinct = list({(str(part.numerator), part.degrees): part for part in parts}.values())
     values = [_values(part, parameters) for part in distinct]
     others = [part for part, found in zip(distinct, values, strict=True) if not found]
     implicit = [Zero(part.whole, part=part, real=_can_vanish(part, parameters)) for part in others]
-    return [zero for found in values for zero in found] + [zero for zero in implicit if _says_something(zero)]
+    return [zero for found in values for zero in found] + [zero for zero in implicit if _is_worth_keeping(zero)]
 
 
-def vanishing_lengths(f: Laurent, parameters: Mapping[sympy.Symbol, float]) -> Zero | None:
+def vanishing_lengths(f: TrigPolynomial, parameters: Mapping[sympy.Symbol, float]) -> Zero | None:
     """Return a factor of lengths alone that is zero at the given ones, such as a2 − a3, or None."""
     if not f.symbols & set(parameters):
         return None
-    joints = set(f.frequencies.q)
+    joints = set(f.trig_ring.q)
     return next((zero for zero in zeros(f, parameters) if zero.real and not zero.equation.symbols & joints), None)
 
 
 def coincidences(
-    F: Frequencies, parameters: Mapping[sympy.Symbol, float], lengths: Collection[sympy.Symbol]
+    F: TrigRing, parameters: Mapping[sympy.Symbol, float], lengths: Collection[sympy.Symbol]
 ) -> list[Zero]:
     """Return what holds between two of these lengths: one is as long as another before it, or its opposite."""
     found = []
@@ -71,22 +71,22 @@ def coincidences(
     return found
 
 
-def _says_something(zero: Zero) -> bool:
-    """A length that is not zero says nothing; that two lengths are equal does."""
+def _is_worth_keeping(zero: Zero) -> bool:
+    """Whether the zero is worth keeping: that two lengths are equal is, that a length is not zero is not."""
     return zero.real or len(zero.equation.terms) > 1 or any(len(c) > 1 for c in zero.equation.terms.values())
 
 
-def _can_vanish(part: Part, parameters: Mapping[sympy.Symbol, float]) -> bool:
-    numbers = evaluated_part(part, parameters)
-    joints = [i for i, symbol in enumerate(part.frequencies.q) if symbol in part.symbols]
-    at = np.zeros(len(part.frequencies.q))
+def _can_vanish(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -> bool:
+    numbers = evaluated_factor(part, parameters)
+    joints = [i for i, symbol in enumerate(part.trig_ring.q) if symbol in part.symbols]
+    at = np.zeros(len(part.trig_ring.q))
     if not joints:
         return abs(numbers(at)) <= ZERO * numbers.size
     return len(joints) > 1 or bool(numbers.zeros_in(joints[0], at))
 
 
-def _values(part: Part, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
-    """Return the values of one joint at which the part vanishes, when they say all of it; else nothing."""
+def _values(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
+    """Return the values of one joint at which the part vanishes, when these are all its zeros; else nothing."""
     half = part.in_half_angles
     if len(half.terms) == 2:
         return _values_of_two_terms(half)
@@ -98,9 +98,9 @@ def _values(part: Part, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
     return _value_of_length(part, parameters)
 
 
-def _values_of_two_terms(half: Laurent) -> list[Zero]:
+def _values_of_two_terms(half: TrigPolynomial) -> list[Zero]:
     """Solve c exp(i k·φ/2) + conj(c) exp(−i k·φ/2) = 0 for one angle: exp(i k·φ) = −conj(c)/c."""
-    F = half.frequencies
+    F = half.trig_ring
     k, c = max(half.terms.items())
     joints = [j for j, n in enumerate(k) if n and F.angles[j] in F.q]
     if not joints or half.symbols - set(F.angles):
@@ -114,9 +114,9 @@ def _values_of_two_terms(half: Laurent) -> list[Zero]:
     return [angle_zero(F.angles[j], (turn if k[j] > 0 else turn.conjugate) * others) for turn in turns]
 
 
-def _turns(c: Laurent, m: int) -> list[Laurent]:
+def _turns(c: TrigPolynomial, m: int) -> list[TrigPolynomial]:
     """Return the m-th roots of −conj(c)/c in exact form, if they have one."""
-    F = c.frequencies
+    F = c.trig_ring
     number = Evaluated(c, {}).complex(np.zeros(len(F.q)))
     angle = float(np.angle(-number.conjugate() / number))
     found = []
@@ -131,9 +131,9 @@ def _turns(c: Laurent, m: int) -> list[Laurent]:
     return found if len(found) == m else []
 
 
-def _values_of_oneangle_zero(f: Laurent) -> list[Zero]:
+def _values_of_oneangle_zero(f: TrigPolynomial) -> list[Zero]:
     """Solve a polynomial in one joint's angle, without lengths, if all zeros are multiples of π/12."""
-    F = f.frequencies
+    F = f.trig_ring
     (symbol,) = f.symbols
     if symbol not in F.q:
         return []
@@ -147,17 +147,17 @@ def _values_of_oneangle_zero(f: Laurent) -> list[Zero]:
     return found if all(Evaluated(rest, {}).size <= rounding for rest in left) else []
 
 
-def _value_of_length(part: Part, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
+def _value_of_length(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
     """Solve f = a ℓ + rest for a prismatic joint ℓ, a being a number; or for a length, if f has no joint in it."""
     f = part.in_angles
-    joints = any(symbol in f.symbols for symbol in f.frequencies.q)
+    joints = any(symbol in f.symbols for symbol in f.trig_ring.q)
     found = value_of_length(f) if joints or _can_vanish(part, parameters) else None
     return [] if found is None else [Zero(f, found)]
 
 
-def value_of_length(f: Laurent) -> Substitution | None:
-    """Return the value of a prismatic joint, or of a length if f has no joint, that f = a ℓ + rest = 0 says."""
-    F = f.frequencies
+def value_of_length(f: TrigPolynomial) -> Substitution | None:
+    """Return the value of a prismatic joint, or of a length if f has no joint, at which f = a ℓ + rest = 0."""
+    F = f.trig_ring
     joints = [symbol for symbol in F.q if symbol in f.symbols]
     for symbol in joints or F.ring.symbols:
         if symbol not in F.ring.symbols:
@@ -171,8 +171,8 @@ def value_of_length(f: Laurent) -> Substitution | None:
     return None
 
 
-def angle_zero(symbol: sympy.Symbol, turn: Laurent) -> Zero:
+def angle_zero(symbol: sympy.Symbol, turn: TrigPolynomial) -> Zero:
     """Return the zero φ = α with exp(i α) = turn, as 2 − 2 cos(φ − α) = 0."""
-    F = turn.frequencies
+    F = turn.trig_ring
     difference = F.exponential({symbol: 1}) * turn.conjugate
     return Zero(F.constant(2) - difference - difference.conjugate, Substitution(symbol, turn))

@@ -11,8 +11,8 @@ from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain, chain_to
 from robotics1.symbolic.kinematics.exact import exact_robot
 from robotics1.symbolic.kinematics.points import with_point
-from robotics1.symbolic.polynomials.laurent import ROOTS
-from robotics1.symbolic.tasks.reading import Reading
+from robotics1.symbolic.polynomials.trig_polynomial import ROOTS
+from robotics1.symbolic.tasks.symbolic_task import SymbolicTask
 from robotics1.symbolic.tasks.task_formulas import Formulas
 from robotics1.symbolic.tasks.task_map import task_map
 from robotics1.tasks.task import FrameMap, Task
@@ -43,7 +43,7 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         task = replace(task, frame=frame)  # type: ignore[type-var]  # a task on a frame is a dataclass
     task.check(robot)
     places = row_places(task, rows)
-    read: Callable[..., Reading] = _kept_reading if _is_hashable(task) else _reading
+    read: Callable[..., SymbolicTask] = _kept_reading if _is_hashable(task) else _reading
     reading = read(robot, task, places)
     return Formulas(
         robot,
@@ -56,14 +56,14 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
     )
 
 
-def _reading(robot: Robot, task: Task, places: tuple[int, ...]) -> Reading:
+def _reading(robot: Robot, task: Task, places: tuple[int, ...]) -> SymbolicTask:
     """Return the task read in symbols."""
     form = _on_a_frame(task)
     axes = _link_of_axes(robot, form.reference)
     chain = chain_to(robot, robot.link_of(form.frame), beside=axes)
     _check_names(robot, chain)
     joints = () if axes is None else robot.joints_to(axes)
-    return Reading(chain, joints, task_map(form, task.rows, chain.q).chosen(list(places)))
+    return SymbolicTask(chain, joints, task_map(form, task.rows, chain.q).chosen(list(places)))
 
 
 _kept_reading = lru_cache(maxsize=8)(_reading)  # find_singularities reads the same again

@@ -1,6 +1,6 @@
 """Expressions brought back to trigonometric polynomials, where they are some.
 
-What a task says of p, R and q is an expression. Its polynomial parts have one form only, in which cos² + sin² = 1 and
+A task is an expression in p, R and q. Its polynomial parts have one form only, in which cos² + sin² = 1 and
 the sums of angles are done; roots, quotients and arcs are kept around them.
 """
 
@@ -14,9 +14,9 @@ import sympy
 from robotics1.caching import cached_property
 from robotics1.symbolic.kinematics.exact import exact_length
 from robotics1.symbolic.polynomials.factoring import factors
-from robotics1.symbolic.polynomials.laurent import ROOTS, Laurent, gaussian
-from robotics1.symbolic.writing.composition import MOST_TERMS, Composition, Entry
+from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, TrigPolynomial, gaussian
 from robotics1.symbolic.writing.sums_of_angles import written_product
+from robotics1.symbolic.writing.term_budget import MOST_TERMS, Entry, TermBudget
 
 HIGHEST_POWER = 12
 
@@ -30,19 +30,19 @@ class NormalForm:
     """The reading of expressions in given symbols.
 
     Attributes:
-        composition: how polynomials are written.
+        budget: how polynomials are written.
         known: symbol → the entry it stands for.
         angle: the angle of a sine and a cosine.
     """
 
-    composition: Composition
+    budget: TermBudget
     known: Mapping[sympy.Symbol, Entry]
     angle: Callable[[Any, Any], sympy.Expr] = sympy.atan2
-    _read: dict[sympy.Expr, Laurent | None] = field(default_factory=dict)
+    _read: dict[sympy.Expr, TrigPolynomial | None] = field(default_factory=dict)
     _bases: dict[sympy.Expr, sympy.Expr] = field(default_factory=dict)
     _factors: dict[sympy.Expr, sympy.Expr] = field(default_factory=dict)
 
-    def polynomial(self, expression: sympy.Expr) -> Laurent | None:
+    def polynomial(self, expression: sympy.Expr) -> TrigPolynomial | None:
         """Return an expression as a trigonometric polynomial, or None if it is none or too long."""
         if expression not in self._read:
             try:
@@ -51,62 +51,62 @@ class NormalForm:
                 self._read[expression] = None
         return self._read[expression]
 
-    def _polynomial(self, e: sympy.Expr) -> Laurent:
-        F = self.composition.frequencies
+    def _polynomial(self, e: sympy.Expr) -> TrigPolynomial:
+        F = self.budget.trig_ring
         if e.is_Float or e.is_Rational:
             return F.constant(gaussian(exact_length(float(e)) if e.is_Float else e))
         if e.is_Symbol:
             return self._symbol(e)
         if e.is_Add:
-            return reduce(Laurent.__add__, map(self._part, e.args))
+            return reduce(TrigPolynomial.__add__, map(self._part, e.args))
         if e.is_Mul:
             return reduce(self._product, map(self._part, e.args))
         if e.is_Pow:
             return self._power(*e.args)
         return self._wave(e)
 
-    def _wave(self, e: sympy.Expr) -> Laurent:
+    def _wave(self, e: sympy.Expr) -> TrigPolynomial:
         """Return a sine or a cosine."""
         if e.func not in (sympy.sin, sympy.cos):
             raise NotPolynomialError
-        F = self.composition.frequencies
+        F = self.budget.trig_ring
         turn, half = self._turn(e.args[0]), F.ring.domain(1, 0) / 2
         if e.func is sympy.cos:
             return (turn + turn.conjugate) * F.constant(half)
         return (turn - turn.conjugate) * F.constant(half * F.ring.domain(0, -1))
 
-    def _part(self, e: sympy.Expr) -> Laurent:
+    def _part(self, e: sympy.Expr) -> TrigPolynomial:
         found = self.polynomial(e)
         if found is None:
             raise NotPolynomialError
         return found
 
-    def _symbol(self, symbol: sympy.Symbol) -> Laurent:
+    def _symbol(self, symbol: sympy.Symbol) -> TrigPolynomial:
         entry = self.known.get(symbol)
-        ring = self.composition.frequencies.ring
+        ring = self.budget.trig_ring.ring
         if entry is None and symbol in ring.symbols:
-            return self.composition.frequencies.constant(ring(symbol))
-        if not isinstance(entry, Laurent):
+            return self.budget.trig_ring.constant(ring(symbol))
+        if not isinstance(entry, TrigPolynomial):
             raise NotPolynomialError
         return entry
 
-    def _power(self, base: sympy.Expr, exponent: sympy.Expr) -> Laurent:
-        F = self.composition.frequencies
+    def _power(self, base: sympy.Expr, exponent: sympy.Expr) -> TrigPolynomial:
+        F = self.budget.trig_ring
         if base.is_Integer and exponent == sympy.Rational(1, 2) and base in ROOTS.values():
             return F.constant(F.root(int(base)))
         if not exponent.is_Integer or not 0 <= exponent <= HIGHEST_POWER:
             raise NotPolynomialError
         return reduce(self._product, [self._part(base)] * int(exponent), F.constant(1))
 
-    def _product(self, a: Laurent, b: Laurent) -> Laurent:
-        product = self.composition.total([(a, b)])
-        if not isinstance(product, Laurent):
+    def _product(self, a: TrigPolynomial, b: TrigPolynomial) -> TrigPolynomial:
+        product = self.budget.total([(a, b)])
+        if not isinstance(product, TrigPolynomial):
             raise NotPolynomialError
         return product
 
-    def _turn(self, angle: sympy.Expr) -> Laurent:
+    def _turn(self, angle: sympy.Expr) -> TrigPolynomial:
         """Return exp(i angle) of whole multiples of angles and a multiple of π/12."""
-        F = self.composition.frequencies
+        F = self.budget.trig_ring
         multiples, rest = {}, sympy.expand(angle)
         for symbol in F.angles:
             multiple = rest.coeff(symbol)
@@ -125,7 +125,7 @@ class NormalForm:
         """Return an expression with its polynomial parts in their one form."""
         found = self.polynomial(e)
         if found is not None:
-            return self.composition.written(found)
+            return self.budget.written(found)
         if e.is_Symbol:
             return self.known.get(e, e)
         if e.is_Pow:
@@ -144,20 +144,20 @@ class NormalForm:
             return e.func(*map(self.written, e.args))
         if e.is_Mul:
             return self.times(together, rest)
-        return self.composition.written(together) + sympy.Add(*map(self.written, rest))
+        return self.budget.written(together) + sympy.Add(*map(self.written, rest))
 
     def times(self, f: Entry, parts: Sequence[sympy.Expr]) -> sympy.Expr:
         """Return the product of a polynomial and of expressions that are none: as factors if that is shorter."""
-        plain = sympy.Mul(self.composition.written(f), *map(self.written, parts))
-        if not isinstance(f, Laurent) or not parts:
+        plain = sympy.Mul(self.budget.written(f), *map(self.written, parts))
+        if not isinstance(f, TrigPolynomial) or not parts:
             return plain
         return _shortest(plain, sympy.Mul(self.factored(f), *map(self._in_factors, parts)))
 
-    def factored(self, f: Laurent) -> sympy.Expr:
+    def factored(self, f: TrigPolynomial) -> sympy.Expr:
         """Return a polynomial as the product of its factors, if it is short."""
         if len(f.terms) > MOST_TERMS:
-            return self.composition.written(f)
-        return written_product(factors(f), self.composition.groups) if f else sympy.S.Zero
+            return self.budget.written(f)
+        return written_product(factors(f), self.budget.groups) if f else sympy.S.Zero
 
     def _in_factors(self, e: sympy.Expr) -> sympy.Expr:
         """Return a root or a quotient of a polynomial as that of its factors."""
@@ -175,12 +175,12 @@ class NormalForm:
             return self.written(e)
         if e not in self._bases:
             plain = e.xreplace(self._written_symbols)
-            self._bases[e] = _shortest(plain, self.composition.written(found), self.factored(found))
+            self._bases[e] = _shortest(plain, self.budget.written(found), self.factored(found))
         return self._bases[e]
 
     @cached_property
     def _written_symbols(self) -> dict[sympy.Symbol, sympy.Expr]:
-        return {symbol: self.composition.written(entry) for symbol, entry in self.known.items()}
+        return {symbol: self.budget.written(entry) for symbol, entry in self.known.items()}
 
 
 def _shortest(*forms: sympy.Expr) -> sympy.Expr:

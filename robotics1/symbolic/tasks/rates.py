@@ -27,7 +27,7 @@ def velocity_product_of(J: sympy.Matrix, q: Symbols, qdot: Symbols) -> sympy.Mat
 def _derivation(q: Symbols, qdot: Symbols) -> Callable[[sympy.Expr], sympy.Expr]:
     """Return d/dt by the rules of the sum, the product and the chain.
 
-    SymPy's own `diff` says the same, and takes ten times as long on the products of a long arm.
+    SymPy's own `diff` gives the same, and takes ten times as long on the products of a long arm.
     """
     rates = dict(zip(q, qdot, strict=True))
 

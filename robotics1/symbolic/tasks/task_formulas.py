@@ -11,9 +11,9 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array, one_of
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
-from robotics1.symbolic.polynomials.laurent import Matrix
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.symbolic.tasks.rates import rate_of, velocity_product_of
-from robotics1.symbolic.tasks.reading import Reading
+from robotics1.symbolic.tasks.symbolic_task import SymbolicTask
 from robotics1.symbolic.tasks.verification import (
     Point,
     Trials,
@@ -57,19 +57,19 @@ class Formulas:
     q: tuple[sympy.Symbol, ...]
     cleaned: float
     unvalued: tuple[str, ...]
-    reading: Reading = field(repr=False)
+    symbolic_task: SymbolicTask = field(repr=False)
 
     @cached_property
     def value(self) -> sympy.Matrix:
         """The value r = f(q): a column; of an orientation (3, 3), of a pose the homogeneous (4, 4)."""
-        r = self.reading.value
+        r = self.symbolic_task.value
         self._trials.verify(r, self._value_at, "the value", difference=self._difference)
         return r
 
     @cached_property
     def jacobian(self) -> sympy.Matrix:
         """J(q), (m, n)."""
-        J = self.reading.jacobian
+        J = self.symbolic_task.jacobian
         self._trials.verify(J, self._jacobian_at, "J")
         return J
 
@@ -123,7 +123,7 @@ class Formulas:
         """
         if not self.q:
             return {tuple(range(len(self.row_names))): sympy.S.One}
-        found = {out: self.reading.written_minor(minor) for out, minor in self.reading.minors.items()}
+        found = {out: self.symbolic_task.written_minor(minor) for out, minor in self.symbolic_task.minors.items()}
 
         def numeric(point: Point) -> Estimate:
             J = self._jacobian_at(point)
@@ -141,7 +141,7 @@ class Formulas:
         Raises:
             FormulaError: it cannot be reduced, or does not agree with Pinocchio.
         """
-        found = self.reading.gram_determinant if self.q else sympy.S.One
+        found = self.symbolic_task.gram_determinant if self.q else sympy.S.One
 
         def numeric(point: Point) -> Estimate:
             J = self._jacobian_at(point)
@@ -155,17 +155,17 @@ class Formulas:
     @property
     def chain(self) -> Chain:
         """The joints from the world to the frame."""
-        return self.reading.chain
+        return self.symbolic_task.chain
 
     @property
     def groups(self) -> Groups:
         """The angles that are added up: of consecutive joints with parallel axes."""
-        return self.reading.groups
+        return self.symbolic_task.groups
 
     @property
     def rows(self) -> Matrix:
         """J as trigonometric polynomials; of a task with quotients, those of which the rows of J are combined."""
-        return self.reading.rows
+        return self.symbolic_task.rows
 
     def python(self, name: str = "jacobian") -> str:
         """Return the source of a function f(q) of NumPy: f(q, qdot) for J̇ and J̇ q̇, parameters by keyword.
@@ -204,7 +204,7 @@ class Formulas:
     def _difference(self, ours: Array, theirs: Array) -> Array:
         """Return ours − theirs; angles of a task on a frame count up to whole turns."""
         difference = ours - theirs
-        if self.reading.task.wraps and difference.shape == (len(self.row_names), 1):
+        if self.symbolic_task.task.wraps and difference.shape == (len(self.row_names), 1):
             angles = [self.task.row_units[i] == "rad" for i in self._places]
             difference[angles] = np.angle(np.exp(1j * difference[angles]))
         return difference

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy
 
-from robotics1.symbolic.polynomials.laurent import Matrix
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.symbolic.tasks.normal_form import NormalForm
 from robotics1.symbolic.tasks.task_map import Expressions, TaskMap
 
@@ -47,7 +47,7 @@ class TaskRows:
     @property
     def names(self) -> tuple[str, ...] | None:
         """The rows of the frame's velocity that are the rows of M, if M has no others."""
-        one = self.weights[0, 0].frequencies.constant(1)
+        one = self.weights[0, 0].trig_ring.constant(1)
         places = [[j for j, weight in enumerate(row) if weight] for row in self.weights]
         if any(len(js) != 1 or js[0] >= len(TWIST) for js in places):
             return None
@@ -73,7 +73,7 @@ def task_rows(task: TaskMap, normal: NormalForm) -> TaskRows | None:
         return TaskRows(weights, None, d, task.R)
     columns = [k for k in range(N.shape[1]) if any(N[:, k])]
     if len(columns) == len(N) and max(columns) < len(TWIST) and _invertible(task, columns):
-        F = normal.composition.frequencies
+        F = normal.budget.trig_ring
         selected = [[F.constant(int(j == k)) for j in range(N.shape[1])] for k in columns]
         return TaskRows(np.array(selected, dtype=object), N[:, columns], d, task.R)
     return TaskRows(weights, None, d, task.R) if readable else None

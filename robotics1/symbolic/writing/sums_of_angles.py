@@ -13,7 +13,7 @@ import sympy
 from sympy.polys.domains import QQ_I
 from sympy.polys.rings import PolyElement
 
-from robotics1.symbolic.polynomials.laurent import Exponents, Laurent, polynomial
+from robotics1.symbolic.polynomials.trig_polynomial import Exponents, TrigPolynomial, polynomial
 
 LONGEST_DENOMINATOR = 10**12
 LONG = 12  # characters of a rational number that no file has
@@ -31,7 +31,7 @@ class Wave(NamedTuple):
     sine: bool
 
 
-def written(f: Laurent, groups: Groups) -> sympy.Expr:
+def written(f: TrigPolynomial, groups: Groups) -> sympy.Expr:
     """Return a real trigonometric polynomial in SymPy, angles added up within the groups."""
     terms = _in_waves(f, groups)
     if not terms:
@@ -51,9 +51,9 @@ def written(f: Laurent, groups: Groups) -> sympy.Expr:
     return sympy.Mul(*front, total)
 
 
-def _in_waves(f: Laurent, groups: Groups) -> dict[tuple[Wave, ...], PolyElement]:
+def _in_waves(f: TrigPolynomial, groups: Groups) -> dict[tuple[Wave, ...], PolyElement]:
     """Return f as a sum of products of waves, one of each group at most; one group after the other."""
-    zero = f.frequencies.ring.zero
+    zero = f.trig_ring.ring.zero
     terms: dict[tuple[tuple[Wave, ...], Exponents], PolyElement] = {((), k): c for k, c in f.terms.items()}
     for group in groups:
         changed: dict[tuple[tuple[Wave, ...], Exponents], PolyElement] = {}
@@ -83,12 +83,12 @@ def _shared_monomial(coefficients: list[PolyElement]) -> PolyElement:
     return ring.from_dict({tuple(powers): ring.domain.one})
 
 
-def _wave(wave: Wave, f: Laurent) -> sympy.Expr:
-    angle = f.frequencies.angle(wave.multiples)
+def _wave(wave: Wave, f: TrigPolynomial) -> sympy.Expr:
+    angle = f.trig_ring.angle(wave.multiples)
     return sympy.sin(angle) if wave.sine else sympy.cos(angle)
 
 
-def written_product(factors: tuple[Laurent, ...], groups: Groups) -> sympy.Expr:
+def written_product(factors: tuple[TrigPolynomial, ...], groups: Groups) -> sympy.Expr:
     """Return a product of trigonometric polynomials in SymPy: one number in front, and each factor without its own."""
     number: sympy.Expr = sympy.S.One
     parts = []

@@ -20,22 +20,22 @@ from robotics1.symbolic.kinematics.mid_chain import (
 from robotics1.symbolic.kinematics.parallel import parallel_groups
 from robotics1.symbolic.polynomials.determinants import minors
 from robotics1.symbolic.polynomials.factoring import factors
-from robotics1.symbolic.polynomials.laurent import Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 from robotics1.symbolic.tasks.normal_form import NormalForm
 from robotics1.symbolic.tasks.task_map import TaskMap, each
 from robotics1.symbolic.tasks.task_rows import TaskRows, fractions, task_rows
-from robotics1.symbolic.writing.composition import Composition
 from robotics1.symbolic.writing.sums_of_angles import Groups, with_decimals, written_product
+from robotics1.symbolic.writing.term_budget import TermBudget
 
 MOST_PRODUCTS = 20_000  # of terms, for an entry of the rows from which minors are made
 PATIENCE = 60.0  # for the minors [s]
 
-Minor = tuple[tuple[sympy.Expr, tuple[Laurent, ...]], ...]  # Σ l f₁ f₂ ..., l of the quotients of the task
+Minor = tuple[tuple[sympy.Expr, tuple[TrigPolynomial, ...]], ...]  # Σ l f₁ f₂ ..., l of the quotients of the task
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class SymbolicTask:
     """The formulas of a task.
 
     Attributes:
@@ -54,14 +54,14 @@ class Reading:
         return parallel_groups(self.chain)
 
     @cached_property
-    def composition(self) -> Composition:
+    def budget(self) -> TermBudget:
         """How entries are added and multiplied."""
-        return Composition(self.chain.frequencies, self.groups)
+        return TermBudget(self.chain.trig_ring, self.groups)
 
     @cached_property
     def motion(self) -> FrameMotion:
         """The frame, with entries that are expressions where polynomials would be long."""
-        return frame_motion(self.chain, self.reference, self.composition)
+        return frame_motion(self.chain, self.reference, self.budget)
 
     @cached_property
     def value(self) -> sympy.Matrix:
@@ -72,7 +72,7 @@ class Reading:
     def jacobian(self) -> sympy.Matrix:
         """J = diag(1/d) (N_S J_frame + N_D), (m, n)."""
         N, d = fractions(self.task)
-        J = _weighted(each(self._normal.entry, N), self.motion.J, self.composition)
+        J = _weighted(each(self._normal.entry, N), self.motion.J, self.budget)
         rows = [[self._normal.times(f, _parts(1 / x)) for f in row] for row, x in zip(J, d, strict=True)]
         return sympy.Matrix(rows).applyfunc(with_decimals)
 
@@ -99,7 +99,7 @@ class Reading:
             FormulaError: an entry is too long.
         """
         M = _weighted(self.factored.weights, self._expanded.J, self._long)
-        if not all(isinstance(entry, Laurent) for entry in M.flat):
+        if not all(isinstance(entry, TrigPolynomial) for entry in M.flat):
             raise FormulaError(f"an entry of the task's rows needs more than {MOST_PRODUCTS} products of terms")
         return M
 
@@ -108,7 +108,7 @@ class Reading:
         """M in the axes and at the point in which it is shortest. Raises as `rows`."""
         names = self.factored.names
         if names in WHOLE:
-            return mid_chain_jacobian(self.chain, names, self.motion.J, self.composition)
+            return mid_chain_jacobian(self.chain, names, self.motion.J, self.budget)
         return MidChainJacobian(self.rows)
 
     @cached_property
@@ -131,7 +131,7 @@ class Reading:
         except OutOfTime as error:
             raise FormulaError(f"the minors of J were not found within {PATIENCE:g} s") from error
 
-    def _tall_minors(self, found: dict[tuple[int, ...], tuple[Laurent, ...]]) -> dict[tuple[int, ...], Minor]:
+    def _tall_minors(self, found: dict[tuple[int, ...], tuple[TrigPolynomial, ...]]) -> dict[tuple[int, ...], Minor]:
         """Return the minors of L M, by Cauchy and Binet."""
         every = range(len(self.factored.weights))
         kept = {out: tuple(i for i in every if i not in out) for out in found}
@@ -151,7 +151,7 @@ class Reading:
         Raises:
             FormulaError: the rows of a tall J are quotients, or the minors cannot be had.
         """
-        zero = self.chain.frequencies.constant(0)
+        zero = self.chain.trig_ring.constant(0)
         if not self.chain.q:
             return sympy.S.One
         if not self.factored.is_plain and len(self.factored.weights) > len(self.chain.q):
@@ -168,11 +168,11 @@ class Reading:
     @cached_property
     def _normal(self) -> NormalForm:
         """How expressions in p, R and q are read."""
-        return self._normal_form(self.motion, self.composition)
+        return self._normal_form(self.motion, self.budget)
 
     @cached_property
-    def _long(self) -> Composition:
-        return replace(self.composition, most_products=MOST_PRODUCTS, most_terms=MOST_PRODUCTS)
+    def _long(self) -> TermBudget:
+        return replace(self.budget, most_products=MOST_PRODUCTS, most_terms=MOST_PRODUCTS)
 
     @cached_property
     def _expanded(self) -> FrameMotion:
@@ -183,14 +183,14 @@ class Reading:
     def _expanded_normal(self) -> NormalForm:
         return self._normal_form(self._expanded, self._long)
 
-    def _normal_form(self, motion: FrameMotion, composition: Composition) -> NormalForm:
+    def _normal_form(self, motion: FrameMotion, budget: TermBudget) -> NormalForm:
         known = dict(zip([*self.task.p, *self.task.R.flat], [*motion.p, *motion.R.flat], strict=True))
-        return NormalForm(composition, known, angle_of if self.task.wraps else sympy.atan2)
+        return NormalForm(budget, known, angle_of if self.task.wraps else sympy.atan2)
 
 
-def _weighted(weights: Matrix, J: Matrix, composition: Composition) -> Matrix:
+def _weighted(weights: Matrix, J: Matrix, budget: TermBudget) -> Matrix:
     """Return W_S J + W_D."""
-    return composition.sum(composition.product(weights[:, :6], J), weights[:, 6:])
+    return budget.sum(budget.product(weights[:, :6], J), weights[:, 6:])
 
 
 def _parts(e: sympy.Expr) -> tuple[sympy.Expr, ...]:

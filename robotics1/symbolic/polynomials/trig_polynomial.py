@@ -1,6 +1,6 @@
 """Trigonometric polynomials, in the form in which sums of angles and cos² + sin² = 1 come by themselves.
 
-A trigonometric polynomial is a Laurent polynomial in the exponentials zⱼ = exp(i φⱼ) of the angles,
+A trigonometric polynomial is a TrigPolynomial polynomial in the exponentials zⱼ = exp(i φⱼ) of the angles,
 
 f = Σₖ cₖ exp(i k·φ),  k ∈ ℤⁿ,
 
@@ -23,12 +23,12 @@ from sympy.polys.rings import PolyElement, PolyRing
 from robotics1.symbolic.polynomials.time_limit import check_time
 
 Exponents = tuple[int, ...]
-Matrix = np.ndarray[Any, Any]  # of Laurent polynomials
+Matrix = np.ndarray[Any, Any]  # of TrigPolynomial polynomials
 ROOTS = {"√2": 2, "√3": 3}  # generators that stand for square roots
 
 
 @dataclass(frozen=True)
-class Frequencies:
+class TrigRing:
     """What the trigonometric polynomials of a chain are made of.
 
     Attributes:
@@ -44,7 +44,7 @@ class Frequencies:
     turns: tuple[int, ...] = ()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _frequencies, (self.angles, self.ring.symbols, self.q, self.turns)  # SymPy's rings cannot be pickled
+        return _trig_ring, (self.angles, self.ring.symbols, self.q, self.turns)  # SymPy's rings cannot be pickled
 
     def turns_of(self, symbol: sympy.Symbol) -> int:
         """Return d of an angle; 1 of a length."""
@@ -56,15 +56,15 @@ class Frequencies:
             *(sympy.Rational(k, self.turns_of(s)) * s for k, s in zip(multiples, self.angles, strict=True))
         )
 
-    def constant(self, value: Any) -> "Laurent":
+    def constant(self, value: Any) -> "TrigPolynomial":
         """Return a coefficient as a polynomial without angles."""
         coefficient = self.ring(value)
-        return Laurent(self, {self.zero: coefficient} if coefficient else {})
+        return TrigPolynomial(self, {self.zero: coefficient} if coefficient else {})
 
-    def exponential(self, multiples: Mapping[sympy.Symbol, int]) -> "Laurent":
+    def exponential(self, multiples: Mapping[sympy.Symbol, int]) -> "TrigPolynomial":
         """Return exp(i k·φ), of angle → k."""
         k = tuple(multiples.get(angle, 0) for angle in self.angles)
-        return Laurent(self, {k: self.ring.one})
+        return TrigPolynomial(self, {k: self.ring.one})
 
     def root(self, k: int) -> PolyElement:
         """Return √k, for k = 1, 2, 3 or 6."""
@@ -74,7 +74,7 @@ class Frequencies:
                 found *= self.ring(sympy.Symbol(name))
         return found
 
-    def turn(self, k: int) -> "Laurent":
+    def turn(self, k: int) -> "TrigPolynomial":
         """Return exp(i k π/12)."""
         i = self.ring(QQ_I(0, 1))
         # exp(iπ/12) = exp(iπ/4) exp(−iπ/6); products reduce √2² and √3²
@@ -92,61 +92,61 @@ class Frequencies:
 
 
 @dataclass(frozen=True, eq=False)
-class Laurent:
+class TrigPolynomial:
     """f = Σₖ cₖ exp(i k·φ), with the terms k → cₖ that do not vanish."""
 
-    frequencies: Frequencies
+    trig_ring: TrigRing
     terms: dict[Exponents, PolyElement]
 
     def __reduce__(self) -> tuple[Any, ...]:
         numbers = {k: {m: _integers(a) for m, a in c.items()} for k, c in self.terms.items()}
-        return _laurent, (self.frequencies, numbers)
+        return _trig_polynomial, (self.trig_ring, numbers)
 
     @property
     def angles(self) -> tuple[int, ...]:
         """The places of the angles it depends on."""
-        return tuple(j for j in range(len(self.frequencies.angles)) if any(k[j] for k in self.terms))
+        return tuple(j for j in range(len(self.trig_ring.angles)) if any(k[j] for k in self.terms))
 
     def __bool__(self) -> bool:
         return bool(self.terms)
 
-    def __add__(self, other: "Laurent") -> "Laurent":
+    def __add__(self, other: "TrigPolynomial") -> "TrigPolynomial":
         terms = dict(self.terms)
         for k, c in other.terms.items():
             terms[k] = terms[k] + c if k in terms else c
-        return Laurent(self.frequencies, {k: c for k, c in terms.items() if c})
+        return TrigPolynomial(self.trig_ring, {k: c for k, c in terms.items() if c})
 
-    def __neg__(self) -> "Laurent":
-        return Laurent(self.frequencies, {k: -c for k, c in self.terms.items()})
+    def __neg__(self) -> "TrigPolynomial":
+        return TrigPolynomial(self.trig_ring, {k: -c for k, c in self.terms.items()})
 
-    def __sub__(self, other: "Laurent") -> "Laurent":
+    def __sub__(self, other: "TrigPolynomial") -> "TrigPolynomial":
         return self + -other
 
-    def __mul__(self, other: "Laurent") -> "Laurent":
+    def __mul__(self, other: "TrigPolynomial") -> "TrigPolynomial":
         terms: dict[Exponents, PolyElement] = {}
         for k, c in self.terms.items():
             check_time()
             for m, d in other.terms.items():
                 n = tuple(a + b for a, b in zip(k, m, strict=True))
                 terms[n] = terms[n] + c * d if n in terms else c * d
-        return Laurent(self.frequencies, {k: c for k, c in ((k, reduced(c)) for k, c in terms.items()) if c})
+        return TrigPolynomial(self.trig_ring, {k: c for k, c in ((k, reduced(c)) for k, c in terms.items()) if c})
 
     @property
-    def conjugate(self) -> "Laurent":
+    def conjugate(self) -> "TrigPolynomial":
         """The complex conjugate: f itself if it is real, the inverse if it is exp(i α)."""
-        return Laurent(self.frequencies, {tuple(-m for m in k): conjugate(c) for k, c in self.terms.items()})
+        return TrigPolynomial(self.trig_ring, {tuple(-m for m in k): conjugate(c) for k, c in self.terms.items()})
 
     @property
     def symbols(self) -> set[sympy.Symbol]:
         """The angles and lengths it depends on."""
-        F = self.frequencies
+        F = self.trig_ring
         used = {F.ring.symbols[i] for c in self.terms.values() for m in c.itermonoms() for i, e in enumerate(m) if e}
         return {symbol for symbol in used if str(symbol) not in ROOTS} | {F.angles[j] for j in self.angles}
 
     @property
     def has_roots(self) -> bool:
         """Whether √2 or √3 is in a coefficient."""
-        places = _root_places(self.frequencies.ring)
+        places = _root_places(self.trig_ring.ring)
         return any(m[place] for c in self.terms.values() for m in c.itermonoms() for place in places)
 
     @property
@@ -154,42 +154,42 @@ class Laurent:
         """The largest modulus of a number in a coefficient."""
         return max((abs(x) for c in self.terms.values() for x in _in_numbers(c).values()), default=0.0)
 
-    def without_rounding(self, least: float) -> "Laurent":
+    def without_rounding(self, least: float) -> "TrigPolynomial":
         """Return f without the coefficients whose modulus is at most `least`, √2 and √3 being numbers."""
         terms = {}
-        places = _root_places(self.frequencies.ring)
+        places = _root_places(self.trig_ring.ring)
         for k, c in self.terms.items():
             small = {m for m, x in _in_numbers(c).items() if abs(x) <= least}
             kept = {m: a for m, a in c.terms() if _without_roots(m, places) not in small}
             if kept:
-                terms[k] = self.frequencies.ring.from_dict(kept)
-        return Laurent(self.frequencies, terms)
+                terms[k] = self.trig_ring.ring.from_dict(kept)
+        return TrigPolynomial(self.trig_ring, terms)
 
-    def derivative(self, symbol: sympy.Symbol) -> "Laurent":
+    def derivative(self, symbol: sympy.Symbol) -> "TrigPolynomial":
         """Return ∂f/∂symbol, for an angle or a generator of the ring."""
-        if symbol in self.frequencies.angles:
-            j = self.frequencies.angles.index(symbol)
-            i = self.frequencies.ring(QQ_I(0, 1) / self.frequencies.turns_of(symbol))
-            return Laurent(self.frequencies, {k: i * k[j] * c for k, c in self.terms.items() if k[j]})
-        generator = self.frequencies.ring(symbol)
+        if symbol in self.trig_ring.angles:
+            j = self.trig_ring.angles.index(symbol)
+            i = self.trig_ring.ring(QQ_I(0, 1) / self.trig_ring.turns_of(symbol))
+            return TrigPolynomial(self.trig_ring, {k: i * k[j] * c for k, c in self.terms.items() if k[j]})
+        generator = self.trig_ring.ring(symbol)
         terms = {k: c.diff(generator) for k, c in self.terms.items()}
-        return Laurent(self.frequencies, {k: c for k, c in terms.items() if c})
+        return TrigPolynomial(self.trig_ring, {k: c for k, c in terms.items() if c})
 
 
-def _frequencies(
+def _trig_ring(
     angles: tuple[sympy.Symbol, ...],
     generators: tuple[sympy.Symbol, ...],
     q: tuple[sympy.Symbol, ...],
     turns: tuple[int, ...],
-) -> Frequencies:
-    return Frequencies(angles, PolyRing(generators, QQ_I), q, turns)
+) -> TrigRing:
+    return TrigRing(angles, PolyRing(generators, QQ_I), q, turns)
 
 
-def _laurent(F: Frequencies, numbers: dict[Exponents, dict[Exponents, tuple[int, ...]]]) -> Laurent:
+def _trig_polynomial(F: TrigRing, numbers: dict[Exponents, dict[Exponents, tuple[int, ...]]]) -> TrigPolynomial:
     def element(a: int, b: int, c: int, d: int) -> Any:
         return QQ_I(QQ(a, b), QQ(c, d))
 
-    return Laurent(F, {k: F.ring.from_dict({m: element(*n) for m, n in c.items()}) for k, c in numbers.items()})
+    return TrigPolynomial(F, {k: F.ring.from_dict({m: element(*n) for m, n in c.items()}) for k, c in numbers.items()})
 
 
 def _in_numbers(c: PolyElement) -> dict[Exponents, complex]:

@@ -12,36 +12,36 @@ from typing import Any
 import numpy as np
 import sympy
 
-from robotics1.symbolic.polynomials.laurent import Frequencies, Laurent, Matrix
 from robotics1.symbolic.polynomials.time_limit import check_time
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial, TrigRing
 from robotics1.symbolic.writing.sums_of_angles import Groups, written
 
 MOST_PRODUCTS = 1000  # of terms, that are tried
 MOST_TERMS = 64  # of a polynomial that is not left as sum of products
 
-Entry = Any  # a Laurent polynomial, or a sympy.Expr
+Entry = Any  # a TrigPolynomial polynomial, or a sympy.Expr
 
 
 @dataclass(frozen=True, eq=False)
-class Composition:
+class TermBudget:
     """How entries are added and multiplied.
 
     Attributes:
-        frequencies: of the polynomials.
+        trig_ring: of the polynomials.
         groups: the angles that are added up where they are written.
         most_products: the most products of terms that are tried.
         most_terms: the longest polynomial that is not left as a sum of products.
     """
 
-    frequencies: Frequencies
+    trig_ring: TrigRing
     groups: Groups
     most_products: int = MOST_PRODUCTS
     most_terms: int = MOST_TERMS
-    _done: dict[Laurent, sympy.Expr] = field(default_factory=dict, repr=False)
+    _done: dict[TrigPolynomial, sympy.Expr] = field(default_factory=dict, repr=False)
 
     def written(self, entry: Entry) -> sympy.Expr:
         """Return an entry in SymPy; each is written once."""
-        if not isinstance(entry, Laurent):
+        if not isinstance(entry, TrigPolynomial):
             return entry
         if entry not in self._done:
             self._done[entry] = written(entry, self.groups)
@@ -53,9 +53,9 @@ class Composition:
         pairs = [(a, b) for a, b in products if a and b]
         rest = [entry for entry in others if entry]
         entries = [entry for pair in pairs for entry in pair] + rest
-        polynomials = all(isinstance(entry, Laurent) for entry in entries)
+        polynomials = all(isinstance(entry, TrigPolynomial) for entry in entries)
         if polynomials and sum(len(a.terms) * len(b.terms) for a, b in pairs) <= self.most_products:
-            found = sum((a * b for a, b in pairs), start=sum(rest, start=self.frequencies.constant(0)))
+            found = sum((a * b for a, b in pairs), start=sum(rest, start=self.trig_ring.constant(0)))
             if len(found.terms) <= self.most_terms:
                 return found
         parts = [self.written(a) * self.written(b) for a, b in pairs]
@@ -77,6 +77,6 @@ class Composition:
 
     def cross(self, A: Matrix, p: Matrix) -> Matrix:
         """Return a × p for the columns a of A, (3, n)."""
-        zero = self.frequencies.constant(0)
+        zero = self.trig_ring.constant(0)
         x, y, z = p
         return self.product(np.array([[zero, z, -y], [-z, zero, x], [y, -x, zero]], dtype=object), A)
