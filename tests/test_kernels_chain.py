@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pinocchio as pin
@@ -10,10 +11,10 @@ import pytest
 from arms import ARMS, arm, random_q
 from closed_forms import SPATIAL_CHAIN, spatial_pose_and_jacobian
 from joint_kinds import KINDS
+from kernel_poses import pose_and_jacobian
 
 from robotics1 import InputError, Robotics1Error, forward_kinematics, frame_jacobian, load_robot
 from robotics1.kernels.chain import chain_arrays
-from robotics1.kernels.forward import pose_and_jacobian
 from robotics1.robot.model import tips
 from robotics1.robot.sources import example_robots
 
@@ -138,7 +139,7 @@ import numpy as np
 from robotics1 import IKSolver, PoseTask, load_robot
 from robotics1.kernels.chain import chain_arrays
 from robotics1.kernels.compilation import COMPILED
-from robotics1.kernels.forward import pose_and_jacobian
+from kernel_poses import pose_and_jacobian
 robot, q, q0 = load_robot("ur5", tool="tool0"), np.array(json.loads(sys.argv[1])), np.array(json.loads(sys.argv[2]))
 T, J = pose_and_jacobian(chain_arrays(robot), q, robot.nv)
 answer = IKSolver(robot, PoseTask())(np.vstack([T, [0, 0, 0, 1]]), q0)
@@ -150,7 +151,8 @@ def test_without_numba_the_same_functions_answer_as_python():
     robot = load_robot("ur5", tool="tool0")
     q, q0 = [0.3, -1.1, 1.4, 0.2, 0.8, -0.5], [0.1, -0.8, 1.0, 0.4, 1.0, -0.2]
     program = [sys.executable, "-c", WITHOUT_NUMBA, json.dumps(q), json.dumps(q0)]
-    run = subprocess.run(program, check=True, capture_output=True, text=True, timeout=300)
+    here = Path(__file__).parent
+    run = subprocess.run(program, check=True, capture_output=True, text=True, timeout=300, cwd=here)
     compiled, T, J, found, status = json.loads(run.stdout)
     assert not compiled
     M = forward_kinematics(robot, q)

@@ -24,7 +24,7 @@ from robotics1 import (
     solve_ik,
 )
 from robotics1.ik.pose_problem import pose_problem
-from robotics1.ik.reach import reach_bound
+from robotics1.ik.proof import reach_bound
 
 XY = PositionTask("xy")
 L1, L2 = 1.2, 0.8

@@ -243,3 +243,16 @@ def test_targets_may_be_an_array_of_them():
     batch, listed = (IKSolver(six_r, PoseTask()).solve_batch(given) for given in (rows, [pin.SE3(T) for T in rows]))
     assert batch.converged.all()
     assert np.array_equal(batch.q, listed.q)
+
+
+def test_the_solution_of_one_target_is_the_start_of_the_next_though_it_is_read_only():
+    six_r, q = arm("six_r"), np.full(6, 0.3)
+    solver = IKSolver(six_r, PoseTask())
+    for _ in range(20):
+        target = forward_kinematics(six_r, q + 0.05)
+        found = solver(target, q)
+        assert not found.q.flags.writeable
+        assert found == solver(target, q.copy())
+        assert found.starts == 1
+        assert found.q == pytest.approx(q + 0.05, abs=1e-5)
+        q = found.q

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
+from numpy import empty, ndarray
+from pinocchio import SE3
 
 from robotics1.caching import cached_property
 from robotics1.ik.pose_problem import pose_problem
@@ -23,6 +25,7 @@ from robotics1.kernels.redundancy import all_nullspace_descents, nullspace_desce
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
+CONVERGED = IKStatus.CONVERGED
 GROUP = 64  # starts of which the one nearest to the target is taken
 FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
 LATER_STARTS = 256  # of each table after that, all of them tried
@@ -177,26 +180,25 @@ class PoseSolver:
     every function call and every attribute counts.
     """
 
-    __slots__ = ("carefully", "kernel", "middle", "tolerance")
+    __slots__ = ("carefully", "kernel", "middle", "number", "shape", "tolerance")
 
     def __init__(self, descent: KernelDescent, carefully: Callable[[Any, Any], IKResult]) -> None:
-        self.carefully, self.kernel = carefully, descent.solve_one
-        self.middle, self.tolerance = descent.middle, descent.tolerance
+        self.carefully, self.kernel, self.tolerance = carefully, descent.solve_one, descent.tolerance
+        self.middle, self.shape, self.number = descent.middle, descent.middle.shape, descent.middle.dtype
 
     def solve(self, target: Any, q0: Any) -> IKResult:
         """Return the answer for one target."""
-        middle = self.middle
-        if type(target) is not pin.SE3:
+        if type(target) is not SE3:
             return self.carefully(target, q0)
         if q0 is None:
-            start, from_q0 = middle, False
-        elif type(q0) is np.ndarray and q0.dtype is middle.dtype and q0.shape == middle.shape and q0.flags.carray:
-            start, from_q0 = q0, True
+            start, from_q0 = self.middle, False
+        elif type(q0) is ndarray and q0.dtype is self.number and q0.shape == self.shape:
+            start, from_q0 = (q0 if q0.flags.carray else q0.copy()), True  # one of a result is read-only
         else:
             return self.carefully(target, q0)
-        q = np.empty(middle.shape)
+        q = empty(self.shape)
         tried, error = self.kernel(target.homogeneous, start, from_q0, q)
         if not error <= self.tolerance:
             return self.carefully(target, q0)
-        q.setflags(write=False)
-        return IKResult(IKStatus.CONVERGED, q, error, tried)
+        q.setflags(False)  # type: ignore[call-arg]  # write=False, by name, takes twice as long
+        return IKResult(CONVERGED, q, error, tried)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.ik.descent import REACHED, Descent, End
+from robotics1.ik.descent import REACHED, End, TaskDescent
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
@@ -179,7 +179,7 @@ def _least(problem: ScaledTask, q: Array, target: Any) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class SolutionSearch(Descent):
+class SolutionSearch(TaskDescent):
     """The search for the q in a box with f(q) = target; `points` is the singular set of the task."""
 
     points: SingularPoints | None = None

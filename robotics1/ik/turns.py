@@ -8,7 +8,7 @@ import numpy.typing as npt
 from robotics1.angles import TURN
 from robotics1.inputs import Array
 from robotics1.kinematics import frame_jacobian
-from robotics1.robot.box import JointBox
+from robotics1.robot.box import JointBox, nearest_turn
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -60,9 +60,7 @@ class WholeTurns:
         """Return q with joints whose turns change nothing turned as near to `around` as [lower, upper] allows."""
         alike = np.isfinite(self.period) & ~self.change.any(axis=0)
         period = np.where(alike, self.period, 1.0)
-        turns = np.round((around - q) / period)
-        turns = np.clip(turns, np.ceil((lower - q) / period - 1e-9), np.floor((upper - q) / period + 1e-9))
-        return np.where(alike, np.clip(q + period * turns, lower, upper), q)
+        return np.where(alike, np.clip(nearest_turn(q, around, lower, upper, period), lower, upper), q)
 
     def _turned(
         self, q: Array, left: Array, joints: tuple[int, ...], lower: Array, upper: Array
@@ -71,12 +69,10 @@ class WholeTurns:
         p, rest = q.copy(), left.copy()
         for j in joints:
             row = int(np.argmax(np.abs(self.change[:, j])))
-            turns = np.round(rest[row] / self.change[row, j])
-            least = np.ceil((lower[j] - p[j]) / self.period[j] - 1e-9)
-            most = np.floor((upper[j] - p[j]) / self.period[j] + 1e-9)
-            turns = float(np.clip(turns, least, max(least, most)))
-            p[j] = np.clip(p[j] + turns * self.period[j], lower[j], upper[j])
-            rest -= turns * self.change[:, j]
+            wanted = p[j] + self.period[j] * np.round(rest[row] / self.change[row, j])
+            turned = nearest_turn(p[j], wanted, lower[j], upper[j], self.period[j])
+            rest -= np.round((turned - p[j]) / self.period[j]) * self.change[:, j]
+            p[j] = np.clip(turned, lower[j], upper[j])
         return p, rest
 
 

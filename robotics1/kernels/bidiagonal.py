@@ -3,7 +3,7 @@
 import math
 
 from robotics1.inputs import Array
-from robotics1.kernels.blocks import BLOCK
+from robotics1.kernels.block_jacobian import BLOCK
 from robotics1.kernels.compilation import compiled
 
 ZERO = 1e-290  # |x|² of a vector that needs no reflection: its inverse would overflow

@@ -1,17 +1,71 @@
-"""Where the frame of a chain is, and its Jacobian, at a block of configurations; `forward` is the same at one."""
+"""Where the frame of a chain is, and its Jacobian, at a block of configurations; `forward` is the same at one.
+
+What belongs to one configuration is spread: each number of it, such as an entry of J, stands in a row of its own, with
+one place for each configuration of the block. An operation is then a loop along a row, that LLVM turns into vector
+instructions, eight configurations at a time where the processor has AVX-512; and a block fits the first-level cache.
+The loops are written out, since a slice of an array costs the compiler more than the loop.
+"""
+
+import math
+
+import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.block_trigonometry import cosines_and_sines
-from robotics1.kernels.blocks import BLOCK
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
+
+BLOCK = 64  # with 16 and 32, LLVM unrolls the loops, and the rate is 0.6 of this; with 128 it is 1.05 times this
+LARGEST = 1e5  # [rad]; beyond, the reduction loses digits and the C library serves
+TWO_BY_PI = 2 / math.pi
+# π/2 in three parts; the first two have 33 bits, so that a multiple of them below 2²⁰ is exact.
+HALF_PI = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
+
+
+@compiled()  # not contract: summed in another order, the three parts of π/2 would be one
+def cosines_and_sines(angle: Array, cosine: Array, sine: Array) -> None:
+    """Write cos and sin of the angles (BLOCK,) [rad], to 2e-16.
+
+    r = x − k π/2 with k the nearest integer; then the polynomials for |r| ≤ π/4; then k mod 4 says which of
+    ±cos r, ±sin r is meant.
+
+    Source of the reduction: Cody, Waite, Software Manual for the Elementary Functions, 1980, chapter 8. Of the
+    constants: Sun Microsystems' fdlibm, 1993, k_sin.c, k_cos.c and e_rem_pio2.c.
+    """
+    beyond = 0
+    for c in range(BLOCK):
+        x = angle[c]
+        beyond += abs(x) > LARGEST
+        k = np.rint(x * TWO_BY_PI)
+        r = ((x - k * HALF_PI[0]) - k * HALF_PI[1]) - k * HALF_PI[2]
+        z = r * r
+        a = 8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06)
+        a = a + z * z * z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)
+        s = r + r * z * (-1.66666666666666324348e-01 + z * a)
+        b = 4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 + z * 2.48015872894767294178e-05)
+        t = 2.08757232129817482790e-09 - z * 1.13596475577881948265e-11
+        b = b + z * z * z * (-2.75573143513906633035e-07 + z * t)
+        d = (1.0 - 0.5 * z) + z * z * b
+        quarter = np.int64(k)
+        x, y = (s, d) if quarter & 1 else (d, s)
+        cosine[c] = -x if (quarter + 1) & 2 else x
+        sine[c] = -y if quarter & 2 else y
+    if beyond > 0:
+        for c in range(BLOCK):
+            cosine[c], sine[c] = math.cos(angle[c]), math.sin(angle[c])
 
 
 @compiled()  # not contract, which would be handed on to the reduction of the angles
 def place_block(
-    placements: Array, prismatic: Indices, coordinate: Indices, ratio: Array, q: Array, T: Array, lines: Array, z: Array
+    placements: Array,
+    prismatic: Indices,
+    coordinate: Indices,
+    ratio: Array,
+    q: Array,
+    T: Array,
+    joint_axes: Array,
+    z: Array,
 ) -> None:
-    """Write the poses to T, (3, 4, BLOCK), and of each joint its axis and a point on it to lines, (k, 6, BLOCK).
+    """Write the poses to T, (3, 4, BLOCK), and of each joint its axis and a point on it to joint_axes, (k, 6, BLOCK).
 
     T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
 
@@ -19,7 +73,7 @@ def place_block(
         placements, prismatic, coordinate, ratio: as of `ChainArrays`.
         q: (n, BLOCK) configurations.
         T: (3, 4, BLOCK), to be written.
-        lines: (k, 6, BLOCK), to be written.
+        joint_axes: (k, 6, BLOCK), to be written.
         z: (3, BLOCK), scratch: motion, cosine and sine of one joint.
     """
     for i in range(3):
@@ -30,7 +84,7 @@ def place_block(
         row, factor = coordinate[joint], ratio[joint]
         for i in range(3):
             for c in range(BLOCK):
-                lines[joint, i, c], lines[joint, 3 + i, c] = T[i, 2, c], T[i, 3, c]
+                joint_axes[joint, i, c], joint_axes[joint, 3 + i, c] = T[i, 2, c], T[i, 3, c]
         for c in range(BLOCK):
             z[0, c] = factor * q[row, c]
         P = placements[joint + 1]
@@ -54,7 +108,9 @@ def place_block(
 
 
 @compiled(contract=True)
-def jacobian_block(prismatic: Indices, coordinate: Indices, ratio: Array, T: Array, lines: Array, J: Array) -> None:
+def jacobian_block(
+    prismatic: Indices, coordinate: Indices, ratio: Array, T: Array, joint_axes: Array, J: Array
+) -> None:
     """Write J, (6, n, BLOCK), from what `place_block` found: the columns (z × (p − o), z) and, of a prismatic joint,
     (z, 0). Joints that share a coordinate add up.
     """
@@ -67,12 +123,16 @@ def jacobian_block(prismatic: Indices, coordinate: Indices, ratio: Array, T: Arr
         if prismatic[joint]:
             for i in range(3):
                 for c in range(BLOCK):
-                    J[i, column, c] += factor * lines[joint, i, c]
+                    J[i, column, c] += factor * joint_axes[joint, i, c]
             continue
         for c in range(BLOCK):
-            x, y, z = factor * lines[joint, 0, c], factor * lines[joint, 1, c], factor * lines[joint, 2, c]
-            dx, dy = T[0, 3, c] - lines[joint, 3, c], T[1, 3, c] - lines[joint, 4, c]
-            dz = T[2, 3, c] - lines[joint, 5, c]
+            x, y, z = (
+                factor * joint_axes[joint, 0, c],
+                factor * joint_axes[joint, 1, c],
+                factor * joint_axes[joint, 2, c],
+            )
+            dx, dy = T[0, 3, c] - joint_axes[joint, 3, c], T[1, 3, c] - joint_axes[joint, 4, c]
+            dz = T[2, 3, c] - joint_axes[joint, 5, c]
             J[0, column, c] += y * dz - z * dy
             J[1, column, c] += z * dx - x * dz
             J[2, column, c] += x * dy - y * dx

@@ -10,6 +10,8 @@ from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 
 Indices = npt.NDArray[np.int64]
+PRISMATIC, COORDINATE, RATIO = 12, 13, 14  # the columns of `links` after the placement
+LOWER, UPPER, CIRCULAR, UNIT = 0, 1, 2, 3  # of a coordinate: its limits, whether it makes whole turns, what counts as 1
 STILL = 1e-300  # |S| of a joint that does not move: one that mimics with multiplier 0
 
 
@@ -36,8 +38,8 @@ class ChainArrays(NamedTuple):
     def links(self) -> Array:
         """Return all of it as one array, (k+1, 15), for kernels that are called often: an array costs when it passes.
 
-        Row i holds the placement before joint i, row by row (12), and of that joint whether it is prismatic, which
-        entry of q moves it, and its ratio; the last row is of the frame.
+        Row i holds the placement before joint i, row by row (12), and of that joint in the columns PRISMATIC,
+        COORDINATE and RATIO what the attributes say; the last row is of the frame.
         """
         joints = np.column_stack([self.prismatic, self.coordinate, self.ratio])
         return np.column_stack([self.placements.reshape(-1, 12), np.vstack([joints, np.zeros(3)])])

@@ -1,6 +1,7 @@
 """The step of damped least squares inside joint limits."""
 
 from robotics1.inputs import Array
+from robotics1.kernels.chain import CIRCULAR, LOWER, UPPER
 from robotics1.kernels.compilation import compiled
 
 
@@ -81,9 +82,9 @@ def damped_step(
                 motion = wish[j]
                 for a in range(6):
                     motion += columns[j, a] * y[a]
-                below = x[j] <= limits[0, j] and motion < 0.0
-                above = x[j] >= limits[1, j] and motion > 0.0
-                if limits[2, j] == 0.0 and (below or above):
+                below = x[j] <= limits[LOWER, j] and motion < 0.0
+                above = x[j] >= limits[UPPER, j] and motion > 0.0
+                if limits[CIRCULAR, j] == 0.0 and (below or above):
                     held[j], motion, settled = 1.0, 0.0, False
             step[j] = motion
         if settled:

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
+from robotics1.kernels.chain import CIRCULAR, LOWER, UPPER
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.forward import forward_kinematics, geometric_jacobian
@@ -32,13 +33,13 @@ def descend(
     method and passes singularities.
     """
     n = len(x)
-    T, lines, M, columns = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty((n, 6))
+    T, joint_axes, M, columns = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty((n, 6))
     e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
     for j in range(n):
         wish[j] = 0.0
     least, stuck = np.inf, 0
     for _ in range(STEPS):
-        forward_kinematics(links, x, T, lines)
+        forward_kinematics(links, x, T, joint_axes)
         pose_error(goal, axis, T, M, e)
         linear = counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2]
         angular = counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5]
@@ -49,7 +50,7 @@ def descend(
             copy(x, best)
         if error <= tolerance or stuck == PATIENCE:
             break
-        geometric_jacobian(links, T, lines, columns.T)
+        geometric_jacobian(links, T, joint_axes, columns.T)
         leave_out(counted, axis, T, columns, e)
         damped_step(columns, e, wish, DAMPING + DAMPING_SLOPE * min(linear + angular, FAR), limits, x, held, A, y, step)
         move(limits, step, x)
@@ -61,8 +62,8 @@ def move(limits: Array, step: Array, x: Array) -> None:
     """Add a step to x, (n,), and put joints that it takes past a limit on the limit."""
     for j in range(len(x)):
         x[j] += step[j]
-        if limits[2, j] == 0.0:
-            x[j] = min(max(x[j], limits[0, j]), limits[1, j])
+        if limits[CIRCULAR, j] == 0.0:
+            x[j] = min(max(x[j], limits[LOWER, j]), limits[UPPER, j])
 
 
 @compiled()

@@ -14,7 +14,7 @@ Accurate singular values and differential qd algorithms, Numer. Math. 67, 1994.
 import math
 
 from robotics1.inputs import Array
-from robotics1.kernels.blocks import BLOCK
+from robotics1.kernels.block_jacobian import BLOCK
 from robotics1.kernels.compilation import compiled
 
 CLOSE = 1e-13  # of λ: what the steps not taken may add to it

@@ -2,16 +2,14 @@
 
 import math
 
-import numpy as np
-
 from robotics1.inputs import Array
-from robotics1.kernels.chain import ChainArrays
+from robotics1.kernels.chain import COORDINATE, PRISMATIC, RATIO
 from robotics1.kernels.compilation import compiled
 
 
 @compiled(contract=True, inline=True)
-def forward_kinematics(links: Array, q: Array, T: Array, lines: Array) -> None:
-    """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to lines, (k, 6).
+def forward_kinematics(links: Array, q: Array, T: Array, joint_axes: Array) -> None:
+    """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to joint_axes, (k, 6).
 
     T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
     `links` are those of a chain.
@@ -21,9 +19,9 @@ def forward_kinematics(links: Array, q: Array, T: Array, lines: Array) -> None:
             T[i, j] = links[0, 4 * i + j]
     for joint in range(len(links) - 1):
         for i in range(3):
-            lines[joint, i], lines[joint, 3 + i] = T[i, 2], T[i, 3]
-        motion = links[joint, 14] * q[int(links[joint, 13])]
-        if links[joint, 12] != 0.0:
+            joint_axes[joint, i], joint_axes[joint, 3 + i] = T[i, 2], T[i, 3]
+        motion = links[joint, RATIO] * q[int(links[joint, COORDINATE])]
+        if links[joint, PRISMATIC] != 0.0:
             for i in range(3):
                 T[i, 3] += motion * T[i, 2]
         else:
@@ -40,32 +38,24 @@ def forward_kinematics(links: Array, q: Array, T: Array, lines: Array) -> None:
 
 
 @compiled(contract=True, inline=True)
-def geometric_jacobian(links: Array, T: Array, lines: Array, J: Array) -> None:
+def geometric_jacobian(links: Array, T: Array, joint_axes: Array, J: Array) -> None:
     """Write J, (6, n), from what `forward_kinematics` found.
 
     A column is (z × (p − o), z), or (z, 0) of a prismatic joint; joints that share a coordinate add up.
     """
     J[:] = 0.0
     for joint in range(len(links) - 1):
-        column, r = int(links[joint, 13]), links[joint, 14]
-        x, y, z = r * lines[joint, 0], r * lines[joint, 1], r * lines[joint, 2]
-        if links[joint, 12] != 0.0:
+        column, r = int(links[joint, COORDINATE]), links[joint, RATIO]
+        x, y, z = r * joint_axes[joint, 0], r * joint_axes[joint, 1], r * joint_axes[joint, 2]
+        if links[joint, PRISMATIC] != 0.0:
             J[0, column] += x
             J[1, column] += y
             J[2, column] += z
         else:
-            dx, dy, dz = T[0, 3] - lines[joint, 3], T[1, 3] - lines[joint, 4], T[2, 3] - lines[joint, 5]
+            dx, dy, dz = T[0, 3] - joint_axes[joint, 3], T[1, 3] - joint_axes[joint, 4], T[2, 3] - joint_axes[joint, 5]
             J[0, column] += y * dz - z * dy
             J[1, column] += z * dx - x * dz
             J[2, column] += x * dy - y * dx
             J[3, column] += x
             J[4, column] += y
             J[5, column] += z
-
-
-def pose_and_jacobian(chain: ChainArrays, q: Array, nv: int) -> tuple[Array, Array]:
-    """Return the pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
-    T, lines, J, links = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv)), chain.links()
-    forward_kinematics(links, q, T, lines)
-    geometric_jacobian(links, T, lines, J)
-    return T, J

@@ -5,10 +5,11 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import Indices
+from robotics1.kernels.chain import CIRCULAR, LOWER, UNIT, UPPER, Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy, descend
 from robotics1.kernels.forward import forward_kinematics
+from robotics1.kernels.pose_error import task_parts
 
 NO_POSE, NO_START = -1, -2  # instead of a number of starts: the goal is no pose, the start is not finite
 ORTHONORMAL = 1.001e-6  # |RᵀR − 1| of what is taken for a rotation: 1e-6, as everywhere, and room for rounding
@@ -66,9 +67,10 @@ def nearest_start(counted: Array, goal: Array, table: Array, first: int, last: i
 @compiled()
 def start_table(links: Array, starts: Array) -> Array:
     """Return (s, 12 + n): the poses at the starts, (s, n), row by row, and the starts."""
-    table, T, lines = np.empty((len(starts), 12 + starts.shape[1])), np.empty((3, 4)), np.empty((len(links) - 1, 6))
+    table = np.empty((len(starts), 12 + starts.shape[1]))
+    T, joint_axes = np.empty((3, 4)), np.empty((len(links) - 1, 6))
     for s in range(len(starts)):
-        forward_kinematics(links, starts[s], T, lines)
+        forward_kinematics(links, starts[s], T, joint_axes)
         for i in range(3):
             for j in range(4):
                 table[s, 4 * i + j] = T[i, j]
@@ -94,11 +96,11 @@ def wind(limits: Array, around: Array, x: Array) -> bool:
     """
     turned = False
     for j in range(len(x)):
-        if limits[2, j] == 0.0:
+        if limits[CIRCULAR, j] == 0.0:
             continue
         before = x[j]
         x[j] -= TURN * math.floor((x[j] - around[j]) / TURN + 0.5)
-        x[j] = inside(limits[0, j], limits[1, j], 1.0, x[j])
+        x[j] = inside(limits[LOWER, j], limits[UPPER, j], 1.0, x[j])
         turned = turned or x[j] != before
     return turned
 
@@ -111,11 +113,11 @@ def to_units(coordinates: Array, active: Indices, q: Array, x: Array, limits: Ar
     """
     for j in range(len(active)):
         own = active[j]
-        unit = coordinates[own, 3]
+        unit = coordinates[own, UNIT]
         x[j] = q[own] / unit
-        limits[0, j], limits[1, j] = coordinates[own, 0] / unit, coordinates[own, 1] / unit
-        limits[2, j] = coordinates[own, 2]
-        if limits[2, j] != 0.0 and abs(x[j]) > ENDLESS:
+        limits[LOWER, j], limits[UPPER, j] = coordinates[own, LOWER] / unit, coordinates[own, UPPER] / unit
+        limits[CIRCULAR, j] = coordinates[own, CIRCULAR]
+        if limits[CIRCULAR, j] != 0.0 and abs(x[j]) > ENDLESS:
             x[j] %= TURN
 
 
@@ -124,7 +126,7 @@ def from_units(coordinates: Array, active: Indices, x: Array, q: Array) -> None:
     """Write x, (n,), to the entries of q that move the chain."""
     for j in range(len(active)):
         own = active[j]
-        q[own] = min(max(x[j] * coordinates[own, 3], coordinates[own, 0]), coordinates[own, 1])
+        q[own] = min(max(x[j] * coordinates[own, UNIT], coordinates[own, LOWER]), coordinates[own, UPPER])
 
 
 @compiled()
@@ -139,11 +141,10 @@ def solve(
 
     Args:
         links: of the chain, lengths in units.
-        coordinates: (nq, 4) of each entry of q the lower and the upper limit, 1 if it can make whole turns, and what
-            counts as one.
+        coordinates: (nq, 4) of each entry of q its LOWER and UPPER limit, CIRCULAR 1 if it can make whole turns, and
+            the UNIT that counts as one.
         active: (n,) which entries of q move the chain.
-        task: (11,) 1 for the six rows of the error that count; the axis that is pointed, or zero; the unit of
-            lengths [m]; the tolerance on |e| [m, rad].
+        task: (11,) as `task_parts` has it.
         table: (s, 12 + n) of `start_table`; group: how many starts share a group.
         target: [R p], (3, 4) or more rows [m].
         q0: (nq,) the values of the joints that do not move the chain, moved inside the limits, and, from_q0, a start.
@@ -151,11 +152,12 @@ def solve(
     """
     n = len(active)
     x, x0, best, found, goal = np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty((3, 4))
-    limits, counted, axis, unit, tolerance = np.empty((3, n)), task[:6], task[6:9], task[9], task[10]
+    limits = np.empty((3, n))
+    counted, axis, unit, tolerance = task_parts(task)
     if not is_pose(target):
         return NO_POSE, np.nan
     for j in range(len(q)):
-        q[j] = inside(coordinates[j, 0], coordinates[j, 1], coordinates[j, 2], q0[j])
+        q[j] = inside(coordinates[j, LOWER], coordinates[j, UPPER], coordinates[j, CIRCULAR], q0[j])
         if not math.isfinite(q0[j]):
             return NO_START, np.nan
     in_units(target, unit, goal)

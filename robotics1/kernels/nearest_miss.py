@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import Indices
+from robotics1.kernels.chain import CIRCULAR, COORDINATE, LOWER, PRISMATIC, RATIO, UPPER, Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy
 from robotics1.kernels.forward import forward_kinematics
 from robotics1.kernels.inverse import from_units, in_units, inside, to_units
-from robotics1.kernels.pose_error import pose_error
+from robotics1.kernels.pose_error import pose_error, task_parts
 
 STEPS = 60
 STATIONARY = 1e-14  # relative decrease of |e|² that is rounding
@@ -19,10 +19,12 @@ WEAK = 1e-3  # μ to begin with
 
 
 @compiled()
-def half_square(links: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array, T: Array, lines: Array,
-                M: Array, e: Array) -> float:  # fmt: skip
+def half_square(
+    links: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array, T: Array, joint_axes: Array,
+    M: Array, e: Array,
+) -> float:  # fmt: skip
     """Return ½ |e|² at x, and write e, (6,): its linear rows in metres, and zero where they do not count."""
-    forward_kinematics(links, x, T, lines)
+    forward_kinematics(links, x, T, joint_axes)
     pose_error(goal, axis, T, M, e)
     total = 0.0
     for i in range(6):
@@ -33,7 +35,7 @@ def half_square(links: Array, counted: Array, axis: Array, unit: float, goal: Ar
 
 @compiled()
 def slope_and_curvature(
-    links: Array, counted: Array, axis: Array, unit: float, T: Array, lines: Array, e: Array, g: Array, H: Array,
+    links: Array, counted: Array, axis: Array, unit: float, T: Array, joint_axes: Array, e: Array, g: Array, H: Array,
     moves: Array,
 ) -> None:  # fmt: skip
     """Write the gradient g, (n,), and the Hessian H, (n, n), of ½ |e|².
@@ -57,13 +59,13 @@ def slope_and_curvature(
     if theta > 1e-4 and counted[3] + counted[4] + counted[5] > 2.5:
         half = theta if pointing else 0.5 * theta
         across = half / math.tan(half) if half < 3.0 else -3.0 / math.tan(0.14159)
-    joint_motions(links, unit, T, lines, moves)
+    joint_motions(links, unit, T, joint_axes, moves)
     for j in range(k):
-        own = int(links[j, 13])
+        own = int(links[j, COORDINATE])
         for i in range(6):
             g[own] -= e[i] * moves[j, i]
         for m in range(j, k):
-            other = int(links[m, 13])
+            other = int(links[m, COORDINATE])
             h = product(counted, e, a, theta, across, moves[j], moves[m])
             h -= change(e, moves[j], moves[m], m > j)
             H[own, other] += h
@@ -72,20 +74,20 @@ def slope_and_curvature(
 
 
 @compiled()
-def joint_motions(links: Array, unit: float, T: Array, lines: Array, moves: Array) -> None:
+def joint_motions(links: Array, unit: float, T: Array, joint_axes: Array, moves: Array) -> None:
     """Write the columns (v_j, ω_j) of J, (k, 6), one for each joint on the way, followers included."""
     for j in range(len(links) - 1):
-        r = links[j, 14]
-        dx, dy, dz = T[0, 3] - lines[j, 3], T[1, 3] - lines[j, 4], T[2, 3] - lines[j, 5]
+        r = links[j, RATIO]
+        dx, dy, dz = T[0, 3] - joint_axes[j, 3], T[1, 3] - joint_axes[j, 4], T[2, 3] - joint_axes[j, 5]
         for i in range(3):
-            moves[j, 3 + i] = 0.0 if links[j, 12] != 0.0 else r * lines[j, i]
-        if links[j, 12] != 0.0:
+            moves[j, 3 + i] = 0.0 if links[j, PRISMATIC] != 0.0 else r * joint_axes[j, i]
+        if links[j, PRISMATIC] != 0.0:
             for i in range(3):
-                moves[j, i] = r * unit * lines[j, i]
+                moves[j, i] = r * unit * joint_axes[j, i]
         else:
-            moves[j, 0] = r * unit * (lines[j, 1] * dz - lines[j, 2] * dy)
-            moves[j, 1] = r * unit * (lines[j, 2] * dx - lines[j, 0] * dz)
-            moves[j, 2] = r * unit * (lines[j, 0] * dy - lines[j, 1] * dx)
+            moves[j, 0] = r * unit * (joint_axes[j, 1] * dz - joint_axes[j, 2] * dy)
+            moves[j, 1] = r * unit * (joint_axes[j, 2] * dx - joint_axes[j, 0] * dz)
+            moves[j, 2] = r * unit * (joint_axes[j, 0] * dy - joint_axes[j, 1] * dx)
 
 
 @compiled()
@@ -164,29 +166,29 @@ def least_miss(links: Array, limits: Array, counted: Array, axis: Array, unit: f
     Control and Optimization 20 (1982).
     """
     n, k = len(x), len(links) - 1
-    T, lines, M, e = np.empty((3, 4)), np.empty((k, 6)), np.empty((3, 3)), np.empty(6)
+    T, joint_axes, M, e = np.empty((3, 4)), np.empty((k, 6)), np.empty((3, 3)), np.empty(6)
     g, H, L, step, held = np.empty(n), np.empty((n, n)), np.empty((n, n)), np.empty(n), np.empty(n)
     ahead, moves, trial = np.empty(n), np.empty((k, 6)), np.empty(6)
-    value = half_square(links, counted, axis, unit, goal, x, T, lines, M, e)
+    value = half_square(links, counted, axis, unit, goal, x, T, joint_axes, M, e)
     if not math.isfinite(value) or value > 1e200:
         return math.sqrt(2.0 * value)
     mu = WEAK
     for _ in range(STEPS):
-        half_square(links, counted, axis, unit, goal, x, T, lines, M, e)
-        slope_and_curvature(links, counted, axis, unit, T, lines, e, g, H, moves)
+        half_square(links, counted, axis, unit, goal, x, T, joint_axes, M, e)
+        slope_and_curvature(links, counted, axis, unit, T, joint_axes, e, g, H, moves)
         largest = 0.0
         for j in range(n):
             largest = max(largest, abs(H[j, j]))
-            below, above = x[j] <= limits[0, j] and g[j] > 0.0, x[j] >= limits[1, j] and g[j] < 0.0
-            held[j] = 1.0 if limits[2, j] == 0.0 and (below or above) else 0.0
+            below, above = x[j] <= limits[LOWER, j] and g[j] > 0.0, x[j] >= limits[UPPER, j] and g[j] < 0.0
+            held[j] = 1.0 if limits[CIRCULAR, j] == 0.0 and (below or above) else 0.0
         better = False
         while mu < MOST:
             if solve_positive(H, held, mu * max(largest, 1e-300), g, L, step):
                 for j in range(n):
                     ahead[j] = x[j] + step[j]
-                    if limits[2, j] == 0.0:
-                        ahead[j] = min(max(ahead[j], limits[0, j]), limits[1, j])
-                new = half_square(links, counted, axis, unit, goal, ahead, T, lines, M, trial)
+                    if limits[CIRCULAR, j] == 0.0:
+                        ahead[j] = min(max(ahead[j], limits[LOWER, j]), limits[UPPER, j])
+                new = half_square(links, counted, axis, unit, goal, ahead, T, joint_axes, M, trial)
                 if new < value:
                     better = True
                     break
@@ -211,12 +213,13 @@ def nearest_misses(
     """
     n = len(active)
     x, limits, goal = np.empty(n), np.empty((3, n)), np.empty((3, 4))
+    counted, axis, unit, _ = task_parts(task)
     for i in range(len(targets)):
-        in_units(targets[i], task[9], goal)
+        in_units(targets[i], unit, goal)
         to_units(coordinates, active, q[i], x, limits)
-        found = least_miss(links, limits, task[:6], task[6:9], task[9], goal, x)
+        found = least_miss(links, limits, counted, axis, unit, goal, x)
         if found < errors[i]:
             for j in range(n):
-                x[j] = inside(limits[0, j], limits[1, j], limits[2, j], x[j])
+                x[j] = inside(limits[LOWER, j], limits[UPPER, j], limits[CIRCULAR, j], x[j])
             from_units(coordinates, active, x, q[i])
             errors[i] = found

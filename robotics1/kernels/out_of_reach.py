@@ -7,7 +7,7 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.forward import forward_kinematics
-from robotics1.kernels.pose_error import pose_error
+from robotics1.kernels.pose_error import pose_error, task_parts
 
 OPEN = -1  # instead of a number of boxes: the proof does not succeed
 ROUNDING = 1e-12  # of a pose, in units: boxes are not halved below
@@ -35,13 +35,13 @@ def exclude(
     Lipschitz constants for the bounds.
     """
     n = speeds.shape[1]
-    T, lines, M, e = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty(6)
-    counted, axis = task[:6], task[6:9]
+    T, joint_axes, M, e = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty(6)
+    counted, axis, _, _ = task_parts(task)
     for _ in range(most):
         if count == 0:
             break
         box = boxes[count - 1]
-        forward_kinematics(links, box[:n], T, lines)
+        forward_kinematics(links, box[:n], T, joint_axes)
         pose_error(goal, axis, T, M, e)
         linear = math.sqrt(counted[0] * e[0] * e[0] + counted[1] * e[1] * e[1] + counted[2] * e[2] * e[2])
         angular = math.sqrt(counted[3] * e[3] * e[3] + counted[4] * e[4] * e[4] + counted[5] * e[5] * e[5])

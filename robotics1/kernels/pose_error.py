@@ -11,6 +11,19 @@ SMALL = 1e-8  # sin θ below which θ / sin θ is 1 to the last digit
 HALF_TURN = -0.999  # cos θ below which the axis is read from R + Rᵀ, since sin θ loses its digits
 
 
+TOLERANCE = 10  # where the tolerance stands in `task`
+
+
+@compiled(inline=True)
+def task_parts(task: Array) -> tuple[Array, Array, float, float]:
+    """Return what a task is to the kernels, (11,), in parts.
+
+    They are 1 for the six rows of the error that count; the axis that is pointed, or zero; the unit of lengths [m];
+    and the tolerance on |e| [m, rad].
+    """
+    return task[:6], task[6:9], task[9], task[TOLERANCE]
+
+
 @compiled()
 def rotation_vector(M: Array, w: Array) -> None:
     """Write log3(M) to w, (3,): the axis of a rotation matrix times its angle θ ∈ [0, π].

@@ -11,7 +11,7 @@ from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.descent import DAMPING, descend, move
 from robotics1.kernels.forward import forward_kinematics, geometric_jacobian
 from robotics1.kernels.inverse import from_units, in_units, to_units, wind
-from robotics1.kernels.pose_error import leave_out, pose_error
+from robotics1.kernels.pose_error import TOLERANCE, leave_out, pose_error, task_parts
 
 STEPS_ASIDE = 200  # along the null space of a solution, at most
 LONGEST_ASIDE = 0.2  # of one of them [rad]
@@ -28,13 +28,13 @@ def approach(links: Array, limits: Array, counted: Array, axis: Array, goal: Arr
     Source: Liégeois, IEEE Trans. Systems, Man and Cybernetics 7 (1977).
     """
     n = len(x)
-    T, lines, M, columns = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty((n, 6))
+    T, joint_axes, M, columns = np.empty((3, 4)), np.empty((len(links) - 1, 6)), np.empty((3, 3)), np.empty((n, 6))
     e, A, y, held, wish, step = np.empty(6), np.empty((6, 6)), np.empty(6), np.empty(n), np.empty(n), np.empty(n)
     longest, last = LONGEST_ASIDE, np.inf
     for _ in range(STEPS_ASIDE):
-        forward_kinematics(links, x, T, lines)
+        forward_kinematics(links, x, T, joint_axes)
         pose_error(goal, axis, T, M, e)
-        geometric_jacobian(links, T, lines, columns.T)
+        geometric_jacobian(links, T, joint_axes, columns.T)
         leave_out(counted, axis, T, columns, e)
         for j in range(n):
             wish[j] = wished[j] - x[j]
@@ -81,7 +81,7 @@ def nullspace_descent(
     n = len(active)
     x, near, same, around = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
     goal, limits = np.empty((3, 4)), np.empty((3, n))
-    counted, axis, unit, tolerance = task[:6], task[6:9], task[9], task[10]
+    counted, axis, unit, tolerance = task_parts(task)
     in_units(target, unit, goal)
     to_units(coordinates, active, wished, around, limits)
     to_units(coordinates, active, q, x, limits)
@@ -108,5 +108,5 @@ def all_nullspace_descents(
 ) -> None:  # fmt: skip
     """Do what `nullspace_descent` does for every target, (k, 4, 4), that is reached; wished and q are (k, nq)."""
     for i in range(len(targets)):
-        if errors[i] <= task[10]:
+        if errors[i] <= task[TOLERANCE]:
             errors[i] = nullspace_descent(links, coordinates, active, task, targets[i], wished[i], q[i], errors[i])

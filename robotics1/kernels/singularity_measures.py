@@ -8,8 +8,7 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.array_jacobian import task_jacobians
 from robotics1.kernels.bidiagonal import bidiagonal_squares
-from robotics1.kernels.block_jacobian import jacobian_block, place_block, task_rows_block
-from robotics1.kernels.blocks import BLOCK
+from robotics1.kernels.block_jacobian import BLOCK, jacobian_block, place_block, task_rows_block
 from robotics1.kernels.chain import ChainArrays, Indices
 from robotics1.kernels.compilation import COMPILED, compiled
 from robotics1.kernels.extreme_singular_values import largest_eigenvalues, smallest_eigenvalues
@@ -83,7 +82,7 @@ def measure_blocks(
     """
     n, count, m = q.shape[0], q.shape[1], S.shape[0]
     k = min(m, n)
-    T, lines, work = np.empty((3, 4, BLOCK)), np.empty((len(coordinate), 6, BLOCK)), np.empty((6, BLOCK))
+    T, joint_axes, work = np.empty((3, 4, BLOCK)), np.empty((len(coordinate), 6, BLOCK)), np.empty((6, BLOCK))
     block, frame, A = np.empty((n, BLOCK)), np.empty((6, n, BLOCK)), np.empty((k, max(m, n), BLOCK))
     Q, E = np.empty((k, BLOCK)), np.zeros((k, BLOCK))
     for start in range(0, count, BLOCK):
@@ -91,8 +90,8 @@ def measure_blocks(
         for i in range(n):
             for c in range(BLOCK):
                 block[i, c] = q[i, start + min(c, size - 1)]
-        place_block(placements, prismatic, coordinate, ratio, block, T, lines, work)
-        jacobian_block(prismatic, coordinate, ratio, T, lines, frame)
+        place_block(placements, prismatic, coordinate, ratio, block, T, joint_axes, work)
+        jacobian_block(prismatic, coordinate, ratio, T, joint_axes, frame)
         task_rows_block(S, frame, A)
         if J.size > 0:
             _keep(A, start, size, J)

@@ -95,6 +95,13 @@ def joint_box(
     return JointBox(lower, upper, circular, robot.units, period)
 
 
+def nearest_turn(q: Array, around: Array, lower: Array, upper: Array, period: Array | float = TURN) -> Array:
+    """Return q moved by whole periods as near to `around` as [lower, upper] allows; all are (n,), or numbers."""
+    periods = np.round((around - q) / period)
+    least, most = np.ceil((lower - q) / period - 1e-9), np.floor((upper - q) / period + 1e-9)
+    return np.asarray(q + period * np.clip(periods, least, most))
+
+
 def refuse_open_ranges(robot: Robot, lower: Array, upper: Array) -> None:
     """Raise InputError if one of the intervals [lower, upper], (n,), does not end: nobody can search through it."""
     for name, low, high in zip(robot.joint_names, lower, upper, strict=True):

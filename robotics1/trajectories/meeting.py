@@ -10,13 +10,13 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq
 
-from robotics1.angles import TURN
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
 from robotics1.least_squares import generalized_inverse
+from robotics1.robot.box import nearest_turn
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
 from robotics1.tasks.task import Task
@@ -186,7 +186,7 @@ def meeting_time(
 
 def _branch(robot: Robot, task: Task, q: Array, velocity: Array, start: tuple[Array, Array], T: float) -> MeetingBranch:
     q0, qdot0 = start
-    q = nearest_turn(robot, q, q0)
+    q = np.where(robot.revolute, nearest_turn(q, q0, robot.lower, robot.upper), q)
     J = task.jacobian(robot, q)
     spaces = subspaces(J)
     qdot = generalized_inverse(J).solve(velocity)
@@ -199,13 +199,6 @@ def _branch(robot: Robot, task: Task, q: Array, velocity: Array, start: tuple[Ar
 def _lost(spaces: Subspaces, velocity: Array) -> Array:
     """Return the part of the velocity outside the range of J, zero where it is only rounding."""
     return np.zeros_like(velocity) if spaces.contains(velocity) else spaces.unrealisable(velocity)
-
-
-def nearest_turn(robot: Robot, q: Array, q0: Array) -> Array:
-    """Return q with each revolute joint moved by whole turns as near to q0 as its limits allow."""
-    turns = np.round((q0 - q) / TURN)
-    turns = np.clip(turns, np.ceil((robot.lower - q) / TURN - 1e-9), np.floor((robot.upper - q) / TURN + 1e-9))
-    return np.where(robot.revolute, q + TURN * turns, q)
 
 
 def _verdict(branches: list[MeetingBranch], solutions: IKStatus) -> MeetingVerdict:

@@ -1,14 +1,12 @@
 """Inverse differential kinematics at one state: q̇ from ṙ, and q̈ from r̈, with what cannot be realised."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
-from typing import Any, NamedTuple, Self
+from typing import Any, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.differentiation import directional_derivative
 from robotics1.inputs import Array, a_robot_and_a_task, real_array
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.results import Frozen, require
@@ -16,16 +14,15 @@ from robotics1.robot.model import Robot
 from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
 from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.task import Task
-from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
+from robotics1.trajectories.following.resolution import (
+    Rates,
+    Resolution,
+    resolution_or_default,
+    resolved_acceleration,
+    resolved_velocity,
+)
 
 NEAR = 1e-2  # σ_min/σ_max: below, joint velocities become large
-Wish = npt.ArrayLike | Callable[..., npt.ArrayLike] | None
-Softness = Callable[[Array], float]
-
-
-def exact(A: Array) -> float:
-    """Return that no inverse is softened."""
-    return 0.0
 
 
 class RateStatus(Enum):
@@ -206,76 +203,6 @@ def joint_acceleration(
     if rounded.singular_q is None:
         return found
     return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=at(rounded.singular_q))
-
-
-class Rates(NamedTuple):
-    """What the joints do for what is asked of the task at one state.
-
-    Attributes:
-        A: (m, k) J G.
-        inputs: (k,) u, or u̇.
-        damping: the λ that was used.
-        joints: (nv,) q̇, or q̈.
-        drift: (m,) the part of ṙ, or r̈, that is there without these inputs.
-    """
-
-    A: Array
-    inputs: Array
-    damping: float
-    joints: Array
-    drift: Array
-
-
-def resolved_velocity(
-    robot: Robot, task: Task, resolution: Resolution, q: Array, rdot: Array, wish: Wish, soft: Softness = exact
-) -> Rates:
-    """Return u = A# ṙ + (1 − A⁺A) u₀ and q̇ = G u; `soft` is that of `Resolution.solve`, as a function of A."""
-    G = resolution.inputs(robot, q)
-    A = task.jacobian(robot, q) @ G
-    u, damping = resolution.solve(A, rdot, wished("null_velocity", wish, A, q), soft=soft(A))
-    return Rates(A, u, damping, G @ u, np.zeros(len(rdot)))
-
-
-def resolved_acceleration(
-    robot: Robot,
-    task: Task,
-    resolution: Resolution,
-    state: tuple[Array, Array],
-    rddot: Array,
-    wish: Wish,
-    soft: Softness = exact,
-) -> Rates:
-    """Return u̇ = A# (r̈ − Ȧ u) + (1 − A⁺A) u̇₀ and q̈ = G u̇ + Ġ u, at a state (q, u)."""
-    q, u = state
-    G = resolution.inputs(robot, q)
-    A = task.jacobian(robot, q) @ G
-    drift, turning = drifts(robot, task, resolution, q, u)
-    udot, damping = resolution.solve(A, rddot - drift, wished("null_acceleration", wish, A, q, u), soft=soft(A))
-    return Rates(A, udot, damping, G @ udot + turning, drift)
-
-
-def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array) -> tuple[Array, Array]:
-    """Return d(J G)/dt u, (m,), and Ġ u, (nv,): the accelerations of the task and of the joints when u is steady."""
-    qdot = resolution.inputs(robot, q) @ u
-
-    def rates(x: Array) -> Array:
-        G = resolution.inputs(robot, x)
-        return np.concatenate([task.jacobian(robot, x) @ G @ u, G @ u])
-
-    rate = directional_derivative(rates, robot, q, qdot)
-    return rate[: task.rows], rate[task.rows :]
-
-
-def wished(name: str, wish: Wish, A: Array, *state: Array) -> Array | None:
-    """Return the wished inputs, (k,), of a vector or a function of the state.
-
-    Raises:
-        InputError: they have another shape, or are not finite.
-    """
-    if wish is None:
-        return None
-    value = wish(*state) if callable(wish) else wish
-    return real_array(name, value, (A.shape[1],), "one number for each joint, or each input")
 
 
 def _rounded(robot: Robot, task: Task, resolution: Resolution, q: npt.ArrayLike) -> RoundedConfiguration:

@@ -13,9 +13,8 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory
 from robotics1.trajectories.following.integration import integrated
-from robotics1.trajectories.following.joint_rates import Wish
 from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow
-from robotics1.trajectories.following.resolution import Resolution, resolution_or_default
+from robotics1.trajectories.following.resolution import Resolution, Wish, resolution_or_default
 
 PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of the robot
 RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity

@@ -2,16 +2,26 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.differentiation import directional_derivative
 from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, real_array, real_number
 from robotics1.least_squares import generalized_inverse
 from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
 
 Matrix = npt.ArrayLike | Callable[[Array], npt.ArrayLike]
+Wish = npt.ArrayLike | Callable[..., npt.ArrayLike] | None
+Softness = Callable[[Array], float]
+
+
+def exact(A: Array) -> float:
+    """Return that no inverse is softened."""
+    return 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,3 +128,73 @@ def resolution_or_default(resolution: Resolution | None) -> Resolution:
     if resolution is not None and not isinstance(resolution, Resolution):
         raise InputError(f"resolution must be such as Resolution(damping=0.1); it is {resolution!r}")
     return resolution or Resolution()
+
+
+class Rates(NamedTuple):
+    """What the joints do for what is asked of the task at one state.
+
+    Attributes:
+        A: (m, k) J G.
+        inputs: (k,) u, or u̇.
+        damping: the λ that was used.
+        joints: (nv,) q̇, or q̈.
+        drift: (m,) the part of ṙ, or r̈, that is there without these inputs.
+    """
+
+    A: Array
+    inputs: Array
+    damping: float
+    joints: Array
+    drift: Array
+
+
+def resolved_velocity(
+    robot: Robot, task: Task, resolution: Resolution, q: Array, rdot: Array, wish: Wish, soft: Softness = exact
+) -> Rates:
+    """Return u = A# ṙ + (1 − A⁺A) u₀ and q̇ = G u; `soft` is that of `Resolution.solve`, as a function of A."""
+    G = resolution.inputs(robot, q)
+    A = task.jacobian(robot, q) @ G
+    u, damping = resolution.solve(A, rdot, wished("null_velocity", wish, A, q), soft=soft(A))
+    return Rates(A, u, damping, G @ u, np.zeros(len(rdot)))
+
+
+def resolved_acceleration(
+    robot: Robot,
+    task: Task,
+    resolution: Resolution,
+    state: tuple[Array, Array],
+    rddot: Array,
+    wish: Wish,
+    soft: Softness = exact,
+) -> Rates:
+    """Return u̇ = A# (r̈ − Ȧ u) + (1 − A⁺A) u̇₀ and q̈ = G u̇ + Ġ u, at a state (q, u)."""
+    q, u = state
+    G = resolution.inputs(robot, q)
+    A = task.jacobian(robot, q) @ G
+    drift, turning = drifts(robot, task, resolution, q, u)
+    udot, damping = resolution.solve(A, rddot - drift, wished("null_acceleration", wish, A, q, u), soft=soft(A))
+    return Rates(A, udot, damping, G @ udot + turning, drift)
+
+
+def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array) -> tuple[Array, Array]:
+    """Return d(J G)/dt u, (m,), and Ġ u, (nv,): the accelerations of the task and of the joints when u is steady."""
+    qdot = resolution.inputs(robot, q) @ u
+
+    def rates(x: Array) -> Array:
+        G = resolution.inputs(robot, x)
+        return np.concatenate([task.jacobian(robot, x) @ G @ u, G @ u])
+
+    rate = directional_derivative(rates, robot, q, qdot)
+    return rate[: task.rows], rate[task.rows :]
+
+
+def wished(name: str, wish: Wish, A: Array, *state: Array) -> Array | None:
+    """Return the wished inputs, (k,), of a vector or a function of the state.
+
+    Raises:
+        InputError: they have another shape, or are not finite.
+    """
+    if wish is None:
+        return None
+    value = wish(*state) if callable(wish) else wish
+    return real_array(name, value, (A.shape[1],), "one number for each joint, or each input")
