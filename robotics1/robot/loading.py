@@ -99,7 +99,7 @@ def check_robot(
     if report.robot is None or base is not None or locked:  # the other parser knows nothing of these two
         return report
     with suppress(MissingExtraError, NotComparable):
-        report = replace(report, fk_difference=difference_from_yourdfpy(report.robot, report.urdf))
+        report = replace(report, fk_difference=difference_from_yourdfpy(report.robot, report._text))
     return report
 
 
@@ -141,7 +141,7 @@ class RobotText:
         if self.path.suffix == ".xacro":
             findings = findings.without_lines()
         if findings.errors:
-            return RobotReport(self.path, findings.errors, findings.warnings, None, urdf)
+            return RobotReport(self.path, findings.errors, findings.warnings)
         more = find_meshes(root, self.path, self._folders, trusted=self.trusted)
         self._normalize(root)
         joints, contradictions = narrow_leaders(read_joints(root))
@@ -158,7 +158,7 @@ class RobotText:
             tuple(map(str, warnings)),
             self._source(joints, parameters, effort) if parameters else None,
         )
-        return RobotReport(self.path, (), warnings, robot, urdf)
+        return RobotReport(self.path, (), warnings, robot, _text=urdf)
 
     def _source(self, joints: Sequence[Joint], parameters: Mapping[str, float], effort: float) -> "RobotText":
         """Return what is kept of the text with the robot; with the polynomials, where these cost little."""
