@@ -8,11 +8,10 @@ Each A_i is two screws, and each screw is one joint of the robot, so that every 
 Rot_z(θ) Trans_z(d) commutes with the motion about or along z, so the constant part may come first, as in every joint.
 """
 
-import numpy as np
 import pinocchio as pin
 
 from robotics1.dh.table import DHTable
-from robotics1.robot.joints import Joint
+from robotics1.robot.joints import Joint, placed
 from robotics1.robot.parameters import Placement, Placements, Polynomial, constant_placements, placement_of
 
 
@@ -71,6 +70,4 @@ def _polynomial(entry: float | str) -> Polynomial:
 
 
 def _mount(name: str, parent: str, child: str, T: pin.SE3) -> Joint:
-    x, y, z = map(float, T.translation)
-    roll, pitch, yaw = map(float, pin.rpy.matrixToRpy(np.array(T.rotation)))
-    return Joint(name, "fixed", parent, child, (x, y, z), (roll, pitch, yaw), leader=name)
+    return placed(Joint(name, "fixed", parent, child, leader=name), T)

@@ -1,6 +1,7 @@
 """What a DH table looks like: drums at the revolute joints, sleeves at the prismatic ones, rods from joint to joint."""
 
 import math
+import xml.etree.ElementTree as ET
 from collections import defaultdict
 
 import numpy as np
@@ -9,6 +10,7 @@ import pinocchio as pin
 from robotics1.dh.joints import links_of_row
 from robotics1.dh.table import DHTable, X, Z
 from robotics1.inputs import Array
+from robotics1.robot.urdf import element
 
 MATERIALS = {
     "base": "0.55 0.58 0.62 1",
@@ -19,16 +21,11 @@ MATERIALS = {
 }
 
 
-def materials() -> list[str]:
-    """Return the lines of the colours."""
-    return [f'  <material name="{name}"><color rgba="{rgba}"/></material>' for name, rgba in MATERIALS.items()]
-
-
-def visuals(table: DHTable) -> dict[str, list[str]]:
-    """Return link → its `<visual>` lines; the links are those of `links_of`."""
+def visuals(table: DHTable) -> dict[str, list[ET.Element]]:
+    """Return link → its elements <visual>; the links are those of `links_of`."""
     size = _size(table)
     w = 0.03 * size  # the radius of a drum
-    shapes: dict[str, list[str]] = defaultdict(list)
+    shapes: dict[str, list[ET.Element]] = defaultdict(list)
     shapes["base"].append(_rod(-w * Z, 0 * Z, 1.5 * w, "base"))
     shapes["base"] += _rods(0 * Z, table.base_placement.translation, w / 2, "base")
     n = len(table.rows)
@@ -40,13 +37,11 @@ def visuals(table: DHTable) -> dict[str, list[str]]:
             shapes[moving] += _rods(-d * Z, 0 * Z, w / 2, "link")
         else:
             back, front = _travel(d, table.lower[i - 1], table.upper[i - 1], size / 2)
-            shapes[fixed].append(_box(1.5 * w, "joint"))
+            shapes[fixed].append(_visual(element("box", size=" ".join([f"{1.5 * w:.6g}"] * 3)), "joint"))
             shapes[moving] += _rods(-back * Z, front * Z, w / 2, "slide")
         shapes[along_x] += _rods(0 * X, a * X, w / 2, "link")
     shapes[f"link{n}"] += _rods(0 * Z, table.tool_placement.translation, w / 2, "link")
-    shapes["tool"].append(
-        f'<visual><geometry><sphere radius="{0.8 * w:.6g}"/></geometry><material name="tip"/></visual>'
-    )
+    shapes["tool"].append(_visual(element("sphere", radius=f"{0.8 * w:.6g}"), "tip"))
     return dict(shapes)
 
 
@@ -65,24 +60,23 @@ def _travel(d: float, lower: float, upper: float, unlimited: float) -> tuple[flo
     return max(furthest, 0.0), max(-nearest, 0.0)
 
 
-def _rods(start: Array, end: Array, radius: float, material: str) -> list[str]:
+def _rods(start: Array, end: Array, radius: float, material: str) -> list[ET.Element]:
     return [_rod(start, end, radius, material)] if np.linalg.norm(end - start) > 1e-9 else []
 
 
-def _rod(start: Array, end: Array, radius: float, material: str) -> str:
+def _rod(start: Array, end: Array, radius: float, material: str) -> ET.Element:
     """Return a cylinder between two points."""
     along = end - start
     length = float(np.linalg.norm(along))
     rpy = pin.rpy.matrixToRpy(pin.Quaternion.FromTwoVectors(Z, along / length).toRotationMatrix())
     centre = (start + end) / 2
-    shape = f'<cylinder radius="{radius:.6g}" length="{length:.6g}"/>'
-    origin = f'<origin xyz="{_rounded(centre)}" rpy="{_rounded(rpy)}"/>'
-    return f'<visual>{origin}<geometry>{shape}</geometry><material name="{material}"/></visual>'
+    shape = element("cylinder", radius=f"{radius:.6g}", length=f"{length:.6g}")
+    return _visual(shape, material, element("origin", xyz=_rounded(centre), rpy=_rounded(rpy)))
 
 
-def _box(side: float, material: str) -> str:
-    size = " ".join([f"{side:.6g}"] * 3)
-    return f'<visual><geometry><box size="{size}"/></geometry><material name="{material}"/></visual>'
+def _visual(shape: ET.Element, material: str, *origin: ET.Element) -> ET.Element:
+    color = element("color", rgba=MATERIALS[material])
+    return element("visual", *origin, element("geometry", shape), element("material", color, name=material))
 
 
 def _rounded(values: Array) -> str:

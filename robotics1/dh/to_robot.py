@@ -9,7 +9,7 @@ import pinocchio as pin
 
 from robotics1.dh.joints import joints_of, links_of, placements_of
 from robotics1.dh.table import DHTable, Limits
-from robotics1.dh.to_urdf import urdf_text
+from robotics1.dh.to_urdf import dh_text
 from robotics1.robot.building import build_model
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placements
@@ -58,7 +58,7 @@ def robot_of(table: DHTable) -> Robot:
     joints = joints_of(table)
     model = build_model("dh", dict.fromkeys(links_of(table), pin.Inertia.Zero()), joints)
     source = RobotTable(table)
-    return Robot("dh", model, joints, "tool", table.parameters, urdf_text(table), Path("dh_table.urdf"), (), source)
+    return Robot("dh", model, joints, "tool", table.parameters, dh_text(table), Path("dh_table.urdf"), (), source)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""From a URDF tree to joints as numbers, and from these to Pinocchio's model, joint by joint.
+"""From the joints of a robot to Pinocchio's model, joint by joint.
 
 Pinocchio's own reader of URDF gives the same model, where it can read the file. It reports on the process's stderr,
 which can be caught only by moving file descriptor 2 under every thread, and it takes no infinite limits.
@@ -11,17 +11,13 @@ only an earlier one, so
       follow each other, gets its coordinate at the start of q, by a joint that carries nothing, which it mimics itself.
 """
 
-import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 import pinocchio as pin
 
-from robotics1.robot.checking_parts import MOMENTS
 from robotics1.robot.joints import Joint, root_of
-from robotics1.robot.markup import linked
 from robotics1.robot.mimic import late_leaders, leaders_first
-from robotics1.robot.normalize import leader, numbers, placement
 
 UNIT_AXES = np.eye(3)
 ALIGNED = {
@@ -29,7 +25,6 @@ ALIGNED = {
     "prismatic": (pin.JointModelPX, pin.JointModelPY, pin.JointModelPZ),
 }
 UNALIGNED = {"revolute": pin.JointModelRevoluteUnaligned, "prismatic": pin.JointModelPrismaticUnaligned}
-WITHOUT_LIMIT = 1e308  # what stands for infinity in files, since urdfdom refuses that
 FREE = {"planar": pin.JointModelPlanar, "floating": pin.JointModelFreeFlyer}
 
 
@@ -60,62 +55,6 @@ def build_model(name: str, links: Mapping[str, pin.Inertia], joints: Sequence[Jo
             model.appendBodyToJoint(number, body, pin.SE3.Identity())
         at[joint.child] = model.addBodyFrame(joint.child, number, pin.SE3.Identity(), model.nframes - 1)
     return model
-
-
-def read_joints(root: ET.Element) -> tuple[Joint, ...]:
-    """Return the joints of a URDF tree that has been checked and normalized, in the order of the file."""
-    return tuple(map(_joint, root.findall("joint")))
-
-
-def _joint(joint: ET.Element) -> Joint:
-    name, kind = joint.get("name", ""), joint.get("type", "")
-    limit, dynamics, mimic, origin = (joint.find(tag) for tag in ("limit", "dynamics", "mimic", "origin"))
-    x, y, z = numbers(origin, "xyz", "0 0 0")
-    roll, pitch, yaw = numbers(origin, "rpy", "0 0 0")
-    u, v, w = numbers(joint.find("axis"), "xyz", "1 0 0")
-    bounded = kind in ("revolute", "prismatic")
-    return Joint(
-        name,
-        kind.replace("continuous", "revolute"),
-        str(linked(joint, "parent")),
-        str(linked(joint, "child")),
-        (x, y, z),
-        (roll, pitch, yaw),
-        (u, v, w),
-        lower=_limit(limit, "lower", 0.0) if bounded else -np.inf,
-        upper=_limit(limit, "upper", 0.0) if bounded else np.inf,
-        max_velocity=_limit(limit, "velocity", np.inf),
-        max_effort=_limit(limit, "effort", np.inf),
-        friction=numbers(dynamics, "friction", "0")[0],
-        damping=numbers(dynamics, "damping", "0")[0],
-        leader=leader(joint) or name,
-        multiplier=numbers(mimic, "multiplier", "1")[0],
-        offset=numbers(mimic, "offset", "0")[0],
-    )
-
-
-def _limit(limit: ET.Element | None, key: str, default: float) -> float:
-    value = numbers(limit, key, repr(default))[0]
-    return np.inf if value >= WITHOUT_LIMIT else value
-
-
-def read_links(root: ET.Element) -> dict[str, pin.Inertia]:
-    """Return link → its inertia, of a URDF tree that has been checked and normalized."""
-    return {link.get("name", ""): _inertia(link) for link in root.findall("link")}
-
-
-def _inertia(link: ET.Element) -> pin.Inertia:
-    """Return the inertia of a link about its own axes; zero where the file gives none."""
-    inertial = link.find("inertial")
-    if inertial is None:
-        return pin.Inertia.Zero()
-    mass, matrix = inertial.find("mass"), inertial.find("inertia")
-    xx, xy, xz, yy, yz, zz = (numbers(matrix, moment)[0] for moment in MOMENTS)
-    T = placement(inertial)
-    Y = pin.Inertia.Zero()  # its constructor refuses impossible inertias, where the file's checks only warn
-    Y.mass, Y.lever = numbers(mass, "value")[0], T.translation
-    Y.inertia = T.rotation @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ T.rotation.T
-    return Y
 
 
 def _add_moving(model: pin.Model, parent: int, T: pin.SE3, joint: Joint, coordinate: dict[str, int]) -> int:

@@ -1,7 +1,7 @@
 """The joints of a robot as numbers, read once from its file: model, formulas and DH tables are made of these."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pinocchio as pin
@@ -51,6 +51,13 @@ class Joint:
     def follows(self) -> bool:
         """Whether it mimics another joint."""
         return self.leader != self.name
+
+
+def placed(joint: Joint, T: pin.SE3) -> Joint:
+    """Return a joint with another placement in its parent link."""
+    x, y, z = map(float, T.translation)
+    roll, pitch, yaw = map(float, pin.rpy.matrixToRpy(np.array(T.rotation)))
+    return replace(joint, xyz=(x, y, z), rpy=(roll, pitch, yaw))
 
 
 def joints_to(joints: Sequence[Joint], link: str) -> tuple[Joint, ...]:

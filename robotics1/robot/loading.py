@@ -1,6 +1,5 @@
-"""From a file to a `Robot`: the text is expanded, checked and normalized, and becomes joints and Pinocchio's model."""
+"""From a file to a `Robot`: the text is expanded, checked, and becomes joints and Pinocchio's model."""
 
-import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -11,19 +10,19 @@ import pinocchio as pin
 
 from robotics1.errors import InputError, MissingExtraError, RobotFileError, Robotics1Error, UnknownNameError
 from robotics1.inputs import by_name
-from robotics1.robot.building import build_model, read_joints, read_links
+from robotics1.robot.building import build_model
 from robotics1.robot.checking import check_urdf
 from robotics1.robot.findings import Finding
 from robotics1.robot.joints import Joint
-from robotics1.robot.locking import lock
+from robotics1.robot.locking import lock, rebase
 from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
-from robotics1.robot.mimic import narrow_leaders
+from robotics1.robot.mimic import follow_leaders, narrow_leaders
 from robotics1.robot.model import Robot, frame_number, tips
-from robotics1.robot.normalize import clean, rebase
 from robotics1.robot.parameters import Parameters, Placements, agree, fitted_placements
 from robotics1.robot.report import NotComparable, RobotReport, difference_from_yourdfpy
 from robotics1.robot.sources import robot_file, robot_text
+from robotics1.robot.urdf import Link, read_joints, read_links, urdf_text
 from robotics1.robot.xacro.expansion import Expanded, expand_xacro
 
 USUAL_TOOLS = ("tool0", "tool")
@@ -99,7 +98,7 @@ def check_robot(
     if report.robot is None or base is not None or locked:  # the other parser knows nothing of these two
         return report
     with suppress(MissingExtraError, NotComparable):
-        report = replace(report, fk_difference=difference_from_yourdfpy(report.robot, report.urdf))
+        report = replace(report, fk_difference=difference_from_yourdfpy(report.robot, report._text))
     return report
 
 
@@ -141,11 +140,11 @@ class RobotText:
         if self.path.suffix == ".xacro":
             findings = findings.without_lines()
         if findings.errors:
-            return RobotReport(self.path, findings.errors, findings.warnings, None, urdf)
+            return RobotReport(self.path, findings.errors, findings.warnings)
         more = find_meshes(root, self.path, self._folders, trusted=self.trusted)
-        self._normalize(root)
-        joints, contradictions = narrow_leaders(read_joints(root))
-        model = build_model(root.get("name", ""), read_links(root), joints)
+        links, own_joints = self._parts(root)
+        joints, contradictions = narrow_leaders(own_joints)
+        model = build_model(root.get("name", ""), {name: link.inertia for name, link in links.items()}, joints)
         warnings = findings.warnings + tuple(Finding(False, text) for text in (*more, *contradictions))
         robot = Robot(
             model.name,
@@ -153,12 +152,12 @@ class RobotText:
             joints,
             _tool(model, self.tool),
             Parameters(parameters),
-            _written(root),
+            urdf_text(model.name, links, own_joints),
             self.path,
             tuple(map(str, warnings)),
             self._source(joints, parameters, effort) if parameters else None,
         )
-        return RobotReport(self.path, (), warnings, robot, urdf)
+        return RobotReport(self.path, (), warnings, robot, _text=urdf)
 
     def _source(self, joints: Sequence[Joint], parameters: Mapping[str, float], effort: float) -> "RobotText":
         """Return what is kept of the text with the robot; with the polynomials, where these cost little."""
@@ -191,8 +190,7 @@ class RobotText:
         errors = check_urdf(root).errors
         if errors:
             RobotReport(self.path, errors).require()
-        again._normalize(root)
-        return read_joints(root)
+        return again._parts(root)[1]
 
     def _expanded(self) -> Expanded:
         """Return the URDF text, expanded if it is xacro.
@@ -208,11 +206,10 @@ class RobotText:
             raise InputError(f"{self.path.name} is a plain URDF and has no parameters; {names} cannot be set")
         return Expanded(self.text, {}, 0.0)
 
-    def _normalize(self, root: Element) -> None:
-        lock(root, self.locked or {})
-        clean(root)
-        if self.base is not None:
-            rebase(root, self.base, self.tool)
+    def _parts(self, root: Element) -> tuple[dict[str, Link], tuple[Joint, ...]]:
+        """Return links and joints, with joints locked and another base as the caller wants."""
+        links, joints = read_links(root), lock(follow_leaders(read_joints(root)), self.locked or {})
+        return (links, joints) if self.base is None else rebase(links, joints, self.base, self.tool)
 
 
 def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
@@ -221,14 +218,6 @@ def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
         return tuple(Path(folder).resolve() for folder in listed)
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
-
-
-def _written(root: ET.Element) -> str:
-    """Return the URDF text, in one layout: xacro, once imported, changes how Python writes all XML."""
-    ET.indent(root)
-    for element in root.iter():
-        element.attrib = dict(sorted(element.attrib.items()))
-    return ET.tostring(root, encoding="unicode")
 
 
 def _tool(model: pin.Model, named: str | None) -> str | None:

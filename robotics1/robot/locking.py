@@ -1,7 +1,6 @@
-"""Joints that are held: each becomes a fixed one, at its value."""
+"""What a caller changes of the robot in a file: joints that are held, and another link as the world."""
 
-import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,50 +9,48 @@ import pinocchio as pin
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_array, real_number
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.normalize import factor, leader, numbers, placement, remove, set_placement, tidy
+from robotics1.robot.joints import Joint, placed
 from robotics1.robot.placements import homogeneous
+from robotics1.robot.urdf import Link
 
 
-def lock(root: ET.Element, locked: Mapping[str, Any]) -> None:
-    """Turn joints into fixed ones at the given values: rad or m, of a planar or floating joint as at `load_robot`.
+def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...]:
+    """Return the joints with some of them fixed at the given values: rad or m, of a planar or floating joint as at
+    `load_robot`. No leader mimics another joint.
 
     Raises:
         UnknownNameError: there is no such joint.
         InputError: a value is not finite or has another form, or the joint has no coordinate of its own.
     """
-    if locked:
-        tidy(root)
-    joints = {joint.get("name", ""): joint for joint in root.findall("joint")}
-    moving = [name for name, joint in joints.items() if joint.get("type") != "fixed" and leader(joint) is None]
+    found = {joint.name: joint for joint in joints}
+    moving = [joint.name for joint in joints if joint.kind != "fixed" and not joint.follows]
     for name, value in locked.items():
-        if name not in joints:
+        if name not in found:
             raise UnknownNameError("joint named", name, moving)
         if name not in moving:
             raise InputError(f"joint {name!r} cannot be locked: it has no coordinate of its own")
-        joint, what = joints[name], f"the value of locked joint {name!r}"
-        if joint.get("type") == "planar":
-            _fix(joint, _planar(what, value))
-        elif joint.get("type") == "floating":
-            _fix(joint, _floating(what, value))
-        else:
-            q = _bounded(what, real_number(what, value))
-            _fix(joint, _along_axis(joint, q))
-            for follower in joints.values():
-                if leader(follower) == name:
-                    mimic = follower.find("mimic")
-                    q_follower = factor(mimic, "multiplier", 1.0) * q + factor(mimic, "offset", 0.0)
-                    _fix(
-                        follower,
-                        _along_axis(
-                            follower, _bounded(f"{what}, by which {follower.get('name')!r} follows", q_follower)
-                        ),
-                    )
+        joint, what = found[name], f"the value of locked joint {name!r}"
+        if joint.kind in FREE:
+            found[name] = _fixed(joint, FREE[joint.kind](what, value))
+            continue
+        q = _bounded(what, real_number(what, value))
+        found[name] = _fixed(joint, _along_axis(joint, q))
+        for follower in [j for j in found.values() if j.follows and j.leader == name]:
+            q_follower = follower.multiplier * q + follower.offset
+            _bounded(f"{what}, by which {follower.name!r} follows", q_follower)
+            found[follower.name] = _fixed(follower, _along_axis(follower, q_follower))
+    return tuple(found.values())
 
 
-def _along_axis(joint: ET.Element, q: float) -> pin.SE3:
+def _fixed(joint: Joint, motion: pin.SE3) -> Joint:
+    at_value = placed(joint, joint.placement * motion)
+    return Joint(joint.name, "fixed", joint.parent, joint.child, at_value.xyz, at_value.rpy, leader=joint.name)
+
+
+def _along_axis(joint: Joint, q: float) -> pin.SE3:
     """Return the motion of a joint about or along its axis."""
-    axis = np.array(numbers(joint.find("axis"), "xyz", "1 0 0"))
-    if joint.get("type") == "prismatic":
+    axis = np.array(joint.axis)
+    if joint.kind == "prismatic":
         return pin.SE3(np.eye(3), q * axis)
     return pin.SE3(pin.AngleAxis(q, axis).toRotationMatrix(), np.zeros(3))
 
@@ -92,7 +89,42 @@ def _bounded(what: str, value: Any) -> Any:
     return value
 
 
-def _fix(joint: ET.Element, motion: pin.SE3) -> None:
-    set_placement(joint, placement(joint) * motion)
-    joint.set("type", "fixed")
-    remove(joint, "axis", "limit", "mimic")
+FREE = {"planar": _planar, "floating": _floating}
+
+
+def rebase(
+    links: Mapping[str, Link], joints: Sequence[Joint], base: str, tool: str | None
+) -> tuple[dict[str, Link], tuple[Joint, ...]]:
+    """Return the robot with `base` as the world: a link fixed to the root, or the one from which the arm hangs.
+
+    A link fixed to the root gives the world its axes; from another link, its subtree is kept and the rest left out.
+
+    Raises:
+        UnknownNameError: there is no such link.
+        InputError: the tool, or the leader of a joint that mimics, does not hang from the base.
+    """
+    if not isinstance(base, str) or base not in links:
+        raise UnknownNameError("link named", base, links)
+    above = {joint.child: joint for joint in joints}
+    T, link = pin.SE3.Identity(), base  # of the base in the root, while all joints up to it are fixed
+    while link in above and above[link].kind == "fixed":
+        T, link = above[link].placement * T, above[link].parent
+    if link not in above:
+        world = "world"
+        while world in {*links, *(joint.name for joint in joints)}:
+            world += "_"
+        name = f"{world}_to_{link}"
+        mount = placed(Joint(name, "fixed", world, link, leader=name), T.inverse())
+        return {world: Link(pin.Inertia.Zero()), **links}, (*joints, mount)
+    kept = {base}
+    while more := {joint.child for joint in joints if joint.parent in kept} - kept:
+        kept |= more
+    if tool is not None and tool not in kept:
+        raise InputError(f"the tool {tool!r} does not hang from the base {base!r}; name a base that carries it")
+    moving = {joint.name: joint for joint in joints if joint.parent in kept}
+    for joint in moving.values():
+        if joint.leader not in moving:
+            raise InputError(
+                f"joint {joint.name!r} mimics {joint.leader!r}, which does not hang from the base {base!r}"
+            )
+    return {name: link for name, link in links.items() if name in kept}, tuple(moving.values())

@@ -24,6 +24,20 @@ MOST_TURNS = 12  # of a leader, and so the largest denominator of a multiplier t
 SAME = 1e-12  # difference of a multiplier and the fraction that it is
 
 
+# --- leaders
+
+
+def follow_leaders(joints: Sequence[Joint]) -> tuple[Joint, ...]:
+    """Let joints follow leaders that follow no other: q = a q₁ + b with q₁ = c q₂ + d is q = a c q₂ + a d + b."""
+    found = {joint.name: joint for joint in joints}
+    for name, follower in list(found.items()):
+        a, b, leader = follower.multiplier, follower.offset, found[follower.leader]
+        while leader.follows:
+            a, b, leader = a * leader.multiplier, a * leader.offset + b, found[leader.leader]
+        found[name] = replace(follower, leader=leader.name, multiplier=a, offset=b)
+    return tuple(found.values())
+
+
 # --- limits
 
 

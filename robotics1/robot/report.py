@@ -27,7 +27,6 @@ class RobotReport:
         errors: what makes it unusable; empty for a robot.
         warnings: what is odd but harmless.
         robot: what was understood, or None.
-        urdf: the URDF text that was checked: of a xacro, expanded; "" where there is none.
         fk_difference: the largest difference between its forward kinematics and yourdfpy's, over all links; None
             when it was not compared.
     """
@@ -36,8 +35,8 @@ class RobotReport:
     errors: tuple[Finding, ...]
     warnings: tuple[Finding, ...] = ()
     robot: Robot | None = None
-    urdf: str = field(default="", repr=False)
     fk_difference: float | None = None
+    _text: str = field(default="", repr=False)  # the URDF text that was checked: of a xacro, expanded
 
     @property
     def sound(self) -> bool:

@@ -90,8 +90,8 @@ class Chain:
         """Return the velocity (3,) of a joint per unit of its coordinate, in the link before it: of the turn, or of the
         slide.
         """
-        R, _ = self.placement(joint)
-        return np.asarray(R @ self._vector(np.array(joint.axis)) * self.trig_ring.constant(_rational(joint.multiplier)))
+        axis, rate = self._vector(np.array(joint.axis)), self.trig_ring.constant(_rational(joint.multiplier))
+        return np.asarray(self.placement(joint)[0] @ axis * rate)
 
     def placement(self, joint: Joint) -> Pose:
         """Return the placement of a joint in the link before it."""
