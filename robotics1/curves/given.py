@@ -78,8 +78,8 @@ def as_curve(name: str, value: Any, *, derivatives: int = 3) -> Curve:
     Raises:
         InputError: it is none, or has fewer derivatives.
     """
-    if not isinstance(value, Curve | type) and hasattr(type(value), "trajectory") | ("trajectory" in _fields(value)):
-        value = value.trajectory
+    if not isinstance(value, Curve | type):
+        value = getattr(value, "trajectory", value)
     if isinstance(value, Curve):
         return value
     methods = ("__call__", "velocity", "acceleration", "jerk")[: derivatives + 1]
@@ -90,10 +90,6 @@ def as_curve(name: str, value: Any, *, derivatives: int = 3) -> Curve:
             f"it is {value!r}"
         )
     return ForeignMotion(value)
-
-
-def _fields(value: Any) -> Any:
-    return getattr(type(value), "__dataclass_fields__", {})
 
 
 def as_path(name: str, value: Any, dimensions: tuple[int, ...] = ()) -> Curve:

@@ -61,7 +61,7 @@ def polyline_path(
     return CurveSequence(tuple(pieces))
 
 
-def overfly(points: npt.ArrayLike, speeds: npt.ArrayLike, blend_times: npt.ArrayLike) -> PiecewisePolynomial:
+def parabolic_blends(points: npt.ArrayLike, speeds: npt.ArrayLike, blend_times: npt.ArrayLike) -> PiecewisePolynomial:
     """Return the motion that passes near the inner points: v₁ on the first segment, v₂ on the second, and so on, with a
     constant acceleration (v₂ − v₁)/T_b during the blend time T_b in between.
 
@@ -82,7 +82,7 @@ def overfly(points: npt.ArrayLike, speeds: npt.ArrayLike, blend_times: npt.Array
     """
     points, steps = points_apart(points)
     if len(points) < 3:
-        raise InputError("overfly takes three points at least: there is none to pass over between two")
+        raise InputError("parabolic_blends takes three points at least: there is none to pass over between two")
     speeds = positive_numbers("speeds", speeds, len(steps))
     return _with_parabolas(points, steps, speeds, positive_numbers("blend_times", blend_times, len(steps) - 1))
 
