@@ -93,8 +93,9 @@ class PathTrajectory(Curve):
         return self._derivatives(t, (order,), side)[0]
 
     def _derivatives(self, t: Array, orders: Sequence[int], side: Side) -> list[Array]:
-        upto = range(1, max(orders) + 1)
-        s, *rates = self.law._derivatives(t, range(max(orders) + 1), side)
+        highest = max(orders, default=0)
+        upto = range(1, highest + 1)
+        s, *rates = self.law._derivatives(t, range(highest + 1), side)
         places = self.path._snapped(s)
         outer = self.path._derivatives(places, upto, side)
         if upto and len(self.path.breakpoints):
@@ -104,7 +105,7 @@ class PathTrajectory(Curve):
                 at = turned.reshape(-1, *[1] * len(self.shape))
                 others = self.path._derivatives(places, upto, other)
                 outer = [np.where(at, new, old) for new, old in zip(others, outer, strict=True)]
-        return [chain_rule(rates[:k], outer[:k]) if k else np.asarray(self._value(t, side)) for k in orders]
+        return [chain_rule(rates[:k], outer[:k]) if k else np.asarray(self.path._value(places, side)) for k in orders]
 
     def _forward(self, t: Array, rates: Sequence[Array], side: Side) -> npt.NDArray[np.bool_]:
         """Return whether the path is passed towards larger s just after t, or just before it at the end, (k,).
@@ -206,7 +207,7 @@ class ArcLengthLaw(Curve):
         return self._derivatives(t, (order,), side)[0]
 
     def _derivatives(self, t: Array, orders: Sequence[int], side: Side) -> list[Array]:
-        order = max(orders)
+        order = max(orders, default=0)
         if order > 3:
             raise InputError(f"derivatives by arc length are known up to the third; order is {order}")
         sigma = self._parameter(t)

@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, Literal
 
@@ -224,6 +225,7 @@ class Curve(ABC):
         return t
 
 
+@dataclass(frozen=True, eq=False)
 class Coordinate(Curve):
     """One coordinate of a curve, as a timing law.
 
@@ -232,8 +234,8 @@ class Coordinate(Curve):
         index: which of them.
     """
 
-    def __init__(self, curve: Curve, index: int):
-        self.curve, self.index = curve, index
+    curve: Curve
+    index: int
 
     @property
     def end(self) -> float:

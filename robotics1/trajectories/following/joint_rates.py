@@ -1,7 +1,9 @@
 """Inverse differential kinematics at one state: q̇ from ṙ, and q̈ from r̈, with what cannot be realised."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -105,6 +107,9 @@ class JointAcceleration(Resolved):
     at_singularity: "JointAcceleration | None" = None
 
 
+Answer = TypeVar("Answer", JointVelocity, JointAcceleration)
+
+
 def joint_velocity(
     robot: Robot,
     task: Task,
@@ -137,14 +142,10 @@ def joint_velocity(
 
     def at(x: Array, A: Array) -> JointVelocity:
         u, damping = chosen.solve(A, rdot, _wish("null_velocity", null_velocity, A))
-        parts = _report(A, rdot, u, damping, float(np.linalg.norm(rdot)))
-        return JointVelocity(*parts, chosen.inputs(robot, x) @ u, rounded=rounded)
+        resolved = _resolved(A, rdot, u, damping, float(np.linalg.norm(rdot)))
+        return JointVelocity(**resolved, qdot=chosen.inputs(robot, x) @ u, rounded=rounded)
 
-    found = at(rounded.q, rounded.spaces.J)
-    if rounded.singular_q is None or rounded.at_singularity is None:
-        return found
-    there = at(rounded.singular_q, rounded.at_singularity.J)
-    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
+    return _also_at_singularity(rounded, at)
 
 
 def joint_acceleration(
@@ -185,20 +186,27 @@ def joint_acceleration(
     def at(x: Array, A: Array) -> JointAcceleration:
         drift, turning = drifts(robot, task, chosen, x, u)
         udot, damping = chosen.solve(A, rddot - drift, _wish("null_acceleration", null_acceleration, A))
-        parts = _report(A, rddot - drift, udot, damping, float(np.linalg.norm(rddot) + np.linalg.norm(drift)))
+        size = float(np.linalg.norm(rddot) + np.linalg.norm(drift))
+        resolved = _resolved(A, rddot - drift, udot, damping, size)
+        resolved["realised"] = resolved["realised"] + drift
         qddot = chosen.inputs(robot, x) @ udot + turning
-        return JointAcceleration(parts[0], parts[1] + drift, *parts[2:], qddot, drift, rounded=rounded)
+        return JointAcceleration(**resolved, qddot=qddot, drift=drift, rounded=rounded)
 
-    found = at(rounded.q, rounded.spaces.J)
-    if rounded.singular_q is None or rounded.at_singularity is None:
-        return found
-    there = at(rounded.singular_q, rounded.at_singularity.J)
-    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
+    return _also_at_singularity(rounded, at)
 
 
 def _rounded(robot: Robot, task: Task, resolution: Resolution, q: npt.ArrayLike) -> RoundedConfiguration:
     """Return what the digits of q leave open of the rank of A = J G."""
     return rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q)
+
+
+def _also_at_singularity(rounded: RoundedConfiguration, at: Callable[[Array, Array], Answer]) -> Answer:
+    """Return the answer at q, and in it the one at a singular configuration within the rounding of q, if any."""
+    found = at(rounded.q, rounded.spaces.J)
+    if rounded.singular_q is None or rounded.at_singularity is None:
+        return found
+    there = at(rounded.singular_q, rounded.at_singularity.J)
+    return replace(found, verdict=RateVerdict.NEARLY_SINGULAR, at_singularity=there)
 
 
 def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array) -> tuple[Array, Array]:
@@ -217,9 +225,7 @@ def _wish(name: str, value: npt.ArrayLike | None, A: Array) -> Array | None:
     return None if value is None else real_array(name, value, (A.shape[1],), "one number for each joint, or each input")
 
 
-def _report(
-    A: Array, b: Array, u: Array, damping: float, size: float
-) -> tuple[Array, Array, Array, Array, Array, int, float, RateVerdict]:
+def _resolved(A: Array, b: Array, u: Array, damping: float, size: float) -> dict[str, Any]:
     """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding."""
     spaces = subspaces(A)
     inside = bool(np.linalg.norm(spaces.unrealisable(b)) <= RANK_TOLERANCE * size)
@@ -231,5 +237,13 @@ def _report(
     else:
         lost = spaces.rank < min(A.shape)
         verdict = RateVerdict.REALISED_ALL_THE_SAME if lost else RateVerdict.REALISED
-    unrealisable = np.zeros(len(b)) if inside else spaces.unrealisable(b)
-    return u, A @ u, residual, unrealisable, spaces.singular_values, spaces.rank, damping, verdict
+    return {
+        "inputs": u,
+        "realised": A @ u,
+        "residual": residual,
+        "unrealisable": np.zeros(len(b)) if inside else spaces.unrealisable(b),
+        "singular_values": spaces.singular_values,
+        "rank": spaces.rank,
+        "damping": damping,
+        "verdict": verdict,
+    }
