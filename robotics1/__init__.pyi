@@ -21,9 +21,9 @@ from .curves.frenet import FrenetFrame, frenet_frame, frenet_path
 from .curves.harmonic import HarmonicCurve
 from .curves.interpolants import Extreme
 from .curves.piecewise_polynomial import PiecewisePolynomial
-from .curves.polyline import overfly, polyline_path
+from .curves.polyline import parabolic_blends, polyline_path
 from .curves.pose_path import PosePath, pose_line
-from .curves.rotations import axis_angle_path, euler_path, turn_path
+from .curves.rotations import euler_path, slerp_path, turn_path
 from .curves.sequence import CurveSequence, Join
 from .curves.stack import JointTrajectory, StackedCurve, stacked_path
 from .curves.symbolic_path import (
@@ -116,9 +116,7 @@ from .tasks.pointing import PointingTask
 from .tasks.pose import OrientationTask, PoseTask
 from .tasks.position import PositionTask
 from .tasks.task import Task
-from .trajectories.along_path import TimingBounds, timing_bounds
-from .trajectories.coordination import MinimumTime, minimum_time
-from .trajectories.fastest_along_path import PathTiming, fastest_along
+from .trajectories.bounds_along_path import TimingBounds, timing_bounds
 from .trajectories.following.followed_trajectory import (
     FollowedTrajectory,
     FollowingStatus,
@@ -136,6 +134,8 @@ from .trajectories.following.path_following import (
 )
 from .trajectories.following.resolution import Resolution
 from .trajectories.following.task_rates import TaskTrajectory, jacobian_rate
+from .trajectories.least_time_along_path import PathTiming, time_optimal
+from .trajectories.least_time_of_joints import MinimumTime, minimum_time
 from .trajectories.limits import (
     LimitUse,
     MotionLimits,
@@ -154,7 +154,7 @@ from .trajectories.norms import (
     peak_norm,
 )
 from .trajectories.polynomial_splines import (
-    mixed_spline,
+    polynomial_spline,
     polynomial_through,
     virtual_point_spline,
 )
@@ -167,13 +167,13 @@ from .trajectories.profiles import (
     trapezoidal,
 )
 from .trajectories.scaling import TimeScaling, scale_to_limits
-from .trajectories.shortest import shortest_duration
+from .trajectories.shortest import minimum_duration
 from .trajectories.sines import cosine, cycloidal
 from .trajectories.splines import (
+    cubic_hermite_spline,
     cubic_spline,
-    cubics_through,
+    knot_times,
     spline_path,
-    times_of_points,
 )
 from .trajectories.symbolic_polynomial import (
     PolynomialFormula,
@@ -283,7 +283,6 @@ __all__ = [
     "animate",
     "arc_path",
     "arc_through",
-    "axis_angle_path",
     "axis_angle_to_rotation",
     "balancing_torque",
     "bang_bang",
@@ -293,8 +292,8 @@ __all__ = [
     "cosine",
     "cruise_profile",
     "cubic",
+    "cubic_hermite_spline",
     "cubic_spline",
-    "cubics_through",
     "cycloidal",
     "dh_to_urdf",
     "double_s",
@@ -305,7 +304,6 @@ __all__ = [
     "euler_rates",
     "euler_to_rotation",
     "exerting_torque",
-    "fastest_along",
     "find_intersections",
     "find_singularities",
     "follow_trajectory",
@@ -324,13 +322,14 @@ __all__ = [
     "jacobian_rate",
     "joint_acceleration",
     "joint_velocity",
+    "knot_times",
     "limit_violations",
     "line_path",
     "load_robot",
+    "minimum_duration",
     "minimum_time",
-    "mixed_spline",
     "nearest_rotation",
-    "overfly",
+    "parabolic_blends",
     "parameter_conditions",
     "peak_norm",
     "plot_path",
@@ -338,6 +337,7 @@ __all__ = [
     "plot_trajectory",
     "polyline_path",
     "polynomial_formula",
+    "polynomial_spline",
     "polynomial_through",
     "pose_line",
     "quaternion_rate_map",
@@ -351,17 +351,17 @@ __all__ = [
     "scale_to_limits",
     "scan_singularities",
     "septic",
-    "shortest_duration",
     "simulate_tracking",
     "singularity_within_rounding",
     "skew",
+    "slerp_path",
     "smallest_gain",
     "solve_ik",
     "spline_path",
     "stacked_path",
     "stretched",
     "subspaces",
-    "times_of_points",
+    "time_optimal",
     "timing_bounds",
     "trapezoidal",
     "turn_path",

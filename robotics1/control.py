@@ -10,7 +10,7 @@ import numpy.typing as npt
 from robotics1.curves.curve import Side
 from robotics1.curves.given import Motion, joint_motion
 from robotics1.errors import InputError
-from robotics1.inputs import Array, counting_number, per_joint, real_array, real_number
+from robotics1.inputs import Array, counting_number, non_negative_numbers, real_array, real_number
 from robotics1.results import Frozen, require
 from robotics1.trajectories.following.integration import integrated
 
@@ -71,7 +71,7 @@ def simulate_tracking(
     motion = joint_motion("trajectory", trajectory, derivatives=2)
     n, ends = motion.dimension, motion.ends
     q0 = real_array("q0", q0, (n,), "one number for each joint")
-    k = _non_negative("gain", gain, n)
+    k = non_negative_numbers("gain", gain, n)
     _refuse_what_is_too_large(k, ends[-1], q0)
     limits = _limits(rate_limits, n)
     t = np.linspace(0.0, ends[-1], counting_number("samples", samples, least=2))
@@ -191,12 +191,5 @@ def _limits(rate_limits: npt.ArrayLike | None, n: int) -> Array:
     listed: list[Any] = list(rate_limits) if several else [rate_limits] * n  # type: ignore[arg-type]
     unlimited = np.array([isinstance(value, float | np.floating) and value == np.inf for value in listed], dtype=bool)
     bounded = [0.0 if none else value for value, none in zip(listed, unlimited, strict=True)]
-    finite = _non_negative("rate_limits", bounded, n)
+    finite = non_negative_numbers("rate_limits", bounded, n)
     return np.where(unlimited, np.inf, finite)
-
-
-def _non_negative(name: str, value: npt.ArrayLike, n: int) -> Array:
-    array = per_joint(name, value, n)
-    if (array < 0).any():
-        raise InputError(f"{name} must not be negative; it is {array.tolist()}")
-    return array

@@ -220,6 +220,18 @@ def positive_numbers(name: str, value: npt.ArrayLike, n: int) -> Array:
     return array
 
 
+def non_negative_numbers(name: str, value: npt.ArrayLike, n: int) -> Array:
+    """Return numbers that are not negative, (n,); a single number is for all.
+
+    Raises:
+        InputError: one is negative, or their number is wrong.
+    """
+    array = per_joint(name, value, n)
+    if (array < 0).any():
+        raise InputError(f"{name} must not be negative; it is {array.tolist()}")
+    return array
+
+
 def joint_numbers(name: str, value: npt.ArrayLike, n: int | None = None) -> Array:
     """Return one number for each joint, (n,); a single number is one joint's.
 

@@ -43,9 +43,9 @@ def dense_peak(motion, order, count=2001):
 
 # --- minimum time
 
-KINDS = ["trapezoidal", "double-S", "bang-bang", "cubic", "quintic", "septic", "cosine", "cycloidal"]
+KINDS = ["trapezoidal", "double_s", "bang_bang", "cubic", "quintic", "septic", "cosine", "cycloidal"]
 MOVING = KINDS[:6]
-JERK_FREE = {"trapezoidal", "bang-bang"}
+JERK_FREE = {"trapezoidal", "bang_bang"}
 bound = st.floats(0.3, 4)
 share = st.floats(-1, 1)
 distance = st.floats(-4, 4).filter(lambda d: abs(d) > 1e-3)

@@ -163,8 +163,8 @@ def trajectories():
     path = r1.PathTrajectory(r1.polyline_path([[0, 0], [1, 0], [1, 1]]), r1.trapezoidal(0, 2, 3, velocity=1).joint())
     return {
         "profiles": r1.minimum_time([0, 0], [1, -1], limits).trajectory,
-        "bang-bang": r1.bang_bang([0, 0], [1, -1], 2),
-        "spline": r1.cubic_spline([[0, 0], [1, -1], [0.5, 0]], [0, 1, 2.5]),
+        "bang_bang": r1.bang_bang([0, 0], [1, -1], 2),
+        "spline": r1.cubic_spline([0, 1, 2.5], [[0, 0], [1, -1], [0.5, 0]]),
         "path": path,
         "sequence": r1.CurveSequence((cubic([0, 0], [1, 1], 1, v1=[2, 0]), cubic([1, 1], [0, 1], 1))),
         "stretched": r1.stretched(path, 2.0),

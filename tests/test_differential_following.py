@@ -179,7 +179,7 @@ def test_a_path_out_of_reach_stops_where_the_joints_run_away():
     assert found.least_singular_value.value < 1e-3
     with pytest.raises(NotConverged):
         found.require()
-    with pytest.raises(InputError, match=r"t must be in \[0, 0\."):
+    with pytest.raises(InputError, match=r"the parameter must be in \[0, 0\."):
         found(1.9)
 
 

@@ -112,14 +112,14 @@ def test_2010_09_15_i_displacement_of_seven_phases_with_a_given_cruise_time():
 
 def test_2010_09_15_ii_minimum_time_of_seven_phases():
     v, a, j, dq = 2, 4, 10, 3
-    law = r1.minimum_time(0, dq, r1.MotionLimits(v, a, j), "double-S").laws[0]
+    law = r1.minimum_time(0, dq, r1.MotionLimits(v, a, j), "double_s").laws[0]
     assert law.duration == pytest.approx(dq / v + v / a + a / j)
     assert law.duration == pytest.approx(2.4)
     Ts, Ta, _, Tv = (phase.duration for phase in law.phases[:4])
     assert (Ts, Ta, Tv) == pytest.approx((0.4, 0.1, 0.6))
-    low = r1.minimum_time(0, dq, r1.MotionLimits(1.5, a, j), "double-S")  # v < a²/j: a is not reached
+    low = r1.minimum_time(0, dq, r1.MotionLimits(1.5, a, j), "double_s")  # v < a²/j: a is not reached
     assert low.duration == pytest.approx(dq / 1.5 + 2 * sqrt(1.5 / j))
-    near = r1.minimum_time(0, 1.5, r1.MotionLimits(v, a, j), "double-S")  # dq < v (v/a + a/j): v is not reached
+    near = r1.minimum_time(0, 1.5, r1.MotionLimits(v, a, j), "double_s")  # dq < v (v/a + a/j): v is not reached
     assert near.laws[0].cruise_time == 0
 
 
@@ -136,7 +136,7 @@ def in_powers_of_s(spline):
 
 
 def test_2010_02_11_c_quadratic_then_linear_with_continuous_tangent():
-    path = r1.mixed_spline([IN, MID, FIN], [0, 0.5, 1], (2, 1), (), continuity=1)
+    path = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 1), (), continuity=1)
     first, second = in_powers_of_s(path)
     assert first == pytest.approx(np.array([IN, 6 * MID - 4 * IN - 2 * FIN, 4 * FIN - 8 * MID + 4 * IN]))
     assert second[:2] == pytest.approx(np.array([2 * MID - FIN, 2 * (FIN - MID)]))
@@ -148,18 +148,18 @@ def test_2010_02_11_c_quadratic_then_linear_with_continuous_tangent():
 
 def test_2010_02_11_e_two_quadratics_with_a_given_tangent_at_the_middle():
     t = np.array([1.3, -2.1])
-    path = r1.mixed_spline([IN, MID, FIN], [0, 0.5, 1], (2, 2), [(1, 1, t)], continuity=1)
+    path = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 2), [(1, 1, t)], continuity=1)
     first, second = in_powers_of_s(path)
     assert first == pytest.approx(np.array([IN, 4 * (MID - IN) - t, 4 * (IN - MID) + 2 * t]))
     assert second == pytest.approx(np.array([FIN - t, 4 * (MID - FIN) + 3 * t, 4 * (FIN - MID) - 2 * t]))
-    smooth = r1.mixed_spline([IN, MID, FIN], [0, 0.5, 1], (2, 2), ())
+    smooth = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 2), ())
     assert smooth.velocity(0.5) == pytest.approx(FIN - IN)
     assert smooth.velocity(0.5) == pytest.approx([3.3408, -2.8007], abs=PRINTED)
     assert smooth.breakpoints.size == 0  # the curvature is continuous too
 
 
 def test_2010_02_11_f_one_timing_law_for_all_joints_keeps_the_path():
-    path = r1.mixed_spline([IN, MID, FIN], [0, 0.5, 1], (2, 1), (), continuity=1)
+    path = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 1), (), continuity=1)
     motion = r1.PathTrajectory(path, r1.quintic(0, 1, 3).joint())
     s = r1.quintic(0, 1, 3)([0.4, 1.5, 2.2])[:, 0]
     assert motion([0.4, 1.5, 2.2]) == pytest.approx(path(s))

@@ -45,7 +45,7 @@ def test_trapezoid_takes_delta_over_v_plus_v_over_a_or_twice_root_delta_over_a(d
 
 @given(distance, bound, bound, bound)
 def test_double_s_takes_delta_over_v_plus_v_over_a_plus_a_over_j(delta, V, A, J):
-    answer = r1.minimum_time(0, delta, r1.MotionLimits(V, A, J), "double-S")
+    answer = r1.minimum_time(0, delta, r1.MotionLimits(V, A, J), "double_s")
     d = abs(delta)
     ramp = V / A + A / J if V >= A**2 / J else 2 * sqrt(V / J)
     if d >= V * ramp:
@@ -72,8 +72,8 @@ def test_a_shape_takes_the_largest_of_the_three_roots(kind, d, V, A, J):
 
 
 def test_bang_bang_takes_twice_root_delta_over_a_or_2_delta_over_v():
-    assert r1.minimum_time(0, 1, r1.MotionLimits(acceleration=4), "bang-bang").duration == pytest.approx(1)
-    assert r1.minimum_time(0, 1, r1.MotionLimits(1.6, 4), "bang-bang").duration == pytest.approx(2 / 1.6)
+    assert r1.minimum_time(0, 1, r1.MotionLimits(acceleration=4), "bang_bang").duration == pytest.approx(1)
+    assert r1.minimum_time(0, 1, r1.MotionLimits(1.6, 4), "bang_bang").duration == pytest.approx(2 / 1.6)
 
 
 @given(distance, bound, bound, bound)
@@ -105,7 +105,7 @@ def test_a_start_away_from_the_goal_brakes_turns_and_comes_back():
 
 
 def test_a_bang_bang_from_v_to_v_goes_straight_on():
-    answer = r1.minimum_time(0, 2, r1.MotionLimits(0.5, 1), "bang-bang", v0=0.5, v1=0.5)
+    answer = r1.minimum_time(0, 2, r1.MotionLimits(0.5, 1), "bang_bang", v0=0.5, v1=0.5)
     assert answer.duration == pytest.approx(4)
     assert [demand.quantity for demand in answer.active] == ["velocity"]
 
@@ -163,7 +163,7 @@ def test_bounds_are_kept_and_one_is_touched(kind, d, V, A, J, x0, x1):
     assert motion.velocity([0, T])[:, 0] == pytest.approx([v0, v1], abs=1e-9)
 
 
-@pytest.mark.parametrize("kind", ["trapezoidal", "double-S"])
+@pytest.mark.parametrize("kind", ["trapezoidal", "double_s"])
 @given(size=st.floats(-16, -3), V=bound, A=bound, J=bound, x=share)
 def test_a_distance_for_which_the_velocity_hardly_changes_is_not_missed(kind, size, V, A, J, x):
     """From v to the same v: a double-S over 1e-6 m changes v by 1e-14, where rounding v is 1 % of it."""
@@ -172,13 +172,13 @@ def test_a_distance_for_which_the_velocity_hardly_changes_is_not_missed(kind, si
     assert answer.trajectory(answer.duration) == pytest.approx([d], rel=1e-6, abs=1e-14 * answer.duration)
 
 
-@pytest.mark.parametrize("kind", ["cubic", "quintic", "bang-bang"])
+@pytest.mark.parametrize("kind", ["cubic", "quintic", "bang_bang"])
 @given(d=distance, V=bound, A=bound, J=bound, x0=share.filter(lambda x: abs(x) < 1), x1=share)
 def test_a_shorter_polynomial_or_bang_bang_violates_a_bound(kind, d, V, A, J, x0, x1):
     v0, v1 = x0 * V, x1 * V
     J = inf if kind in JERK_FREE else J
     T = r1.minimum_time(0, d, r1.MotionLimits(V, A, J), kind, v0=v0, v1=v1).duration
-    motion_of = {"cubic": r1.cubic, "quintic": r1.quintic, "bang-bang": r1.bang_bang}[kind]
+    motion_of = {"cubic": r1.cubic, "quintic": r1.quintic, "bang_bang": r1.bang_bang}[kind]
     for shorter in T * np.concatenate([np.linspace(0.02, 0.98, 25), 1 - np.geomspace(1e-6, 1e-2, 5)]):
         assert max(ratios(motion_of([0], [d], shorter, v0, v1), V, A, J)) > 1
 
@@ -186,7 +186,7 @@ def test_a_shorter_polynomial_or_bang_bang_violates_a_bound(kind, d, V, A, J, x0
 def test_no_bang_bang_comes_back_at_the_bound_it_went_away_with():
     """From V to V over −Δ: the velocity at the switch is −V − 2Δ/T, beyond −V for any T."""
     with pytest.raises(r1.InputError, match="'trapezoidal' does"):
-        r1.minimum_time(0, -1, r1.MotionLimits(1, 1), "bang-bang", v0=1, v1=1)
+        r1.minimum_time(0, -1, r1.MotionLimits(1, 1), "bang_bang", v0=1, v1=1)
 
 
 @pytest.mark.parametrize("kind", ["cubic", "quintic", "septic"])
@@ -247,11 +247,11 @@ def least_use(T, d, ends, bounds, steps=40):
 
 
 @pytest.mark.parametrize("seed", range(12))
-@pytest.mark.parametrize("kind", ["trapezoidal", "double-S"])
+@pytest.mark.parametrize("kind", ["trapezoidal", "double_s"])
 def test_no_motion_at_all_is_faster_than_the_profiles(kind, seed):
     """With 5 % less time the linear program over all motions needs more than the bound, with 6 % more it does not."""
     rng = np.random.default_rng(seed)
-    V, A, J = rng.uniform(0.5, 2), rng.uniform(0.5, 3), rng.uniform(1, 8) if kind == "double-S" else inf
+    V, A, J = rng.uniform(0.5, 2), rng.uniform(0.5, 3), rng.uniform(1, 8) if kind == "double_s" else inf
     ends = rng.uniform(-0.95, 0.95, 2) * V
     d = rng.uniform(-3, 3)
     T = r1.minimum_time(0, d, limits_of(kind, V, A, J), kind, v0=ends[0], v1=ends[1]).duration
@@ -266,12 +266,12 @@ def test_no_motion_at_all_is_faster_than_the_profiles(kind, seed):
     ("arguments", "options", "message"),
     [
         ((0, 1, r1.MotionLimits(1)), {}, "needs a bound on the acceleration"),
-        ((0, 1, r1.MotionLimits(1, 1, 1)), {}, "'double-S' has one"),
-        ((0, 1, r1.MotionLimits(1, 1, 1), "bang-bang"), {}, "'double-S' has one"),
-        ((0, 1, r1.MotionLimits(1, 1)), {"law": "double-S"}, "needs a bound on the jerk"),
-        ((0, 1, r1.MotionLimits(1, 1, 1, 2)), {"law": "double-S"}, "same bound"),
+        ((0, 1, r1.MotionLimits(1, 1, 1)), {}, "'double_s' has one"),
+        ((0, 1, r1.MotionLimits(1, 1, 1), "bang_bang"), {}, "'double_s' has one"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"law": "double_s"}, "needs a bound on the jerk"),
+        ((0, 1, r1.MotionLimits(1, 1, 1, 2)), {"law": "double_s"}, "same bound"),
         ((0, 1, r1.MotionLimits(1, 1, deceleration=2)), {"law": "cubic"}, "'trapezoidal' brakes with another"),
-        ((0, 1, r1.MotionLimits(1, 1, deceleration=2)), {"law": "bang-bang"}, "'trapezoidal' brakes with another"),
+        ((0, 1, r1.MotionLimits(1, 1, deceleration=2)), {"law": "bang_bang"}, "'trapezoidal' brakes with another"),
         ((0, 1, r1.MotionLimits()), {"law": "cubic"}, "bound"),
         ((0, 1, r1.MotionLimits(1, 1)), {"v0": 1.5}, "v0 of joint 0 is 1.5, beyond its bound 1"),
         (([0, 0], [1, 1], r1.MotionLimits([1, 2], 1)), {"v1": [0, -2.5]}, "v1 of joint 1 is -2.5"),

@@ -36,7 +36,7 @@ def test_a_state_that_is_the_goal_already_keeps_its_velocity(kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("coordination", ["slowed", "straight", "independent"])
+@pytest.mark.parametrize("coordination", ["synchronized", "straight", "independent"])
 def test_a_joint_that_has_nothing_to_do_rests_while_another_moves(kind, coordination):
     answer = r1.minimum_time([1, 2], [1, 3], limits_of(kind, 1, 1, 1), kind, coordination=coordination)
     t = np.linspace(0, answer.duration, 5)
@@ -92,7 +92,7 @@ def test_in_line_one_joint_may_bound_the_velocity_and_another_the_acceleration()
     assert {(demand.joint, demand.quantity) for demand in answer.active} == {(0, "velocity"), (1, "acceleration")}
 
 
-@pytest.mark.parametrize("kind", ["trapezoidal", "double-S", "cubic", "quintic"])
+@pytest.mark.parametrize("kind", ["trapezoidal", "double_s", "cubic", "quintic"])
 @pytest.mark.parametrize("seed", range(15))
 def test_joints_with_velocities_at_the_ends_arrive_together_within_their_bounds(kind, seed):
     rng = np.random.default_rng(seed)
@@ -118,7 +118,9 @@ def test_a_joint_that_cannot_wait_makes_all_wait_for_its_next_chance():
     turn = sqrt(1 - 0.1)  # the velocity back: 1 − p² = Δ
     assert answer.duration == pytest.approx(2 * (1 + turn), rel=1e-9)
     assert answer.trajectory.extremes(1)[1][0, 0] == pytest.approx(-turn)
-    alone = r1.minimum_time([0, 0], [0.1, 0.25], limits, v0=[1, 0], v1=[1, 0], coordination="slowed").joint_durations
+    alone = r1.minimum_time(
+        [0, 0], [0.1, 0.25], limits, v0=[1, 0], v1=[1, 0], coordination="synchronized"
+    ).joint_durations
     assert alone == pytest.approx([2 * (sqrt(1.1) - 1), 1])
 
 

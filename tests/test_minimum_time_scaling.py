@@ -162,7 +162,7 @@ def test_shortest_duration_with_given_accelerations_at_the_ends():
     def motion(T):
         return r1.quintic([0, 1], [1, -2], T, v0=[0.5, 0.9], a0=[1, -2], a1=[0, 3])
 
-    T = r1.shortest_duration(motion, limits)
+    T = r1.minimum_duration(motion, limits)
 
     def used(T):
         return max(np.abs(motion(T).extremes(k)[1]).max() / b for k, b in ((1, 2), (2, 5), (3, 40)))
@@ -187,9 +187,7 @@ def test_shortest_duration_before_durations_that_violate_the_same_bound_again(
         motion = r1.quintic(0, distance, T, *velocities, *accelerations)
         return max(np.abs(motion.extremes(k)[1]).max() / bound for k, bound in enumerate(bounds, start=1))
 
-    T = r1.shortest_duration(
-        lambda T: r1.quintic(0, distance, T, *velocities, *accelerations), r1.MotionLimits(*bounds)
-    )
+    T = r1.minimum_duration(lambda T: r1.quintic(0, distance, T, *velocities, *accelerations), r1.MotionLimits(*bounds))
     assert used(T) == pytest.approx(1, abs=1e-9)
     assert min(used(x) for x in np.linspace(0.05, 0.9999, 200) * T) > 1
 
@@ -201,10 +199,10 @@ def test_shortest_duration_does_not_miss_a_window_before_durations_that_will_not
         return r1.cubic(0, 0.1, T, 1, 1)
 
     loose = r1.MotionLimits(velocity=2, acceleration=2)  # 6 (0.1 − T)/T² = 2, while 6 (T − 0.1)/T² = 2 is soon after
-    assert r1.shortest_duration(motion, loose) == pytest.approx((sqrt(40.8) - 6) / 4)
+    assert r1.minimum_duration(motion, loose) == pytest.approx((sqrt(40.8) - 6) / 4)
     limits = r1.MotionLimits(velocity=1, acceleration=2)
-    assert r1.shortest_duration(motion, limits) == pytest.approx(0.1)
-    later = r1.shortest_duration(motion, limits, at_least=0.11)
+    assert r1.minimum_duration(motion, limits) == pytest.approx(0.1)
+    later = r1.minimum_duration(motion, limits, at_least=0.11)
     assert later > 2
     assert np.abs(motion(later).extremes(2)[1]).max() == pytest.approx(2)
     for T in np.linspace(0.11, 0.999 * later, 40):
@@ -213,8 +211,8 @@ def test_shortest_duration_does_not_miss_a_window_before_durations_that_will_not
 
 def test_shortest_duration_of_a_mixed_spline():
     q, shares, limits = [0, 1, 3, 2], np.array([0, 0.3, 0.6, 1]), r1.MotionLimits(2, 3, 20)
-    T = r1.shortest_duration(lambda T: r1.mixed_spline(q, T * shares, (4, 3, 4)), limits)
-    once = r1.scale_to_limits(r1.mixed_spline(q, shares, (4, 3, 4)), limits)
+    T = r1.minimum_duration(lambda T: r1.polynomial_spline(T * shares, q, (4, 3, 4)), limits)
+    once = r1.scale_to_limits(r1.polynomial_spline(shares, q, (4, 3, 4)), limits)
     assert pytest.approx(once.duration, rel=1e-9) == T  # at rest at the ends both are the same
 
 
@@ -236,7 +234,7 @@ def test_shortest_duration_of_a_mixed_spline():
 )
 def test_misuse_of_shortest_duration_is_an_input_error(motion, limits, message):
     with pytest.raises(r1.InputError, match=message):
-        r1.shortest_duration(motion, limits)
+        r1.minimum_duration(motion, limits)
 
 
 # --- limits of a robot
@@ -247,7 +245,7 @@ def test_limit_violations_of_every_kind_of_motion_are_exact(planar_2r):
     for motion, peak, time in (
         (r1.cosine([0, 0], [3, 1], 1), 1.5 * pi, 0.5),
         (r1.trapezoidal([0, 0], [3, 1], 1, velocity=[5, 1.5]), 5, 0.4),
-        (r1.cubic_spline([[0, 0], [1, 0], [3, 1]], [0, 0.5, 1]), None, None),
+        (r1.cubic_spline([0, 0.5, 1], [[0, 0], [1, 0], [3, 1]]), None, None),
         (r1.stretched(r1.quintic([0, 0], [3, 1], 2), 0.5), 15 / 8 * 3, 0.5),
     ):
         (violation,) = r1.limit_violations(planar_2r, motion)

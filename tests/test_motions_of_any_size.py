@@ -19,17 +19,17 @@ CALLS = {
         r1.cubic([0], [1], 1), [a], b, rate_limits=c, samples=3
     ).command,
     "smallest_gain": lambda a, b, c, d: r1.smallest_gain(r1.cubic([0], [1], 1), [a], b).gain,
-    "fastest_along": lambda a, b, c, d: r1.fastest_along(
+    "time_optimal": lambda a, b, c, d: r1.time_optimal(
         r1.line_path([0, 0], [a, b]), r1.MotionLimits(c, d), grid=10
     ).duration,
     "timing_bounds": lambda a, b, c, d: r1.timing_bounds(r1.arc_path([0, 0], [a, b], 1.0), c, d).velocity,
-    "overfly": lambda a, b, c, d: r1.overfly([[0, 0], [a, 0], [a, b]], c, d).duration,
+    "parabolic_blends": lambda a, b, c, d: r1.parabolic_blends([[0, 0], [a, 0], [a, b]], c, d).duration,
     "joins": lambda a, b, c, d: r1.CurveSequence(
         (r1.cubic(a, b, c), r1.cubic(b, a, d))
     ).joins[0].jumps,
     "stretched": lambda a, b, c, d: r1.stretched(r1.cubic(a, b, c), d).velocity(0.0),
-    "times_of_points": lambda a, b, c, d: r1.times_of_points([a, b, c], d),
-    "cubics_through": lambda a, b, c, d: r1.cubics_through([a, b, c], [0, 1, d]).duration,
+    "knot_times": lambda a, b, c, d: r1.knot_times([a, b, c], d),
+    "cubic_hermite_spline": lambda a, b, c, d: r1.cubic_hermite_spline([0, 1, d], [a, b, c]).duration,
 }  # fmt: skip
 
 

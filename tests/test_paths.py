@@ -226,7 +226,7 @@ def test_formulas_of_a_parabola_agree_with_numbers():
 )
 def test_spline_is_scipys_at_the_chords(ends, kind):
     points = np.array([[0, 0, 1], [1, 2, 0], [3, 1, 1], [4, 4, 0], [5, 4, 2.0]])
-    path = r1.spline_path(points, ends=ends)
+    path = r1.spline_path(points, bc_type=ends)
     knots = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     other = CubicSpline(knots, points, bc_type=kind)
     x = np.linspace(0, path.end, 31)
@@ -239,33 +239,33 @@ def test_spline_is_scipys_at_the_chords(ends, kind):
 
 
 def test_spline_ends_with_the_tangents_that_are_asked_and_is_smooth_at_the_knots():
-    path = r1.spline_path([[0, 0], [1, 2], [3, 1]], knots=[0, 1, 3], start_tangent=[1, 0], end_tangent=[0, -2])
+    path = r1.spline_path([[0, 0], [1, 2], [3, 1]], knots=[0, 1, 3], v0=[1, 0], v1=[0, -2])
     assert path.derivative(0.0) == pytest.approx([1, 0])
     assert path.derivative(3.0) == pytest.approx([0, -2])
     for order in (0, 1, 2):
         assert path.derivative(1.0, order, side="left") == pytest.approx(path.derivative(1.0, order), abs=1e-12)
     assert np.abs(path.derivative(1.0, 3, side="left") - path.derivative(1.0, 3)).max() > 0.1
-    one = r1.spline_path([[0, 0], [1, 2], [3, 1]], start_tangent=[1, 0])
+    one = r1.spline_path([[0, 0], [1, 2], [3, 1]], v0=[1, 0])
     assert one.derivative(one.end, 2) == pytest.approx([0, 0], abs=1e-12)
 
 
 def test_spline_ends_with_the_second_derivatives_that_are_asked():
     """p'' is linear in s between the knots, and by Simpson's rule the strain of the points is met."""
     points = [[0, 0], [1, 2], [3, 1]]
-    path = r1.spline_path(points, knots=[0, 1, 3], start_second=[2, -1], end_second=[0.5, 4])
+    path = r1.spline_path(points, knots=[0, 1, 3], a0=[2, -1], a1=[0.5, 4])
     assert path.derivative(0.0, 2) == pytest.approx([2, -1])
     assert path.derivative(3.0, 2) == pytest.approx([0.5, 4])
     assert path([0, 1, 3]) == pytest.approx(np.array(points, dtype=float))
     # (h₀ m₀ + 2 (h₀ + h₁) m₁ + h₁ m₂)/6 = Δ₁/h₁ − Δ₀/h₀
     left = (1 * np.array([2, -1]) + 6 * path.derivative(1.0, 2) + 2 * np.array([0.5, 4])) / 6
     assert left == pytest.approx(np.array([2, -1]) / 2 - np.array([1, 2]))
-    mixed = r1.spline_path(points, knots=[0, 1, 3], start_second=[2, -1], end_tangent=[0, -2])
+    mixed = r1.spline_path(points, knots=[0, 1, 3], a0=[2, -1], v1=[0, -2])
     assert mixed.derivative(0.0, 2) == pytest.approx([2, -1])
     assert mixed.derivative(3.0) == pytest.approx([0, -2])
 
 
 def test_a_periodic_spline_closes_with_its_curvature():
-    path = r1.spline_path([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]], ends="periodic")
+    path = r1.spline_path([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]], bc_type="periodic")
     for order in (0, 1, 2):
         assert path.derivative(0.0, order) == pytest.approx(path.derivative(path.end, order), abs=1e-12)
     assert path.length == pytest.approx(2 * pi, rel=0.02)

@@ -275,7 +275,7 @@ def test_poses_in_a_row():
 def test_overfly_leaves_at_v1_t_over_2_before_the_corner_and_accelerates_by_the_difference_over_t():
     A, B, C = np.array([0.0, 0, 0]), np.array([2.0, 0, 0]), np.array([2.0, 3, 0])
     v1, v2, T = 0.5, 1.0, 0.8
-    motion = r1.overfly([A, B, C], [v1, v2], T)
+    motion = r1.parabolic_blends([A, B, C], [v1, v2], T)
     leaves = 2 / v1 - T / 2
     assert motion.duration == pytest.approx(2 / v1 + 3 / v2)
     assert motion.breakpoints == pytest.approx([leaves, leaves + T])
@@ -290,7 +290,7 @@ def test_overfly_leaves_at_v1_t_over_2_before_the_corner_and_accelerates_by_the_
 
 def test_overfly_of_many_points_is_c1_and_passes_where_the_blends_do_not_reach():
     points = np.random.default_rng(7).normal(size=(6, 2))
-    motion = r1.overfly(points, 1.0, [0.2, 0.1, 0.15, 0.2])
+    motion = r1.parabolic_blends(points, 1.0, [0.2, 0.1, 0.15, 0.2])
     for t in motion.breakpoints:
         assert motion(t, side="left") == pytest.approx(motion(t), abs=1e-12)
         assert motion.velocity(t, side="left") == pytest.approx(motion.velocity(t), abs=1e-12)
@@ -319,11 +319,11 @@ MISUSE = [
     (lambda: r1.CurveSequence(()), "pieces must be one curve or several"),
     (lambda: r1.CurveSequence((MOTIONS["line"], MOTIONS["ellipse"])), "the same coordinates"),
     (lambda: r1.CurveSequence((MOTIONS["line"],))(2.5), r"the parameter must be in \[0, 2\]"),
-    (lambda: r1.overfly([[0, 0], [1, 0]], 1.0, 0.1), "three points at least"),
-    (lambda: r1.overfly([[0, 0], [1, 0], [1, 0]], 1.0, 0.1), "points 1 and 2 are both"),
-    (lambda: r1.overfly([[0, 0], [1, 0], [1, 1]], 1.0, 2.1), "from point 0 to point 1 there is 1, and they need 1.05"),
-    (lambda: r1.overfly([[0, 0], [1, 0], [1, 1]], [1, 0], 0.1), "speeds must be positive"),
-    (lambda: r1.overfly([[0, 0], [1, 0], [1, 1]], 1.0, 0.0), "blend_times must be positive"),
+    (lambda: r1.parabolic_blends([[0, 0], [1, 0]], 1.0, 0.1), "three points at least"),
+    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 0]], 1.0, 0.1), "points 1 and 2 are both"),
+    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 1]], 1.0, 2.1), "point 1 there is 1, and they need 1.05"),
+    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 1]], [1, 0], 0.1), "speeds must be positive"),
+    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 1]], 1.0, 0.0), "blend_times must be positive"),
 ]  # fmt: skip
 
 

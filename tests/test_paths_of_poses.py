@@ -22,13 +22,13 @@ def random_rotation(seed):
 
 CURVED = r1.spline_path([[0.1, 0.5, -0.3], [0.6, 0.9, 0.4], [1.0, 0.4, 0.8]])
 ORIENTATIONS = {
-    "fixed axis": r1.axis_angle_path(random_rotation(1), random_rotation(2)),
-    "long way": r1.axis_angle_path(random_rotation(1), random_rotation(2), long_way=True),
+    "fixed axis": r1.slerp_path(random_rotation(1), random_rotation(2)),
+    "long way": r1.slerp_path(random_rotation(1), random_rotation(2), long_way=True),
     "turn": r1.turn_path(random_rotation(3), [1, 2, 3], -7.0),
     "ZYZ": r1.euler_path("ZYZ", [[0.1, 0.5, -0.3], [1.0, 1.4, 0.8]]),
     "curved XYZ": r1.euler_path("XYZ", CURVED),
     "fixed Z-YX": r1.euler_path("Z-YX", CURVED, fixed=True),
-    "Frenet": r1.frenet_path(r1.spline_path([[0, 0, 0], [1, 1, 0], [2, 0, 1], [1, -1, 2]], ends="not-a-knot")),
+    "Frenet": r1.frenet_path(r1.spline_path([[0, 0, 0], [1, 1, 0], [2, 0, 1], [1, -1, 2]], bc_type="not-a-knot")),
     "Frenet of a helix": r1.frenet_path(HELIX),
 }
 
@@ -66,10 +66,10 @@ def test_the_rate_of_an_orientation_is_the_angular_velocity_and_its_rates_are_de
 @given(st.integers(0, 200), st.floats(0, 1))
 def test_fixed_axis_is_the_spherical_interpolation_of_quaternions(seed, part):
     R0, R1 = random_rotation(seed), random_rotation(seed + 1000)
-    path = r1.axis_angle_path(R0, R1)
+    path = r1.slerp_path(R0, R1)
     slerp = Slerp([0, 1], Rotation.from_matrix([R0, R1]))
     assert path(part * path.end) == pytest.approx(slerp(part).as_matrix(), abs=1e-10)
-    other = r1.axis_angle_path(R0, R1, long_way=True)
+    other = r1.slerp_path(R0, R1, long_way=True)
     assert other.end == pytest.approx(2 * pi - path.end)
     assert other(other.end) == pytest.approx(R1, abs=1e-10)
 
@@ -78,7 +78,7 @@ def test_fixed_axis_is_the_spherical_interpolation_of_quaternions(seed, part):
 def test_a_half_turn_arrives_both_ways_about_opposite_axes(axis):
     axis = np.array(axis)
     R1 = 2 * np.outer(axis, axis) - np.eye(3)
-    one, other = (r1.axis_angle_path(np.eye(3), R1, long_way=way) for way in (False, True))
+    one, other = (r1.slerp_path(np.eye(3), R1, long_way=way) for way in (False, True))
     assert one.angle == pytest.approx(pi)
     assert other.angle == pytest.approx(pi)
     assert abs(one.axis @ axis) == pytest.approx(1)
@@ -89,7 +89,7 @@ def test_a_half_turn_arrives_both_ways_about_opposite_axes(axis):
 
 def test_the_axis_of_a_turn_is_told_in_world_axes():
     R0 = random_rotation(5)
-    path = r1.axis_angle_path(R0, R0 @ pin.exp3(np.array([0, 0.4, 0])))  # about its own y
+    path = r1.slerp_path(R0, R0 @ pin.exp3(np.array([0, 0.4, 0])))  # about its own y
     assert path.axis == pytest.approx(R0[:, 1])
     assert path.end == pytest.approx(0.4)
     many = r1.turn_path(np.eye(3), [0, 0, 2], -5 * pi)
@@ -125,7 +125,7 @@ def test_a_pose_line_goes_straight_and_turns_about_one_axis_in_the_same_time():
     T0 = pin.SE3(random_rotation(1), np.array([1, 0, 0.0]))
     T1 = pin.SE3(random_rotation(2), np.array([1, 3, 4.0]))
     path = r1.pose_line(T0, T1.homogeneous)
-    turn = r1.axis_angle_path(T0.rotation, T1.rotation)
+    turn = r1.slerp_path(T0.rotation, T1.rotation)
     assert path.end == 5
     assert path(0.0).isApprox(T0, 1e-12)
     assert path(5.0).isApprox(T1, 1e-12)
@@ -189,13 +189,13 @@ MISUSE = [
     (lambda: r1.pose_line(np.eye(4), np.eye(4)), "different poses"),
     (lambda: r1.pose_line(np.eye(3), np.eye(4)), r"T0 must have shape \(4, 4\)"),
     (lambda: r1.pose_line(np.eye(4), 2 * np.eye(4)), "T1"),
-    (lambda: r1.PosePath([0, 0, 0], r1.axis_angle_path(IDENTITY, IDENTITY)), "the pose must change"),
-    (lambda: r1.PosePath(LINE, LINE), "orientation must be such as axis_angle_path"),
+    (lambda: r1.PosePath([0, 0, 0], r1.slerp_path(IDENTITY, IDENTITY)), "the pose must change"),
+    (lambda: r1.PosePath(LINE, LINE), "orientation must be such as slerp_path"),
     (lambda: r1.PosePath(r1.line_path([0, 0], [1, 1]), r1.turn_path(IDENTITY, [0, 0, 1], 1)), "path of 3 coordinates"),
     (lambda: r1.PosePath([0, 0], r1.turn_path(IDENTITY, [0, 0, 1], 1)), r"position must have shape \(3,\)"),
-    (lambda: r1.axis_angle_path(IDENTITY, IDENTITY, long_way=True), "has no axis"),
-    (lambda: r1.axis_angle_path(2 * IDENTITY, IDENTITY), "R0 is no rotation"),
-    (lambda: r1.axis_angle_path(IDENTITY, -IDENTITY), "R1 is a reflection"),
+    (lambda: r1.slerp_path(IDENTITY, IDENTITY, long_way=True), "has no axis"),
+    (lambda: r1.slerp_path(2 * IDENTITY, IDENTITY), "R0 is no rotation"),
+    (lambda: r1.slerp_path(IDENTITY, -IDENTITY), "R1 is a reflection"),
     (lambda: r1.turn_path(IDENTITY, [0, 0, 0], 1.0), "axis must have a direction"),
     (lambda: r1.euler_path("ZZX", [[0, 0, 0], [1, 1, 1]]), "consecutive axes"),
     (lambda: r1.euler_path("ZYX", [[0, 0, 0]]), "the first and the last angles"),

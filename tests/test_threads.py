@@ -141,7 +141,7 @@ def test_shared_trajectories_and_paths():
             lambda: (path(0.3), path.derivative(0.3), path.derivative(1.1, 2)),
             lambda: (stacked(0.5), stacked.derivative(0.2), stacked.breakpoints),
             lambda: r1.by_arc_length(path)(0.4),
-            lambda: r1.fastest_along(blend, limits, grid=30).duration,
+            lambda: r1.time_optimal(blend, limits, grid=30).duration,
         ]
 
     assert_as_in_one_thread(calls)

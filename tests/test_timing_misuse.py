@@ -28,25 +28,25 @@ FUNCTIONS = {
     "limits": r1.MotionLimits,
     "norms": lambda a, b, c, d: r1.NormLimits(a, b, c, d, rows=a),
     "minimum_time": lambda a, b, c, d: r1.minimum_time(a, b, LIMITS, v0=c, v1=d),
-    "minimum_time, limits": lambda a, b, c, d: r1.minimum_time([0, 1], [1, 2], r1.MotionLimits(a, b, c), "double-S"),
+    "minimum_time, limits": lambda a, b, c, d: r1.minimum_time([0, 1], [1, 2], r1.MotionLimits(a, b, c), "double_s"),
     "minimum_time, options": lambda a, b, c, d: r1.minimum_time([0, 1], [1, 2], a, b, coordination=c),
-    "shortest_duration": lambda a, b, c, d: r1.shortest_duration(lambda T: r1.cubic(0, 1, T), a, at_least=b),
-    "shortest_duration, limits": lambda a, b, c, d: r1.shortest_duration(
-        lambda T: r1.cubic(0, 1, T), LIMITS, at_least=a
-    ),
-    "shortest_duration, motion": lambda a, b, c, d: r1.shortest_duration(lambda T: a, LIMITS),
+    "minimum_duration": lambda a, b, c, d: r1.minimum_duration(lambda T: r1.cubic(0, 1, T), a, at_least=b),
+    "minimum_duration, limits": lambda a, b, c, d: r1.minimum_duration(lambda T: r1.cubic(0, 1, T), LIMITS, at_least=a),
+    "minimum_duration, motion": lambda a, b, c, d: r1.minimum_duration(lambda T: a, LIMITS),
     "scale_to_limits": lambda a, b, c, d: r1.scale_to_limits(a, LIMITS),
     "scale_to_limits, limits": lambda a, b, c, d: r1.scale_to_limits(r1.cubic([0], [1], 1), a),
     "stretched": lambda a, b, c, d: r1.stretched(r1.cubic([0], [1], 1), a),
     "stretched, motion": lambda a, b, c, d: r1.stretched(a, 2),
-    "cubic_spline": lambda a, b, c, d: r1.cubic_spline(a, b),
-    "cubic_spline, ends": lambda a, b, c, d: r1.cubic_spline(VIA, [0, 1, 2], v0=a, v1=b, ends=c),
-    "cubic_spline, times": lambda a, b, c, d: r1.cubic_spline(VIA, a, a0=b, a1=c),
-    "cubics_through": lambda a, b, c, d: r1.cubics_through([0, 1, 2], [0, 1, 2], a),
-    "mixed_spline": lambda a, b, c, d: r1.mixed_spline(VIA, [0, 1, 2], a, b, continuity=c),
-    "mixed_spline, conditions": lambda a, b, c, d: r1.mixed_spline(VIA, [0, 1, 2], (3, 3), [(0, 1, a), (b, c, d)]),
-    "virtual_point_spline": lambda a, b, c, d: r1.virtual_point_spline(VIA, [0, 1, 2], a, b, c, d),
-    "times_of_points": lambda a, b, c, d: r1.times_of_points(a, b, c),
+    "cubic_spline": lambda a, b, c, d: r1.cubic_spline(b, a),
+    "cubic_spline, ends": lambda a, b, c, d: r1.cubic_spline([0, 1, 2], VIA, v0=a, v1=b, bc_type=c),
+    "cubic_spline, times": lambda a, b, c, d: r1.cubic_spline(a, VIA, a0=b, a1=c),
+    "cubic_hermite_spline": lambda a, b, c, d: r1.cubic_hermite_spline([0, 1, 2], [0, 1, 2], a),
+    "polynomial_spline": lambda a, b, c, d: r1.polynomial_spline([0, 1, 2], VIA, a, b, continuity=c),
+    "polynomial_spline, conditions": lambda a, b, c, d: r1.polynomial_spline(
+        [0, 1, 2], VIA, (3, 3), [(0, 1, a), (b, c, d)]
+    ),
+    "virtual_point_spline": lambda a, b, c, d: r1.virtual_point_spline([0, 1, 2], VIA, a, b, c, d),
+    "knot_times": lambda a, b, c, d: r1.knot_times(a, b, c),
     "JointTrajectory": lambda a, b, c, d: r1.JointTrajectory(a),
     "JointTrajectory, one": lambda a, b, c, d: r1.JointTrajectory((r1.cubic(0, 1, 1).joint(), a)),
     "PiecewisePolynomial": lambda a, b, c, d: r1.PiecewisePolynomial(a, b),
@@ -89,18 +89,18 @@ MOTIONS = {
     "double_s": lambda q, r, v, w, T, V, A: r1.double_s(q, r, T, acceleration=V, jerk=A),
     "least time": lambda q, r, v, w, T, V, A: r1.minimum_time(q, r, r1.MotionLimits(V, A), v0=v, v1=w),
     "least time, double-S": lambda q, r, v, w, T, V, A: r1.minimum_time(
-        q, r, r1.MotionLimits(T, V, A), "double-S", v0=v, v1=w
+        q, r, r1.MotionLimits(T, V, A), "double_s", v0=v, v1=w
     ),
     "least time, cubic": lambda q, r, v, w, T, V, A: r1.minimum_time(q, r, r1.MotionLimits(V, A), "cubic", v0=v, v1=w),
     "least time, bang-bang": lambda q, r, v, w, T, V, A: r1.minimum_time(
-        q, r, r1.MotionLimits(V, A), "bang-bang", v0=v, v1=w
+        q, r, r1.MotionLimits(V, A), "bang_bang", v0=v, v1=w
     ),
     "least time, straight": lambda q, r, v, w, T, V, A: r1.minimum_time(
         [q, r], [v, w], r1.MotionLimits(V, A), coordination="straight"
     ),
     "scaled": lambda q, r, v, w, T, V, A: r1.scale_to_limits(r1.cubic(q, r, T, v, w), r1.MotionLimits(V, A)),
-    "spline": lambda q, r, v, w, T, V, A: r1.cubic_spline([q, r, v], [0, T, V]),
-    "mixed": lambda q, r, v, w, T, V, A: r1.mixed_spline([q, r, v], [0, T, V], (4, 4)),
+    "spline": lambda q, r, v, w, T, V, A: r1.cubic_spline([0, T, V], [q, r, v]),
+    "mixed": lambda q, r, v, w, T, V, A: r1.polynomial_spline([0, T, V], [q, r, v], (4, 4)),
     "through": lambda q, r, v, w, T, V, A: r1.polynomial_through([(0, 0, q), (0, 1, v), (T, 0, r), (T, 1, w)]),
 }
 

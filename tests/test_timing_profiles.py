@@ -148,7 +148,7 @@ def test_double_s_is_smooth_where_the_trapezoid_jumps():
 
 @given(distance, bound, bound)
 def test_the_least_duration_itself_serves_and_no_phase_is_negative(delta, A, J):
-    fastest = r1.minimum_time(0, delta, r1.MotionLimits(acceleration=A, jerk=J), "double-S").duration
+    fastest = r1.minimum_time(0, delta, r1.MotionLimits(acceleration=A, jerk=J), "double_s").duration
     law = r1.double_s(0, delta, fastest, acceleration=A, jerk=J).joint()
     assert law(law.end) == pytest.approx(delta, rel=1e-9)
     assert min(phase.duration for phase in law.phases) >= 0
@@ -156,7 +156,7 @@ def test_the_least_duration_itself_serves_and_no_phase_is_negative(delta, A, J):
 
 @given(distance, bound, bound, st.floats(1.01, 3))
 def test_the_peak_velocity_is_told_where_the_cruise_begins(delta, A, J, slack):
-    fastest = r1.minimum_time(0, delta, r1.MotionLimits(acceleration=A, jerk=J), "double-S").duration
+    fastest = r1.minimum_time(0, delta, r1.MotionLimits(acceleration=A, jerk=J), "double_s").duration
     law = r1.double_s(0, delta, slack * fastest, acceleration=A, jerk=J).joint()
     ramp = sum(phase.duration for phase in law.phases[:3])
     assert law.peak(1).time == pytest.approx(ramp, rel=1e-9)

@@ -81,20 +81,20 @@ def fastest(found):
 MINIMUM = {
     f"minimum_time, {kind}, {coordination}": lambda k, c, kind=kind, coordination=coordination: fastest(
         r1.minimum_time(
-            k * Q0, k * Q1, limits(k, c, kind not in ("trapezoidal", "bang-bang")), kind, coordination=coordination
+            k * Q0, k * Q1, limits(k, c, kind not in ("trapezoidal", "bang_bang")), kind, coordination=coordination
         )
     )
     for kinds, coordination in (
-        (("trapezoidal", "double-S", "bang-bang", "cubic", "quintic", "septic", "cosine", "cycloidal"), "slowed"),
-        (("trapezoidal", "double-S"), "straight"),
-        (("trapezoidal", "double-S"), "independent"),
+        (("trapezoidal", "double_s", "bang_bang", "cubic", "quintic", "septic", "cosine", "cycloidal"), "synchronized"),
+        (("trapezoidal", "double_s"), "straight"),
+        (("trapezoidal", "double_s"), "independent"),
     )
     for kind in kinds
 } | {
     f"minimum_time with velocities, {kind}": lambda k, c, kind=kind: fastest(
-        r1.minimum_time(k * Q0, k * Q1, limits(k, c, kind == "double-S"), kind, v0=k / c * V0, v1=k / c * V1)
+        r1.minimum_time(k * Q0, k * Q1, limits(k, c, kind == "double_s"), kind, v0=k / c * V0, v1=k / c * V1)
     )
-    for kind in ("trapezoidal", "double-S", "cubic", "septic")
+    for kind in ("trapezoidal", "double_s", "cubic", "septic")
 }
 
 LAWS = MINIMUM | {
@@ -122,24 +122,26 @@ LAWS = MINIMUM | {
         c=(list(map(float, r1.polynomial_formula((0.3 * k, k / c), (k, 0), 1.7 * c).coefficients)), 1, 0)
     ),
     **{
-        f"cubic_spline, {ends}": lambda k, c, ends=ends: motion(r1.cubic_spline(k * POINTS, c * TIMES, ends=ends))
+        f"cubic_spline, {ends}": lambda k, c, ends=ends: motion(r1.cubic_spline(c * TIMES, k * POINTS, bc_type=ends))
         for ends in ("clamped", "natural", "not-a-knot")
     },
     "cubic_spline, periodic": lambda k, c: motion(
-        r1.cubic_spline(k * CLOSED, c * np.append(TIMES, 3.3), ends="periodic")
+        r1.cubic_spline(c * np.append(TIMES, 3.3), k * CLOSED, bc_type="periodic")
     ),
     "cubic_spline with velocities": lambda k, c: motion(
-        r1.cubic_spline(k * POINTS, c * TIMES, v0=k / c * V0, a1=k / c**2 * A1)
+        r1.cubic_spline(c * TIMES, k * POINTS, v0=k / c * V0, a1=k / c**2 * A1)
     ),
-    "cubics_through": lambda k, c: motion(r1.cubics_through(k * POINTS, c * TIMES)),
-    "mixed_spline": lambda k, c: motion(r1.mixed_spline(k * POINTS, c * TIMES, (4, 3, 4))),
-    "virtual_point_spline": lambda k, c: motion(r1.virtual_point_spline(k * POINTS, c * TIMES, *states(k, c)[2:])),
-    "times_of_points": lambda k, c: numbers(
-        chord=(r1.times_of_points(k * POINTS, 2.9 * c), 0, 1),
-        centripetal=(r1.times_of_points(k * POINTS, 2.9 * c, "centripetal"), 0, 1),
+    "cubic_hermite_spline": lambda k, c: motion(r1.cubic_hermite_spline(c * TIMES, k * POINTS)),
+    "polynomial_spline": lambda k, c: motion(r1.polynomial_spline(c * TIMES, k * POINTS, (4, 3, 4))),
+    "virtual_point_spline": lambda k, c: motion(r1.virtual_point_spline(c * TIMES, k * POINTS, *states(k, c)[2:])),
+    "knot_times": lambda k, c: numbers(
+        chord=(r1.knot_times(k * POINTS, 2.9 * c), 0, 1),
+        centripetal=(r1.knot_times(k * POINTS, 2.9 * c, "centripetal"), 0, 1),
     ),
-    "overfly": lambda k, c: motion(r1.overfly(k * POINTS, k / c * np.array([1.0, 0.7, 1.2]), 0.3 * c)),
-    "stretched": lambda k, c: motion(r1.stretched(r1.overfly(k * POINTS, k / c, 0.3 * c), 1.7)),
+    "parabolic_blends": lambda k, c: motion(
+        r1.parabolic_blends(k * POINTS, k / c * np.array([1.0, 0.7, 1.2]), 0.3 * c)
+    ),
+    "stretched": lambda k, c: motion(r1.stretched(r1.parabolic_blends(k * POINTS, k / c, 0.3 * c), 1.7)),
     "line": lambda k, c: path(r1.line_path(k * Q0, k * Q1)),
     "arc": lambda k, c: path(r1.arc_through(*(k * POINTS[:3]))),
     "arc about a centre": lambda k, c: path(r1.arc_path(k * Q0[:2], k * Q1[:2], -2.1)),
@@ -149,7 +151,7 @@ LAWS = MINIMUM | {
     "polyline, radius": lambda k, c: path(r1.polyline_path(k * POINTS, radius=0.1 * k)),
     "polyline, parabolic": lambda k, c: path(r1.polyline_path(k * POINTS, blend=0.2 * k, kind="parabolic")),
     **{
-        f"spline_path, {ends}": lambda k, c, ends=ends: path(r1.spline_path(k * CLOSED, ends=ends))
+        f"spline_path, {ends}": lambda k, c, ends=ends: path(r1.spline_path(k * CLOSED, bc_type=ends))
         for ends in ("natural", "not-a-knot", "periodic")
     },
     "by_arc_length": lambda k, c: path(r1.by_arc_length(r1.spline_path(k * POINTS, knots=k * np.array([0, 1, 3, 4])))),
@@ -184,21 +186,21 @@ LAWS = MINIMUM | {
     "scale_to_limits of a norm": lambda k, c: scaled(
         r1.scale_to_limits(timed(k, c), r1.NormLimits(k / c, 2 * k / c**2, 9 * k / c**3, 1.5 * k / c**2))
     ),
-    "shortest_duration": lambda k, c: numbers(
-        T=(r1.shortest_duration(
+    "minimum_duration": lambda k, c: numbers(
+        T=(r1.minimum_duration(
             lambda T: r1.quintic(k * Q0, k * Q1, T, k / c * V0, k / c * V1), limits(k, c)), 0, 1)
     ),
-    "shortest_duration of a spline": lambda k, c: numbers(
-        T=(r1.shortest_duration(
-            lambda T: r1.cubic_spline(k * POINTS, T * TIMES / 2.9, v0=k / c * V0), limits(k, c)), 0, 1)
+    "minimum_duration of a spline": lambda k, c: numbers(
+        T=(r1.minimum_duration(
+            lambda T: r1.cubic_spline(T * TIMES / 2.9, k * POINTS, v0=k / c * V0), limits(k, c)), 0, 1)
     ),
-    "fastest_along": lambda k, c: quickest(k, c, r1.spline_path(k * P)),
-    "fastest_along by arc length": lambda k, c: quickest(k, c, r1.by_arc_length(r1.spline_path(k * P))),
-    "fastest_along blends": lambda k, c: quickest(
+    "time_optimal": lambda k, c: quickest(k, c, r1.spline_path(k * P)),
+    "time_optimal by arc length": lambda k, c: quickest(k, c, r1.by_arc_length(r1.spline_path(k * P))),
+    "time_optimal blends": lambda k, c: quickest(
         k, c, r1.polyline_path(k * P[:3], blend=0.3 * k, kind="parabolic")
     ),
-    "fastest_along a spline of time": lambda k, c: quickest(
-        k, c, r1.cubic_spline(k * P, c * TIMES, v0=k / c, v1=-k / c)
+    "time_optimal a spline of time": lambda k, c: quickest(
+        k, c, r1.cubic_spline(c * TIMES, k * P, v0=k / c, v1=-k / c)
     ),
 }  # fmt: skip
 
@@ -260,7 +262,7 @@ def joins(k, c):
 
 def quickest(k, c, curve):
     pytest.importorskip("toppra")
-    found = r1.fastest_along(curve, r1.MotionLimits([2 * k / c] * 2, [5 * k / c**2] * 2), grid=100)
+    found = r1.time_optimal(curve, r1.MotionLimits([2 * k / c] * 2, [5 * k / c**2] * 2), grid=100)
     T = found.duration
     return numbers(
         T=(T, 0, 1), q=(found.trajectory(MOMENTS * T), 1, 0), v=(found.trajectory.velocity(MOMENTS * T), 1, -1)
@@ -373,7 +375,7 @@ def test_answers_scale_with_any_units(name, k, c):
 @pytest.mark.parametrize("k", [1e-6, 1e-5, 1e-3, 1e-2, 1.0, 1e4, 1e6])
 def test_the_least_time_along_a_spline_does_not_depend_on_the_unit_of_length(k):
     pytest.importorskip("toppra")
-    found = r1.fastest_along(r1.spline_path(P * k), r1.MotionLimits(velocity=[2 * k] * 2, acceleration=[5 * k] * 2))
+    found = r1.time_optimal(r1.spline_path(P * k), r1.MotionLimits(velocity=[2 * k] * 2, acceleration=[5 * k] * 2))
     assert found.duration == pytest.approx(2.7330, abs=5e-5)
 
 
@@ -382,7 +384,7 @@ def test_a_line_takes_two_roots_of_its_length_over_the_acceleration(length):
     """2 √(L/A), where the velocity is hardly bounded."""
     pytest.importorskip("toppra")
     limits = r1.MotionLimits(velocity=[1e3 * length] * 2, acceleration=[length] * 2)
-    found = r1.fastest_along(r1.line_path([0, 0], [length, 0]), limits)
+    found = r1.time_optimal(r1.line_path([0, 0], [length, 0]), limits)
     assert found.duration == pytest.approx(2.0, rel=1e-4)
 
 
@@ -391,7 +393,7 @@ def test_the_least_time_along_a_path_does_not_depend_on_the_units_of_single_join
     pytest.importorskip("toppra")
     k = np.array([1e-6, 1e3])
     found = [
-        r1.fastest_along(r1.spline_path(P * unit, knots="uniform"), r1.MotionLimits(2 * unit, 5 * unit)).duration
+        r1.time_optimal(r1.spline_path(P * unit, knots="uniform"), r1.MotionLimits(2 * unit, 5 * unit)).duration
         for unit in (np.ones(2), k)
     ]
     assert found[1] == pytest.approx(found[0], rel=1e-9)
@@ -401,7 +403,7 @@ def test_the_least_time_along_a_path_does_not_depend_on_the_units_of_single_join
 def test_a_periodic_spline_that_is_open_by_a_hundredth_is_refused_in_any_unit(k):
     points = k * np.array([[0.3, 0.1], [1.2, 0.4], [0.3, 0.101]])
     with pytest.raises(r1.InputError, match="ends where it begins"):
-        r1.cubic_spline(points, [0, 1, 2], ends="periodic")
+        r1.cubic_spline([0, 1, 2], points, bc_type="periodic")
 
 
 def test_the_joints_may_be_permuted_and_time_reversed():
@@ -420,10 +422,10 @@ def test_the_joints_may_be_permuted_and_time_reversed():
 def test_a_motion_elsewhere_is_the_same_motion_moved(b):
     """q → q + b: times and velocities stay, but for the rounding of q + b."""
     for moved, plain in (
-        (r1.minimum_time(Q0 + b, Q1 + b, limits(1, 1), "double-S"), r1.minimum_time(Q0, Q1, limits(1, 1), "double-S")),
+        (r1.minimum_time(Q0 + b, Q1 + b, limits(1, 1), "double_s"), r1.minimum_time(Q0, Q1, limits(1, 1), "double_s")),
         (r1.quintic(Q0 + b, Q1 + b, 1.7, V0, V1), r1.quintic(Q0, Q1, 1.7, V0, V1)),
-        (r1.cubic_spline(POINTS + b, TIMES), r1.cubic_spline(POINTS, TIMES)),
-        (r1.overfly(POINTS + b, 1.0, 0.3), r1.overfly(POINTS, 1.0, 0.3)),
+        (r1.cubic_spline(TIMES, POINTS + b), r1.cubic_spline(TIMES, POINTS)),
+        (r1.parabolic_blends(POINTS + b, 1.0, 0.3), r1.parabolic_blends(POINTS, 1.0, 0.3)),
     ):
         m, p = (getattr(found, "trajectory", found) for found in (moved, plain))
         rounding = 1e-13 * (1 + abs(b))

@@ -6,6 +6,7 @@ from math import comb
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 from numpy.polynomial import Chebyshev
 
 from robotics1.caching import cached_property
@@ -68,10 +69,13 @@ class PathTrajectory(Curve):
     def breakpoints(self) -> Array:
         """The instants in (0, T) at which a derivative may jump: the law's own, and where it passes one of the path."""
         places, times = self.path.breakpoints, self.law.ends
-        pieces = interpolants(self.law, times)[0] if len(places) else []
-        for t in [t for place in places for piece in pieces for t in roots(piece - place)]:
-            if min(abs(t - other) for other in times) > SAME_PLACE * self.end:
-                times.append(t)
+        pieces = interpolants(lambda t: self.law._derivative(t, 0, "right"), times)[0] if len(places) else []
+        for piece in pieces:
+            reach = float(np.abs(piece.coef[1:]).sum()) * (1 + SAME_PLACE)
+            for place in places[np.abs(places - piece.coef[0]) <= reach]:
+                for t in roots(piece - place):
+                    if min(abs(t - other) for other in times) > SAME_PLACE * self.end:
+                        times.append(t)
         return np.sort(times)[1:-1]
 
     def stretched(self, factor: float) -> "PathTrajectory":
@@ -83,29 +87,38 @@ class PathTrajectory(Curve):
         return PathTrajectory(self.path, stretched(self.law, factor))
 
     def _value(self, t: Array, side: Side) -> Any:
-        return self.path(self._clipped(self.law._value(t, side)), side=side)
+        return self.path._value(self.path._snapped(self.law._derivative(t, 0, side)), side)
 
     def _derivative(self, t: Array, order: int, side: Side) -> Array:
-        if order == 0:
-            return np.asarray(self._value(t, side))
-        corners = bool(len(self.path.breakpoints))
-        s, *rates = self.law._jet(t, max(order, 3) if corners else order, side)
-        places, _ = self.path._parameters(self._clipped(s), side)
-        outer = [self.path._derivative(places, k, side) for k in range(1, order + 1)]
-        if corners:
-            after = t < self.end if side == "right" else t <= 0.0  # whether the values are those just after t
-            forward = np.where(after, _ahead(*rates[:3]), ~_ahead(rates[0], -rates[1], rates[2]))
-            other: Side = "left" if side == "right" else "right"
-            turned = forward if side == "left" else ~forward
-            for k in range(1, order + 1) if turned.any() else ():
-                outer[k - 1] = np.where(
-                    turned.reshape(-1, *[1] * len(self.shape)), self.path._derivative(places, k, other), outer[k - 1]
-                )
-        return chain_rule(rates, outer)
+        return self._derivatives(t, (order,), side)[0]
 
-    def _clipped(self, s: Array) -> Array:
-        """Return s(t) on the path, also where the law is rounded."""
-        return np.clip(s, 0.0, self.path.end)
+    def _derivatives(self, t: Array, orders: Sequence[int], side: Side) -> list[Array]:
+        highest = max(orders, default=0)
+        upto = range(1, highest + 1)
+        s, *rates = self.law._derivatives(t, range(highest + 1), side)
+        places = self.path._snapped(s)
+        outer = self.path._derivatives(places, upto, side)
+        if upto and len(self.path.breakpoints):
+            turned = self._forward(t, rates, side) != (side == "right")
+            other: Side = "left" if side == "right" else "right"
+            if turned.any():
+                at = turned.reshape(-1, *[1] * len(self.shape))
+                others = self.path._derivatives(places, upto, other)
+                outer = [np.where(at, new, old) for new, old in zip(others, outer, strict=True)]
+        return [chain_rule(rates[:k], outer[:k]) if k else np.asarray(self.path._value(places, side)) for k in orders]
+
+    def _forward(self, t: Array, rates: Sequence[Array], side: Side) -> npt.NDArray[np.bool_]:
+        """Return whether the path is passed towards larger s just after t, or just before it at the end, (k,).
+
+        s(t + ε) − s(t) = v ε + a ε²/2 + j ε³/6 and s(t) − s(t − ε) = v ε − a ε²/2 + j ε³/6: the first term decides.
+        """
+        after = t < self.end if side == "right" else t <= 0.0  # whether the values are those just after t
+        if (rates[0] > 0).all():
+            return np.asarray(after)
+        v, a, j = self.law._derivatives(t, (1, 2, 3), side)
+        a = np.where(after, a, -a)
+        ahead = np.where(v != 0, v, np.where(a != 0, a, j)) >= 0
+        return np.asarray(np.where(after, ahead, ~ahead))
 
 
 def chain_rule(inner: Sequence[Array], outer: Sequence[Array]) -> Array:
@@ -124,14 +137,6 @@ def chain_rule(inner: Sequence[Array], outer: Sequence[Array]) -> Array:
             terms = [(i, m - i, k - 1) for i in range(1, m - k + 2) if (m - i, k - 1) in bell]
             bell[m, k] = sum(comb(m - 1, i - 1) * inner[i - 1] * bell[a, b] for i, a, b in terms)
     return np.asarray(sum((outer[k - 1].T * bell[n, k]).T for k in range(1, n + 1)))
-
-
-def _ahead(v: Array, a: Array, j: Array) -> Any:
-    """Return whether s grows from t on, (k,): s(t + ε) − s(t) = v ε + a ε²/2 + j ε³/6, and the first term decides.
-
-    Just before, s(t) − s(t − ε) = v ε − a ε²/2 + j ε³/6; where that is positive, s came from below.
-    """
-    return np.asarray(np.where(v != 0, v, np.where(a != 0, a, j)) >= 0)
 
 
 def stretched(motion: Any, factor: float) -> Curve:
@@ -199,13 +204,14 @@ class ArcLengthLaw(Curve):
         return ends if order == 0 else super().extremes(order)
 
     def _derivative(self, t: Array, order: int, side: Side) -> Array:
-        return self._jet(t, order, side)[order]
+        return self._derivatives(t, (order,), side)[0]
 
-    def _jet(self, t: Array, order: int, side: Side) -> list[Array]:
+    def _derivatives(self, t: Array, orders: Sequence[int], side: Side) -> list[Array]:
+        order = max(orders, default=0)
         if order > 3:
             raise InputError(f"derivatives by arc length are known up to the third; order is {order}")
         sigma = self._parameter(t)
-        p = [self.path._derivative(sigma, k, side) for k in range(1, order + 1)]
+        p = self.path._derivatives(sigma, range(1, order + 1), side)
         found = [sigma]
         if order > 0:
             g = np.sum(p[0] ** 2, axis=1)
@@ -217,7 +223,7 @@ class ArcLengthLaw(Curve):
         if order > 2:
             g2 = 2 * np.sum(p[1] ** 2 + p[0] * p[2], axis=1)
             found.append((g1**2 - g * g2 / 2) * g**-3.5)
-        return found
+        return [found[k] for k in orders]
 
     def _parameter(self, s: Array) -> Array:
         """Return σ(s), (k,): by Newton's method on s(σ), kept inside the piece; exact at the breakpoints."""

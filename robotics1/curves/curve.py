@@ -1,6 +1,8 @@
 """A curve of one variable: a path p(s), a timing law s(t), a motion q(t), an orientation R(s), a pose T(s)."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, Literal
 
@@ -53,9 +55,9 @@ class Curve(ABC):
     def _value(self, t: Array, side: Side) -> Any:
         return self._derivative(t, 0, side)
 
-    def _jet(self, t: Array, order: int, side: Side) -> list[Array]:
-        """The derivatives from order 0 to this one."""
-        return [self._derivative(t, k, side) for k in range(order + 1)]
+    def _derivatives(self, t: Array, orders: Sequence[int], side: Side) -> list[Array]:
+        """The derivatives of several orders, for curves that find them together."""
+        return [self._derivative(t, order, side) for order in orders]
 
     # --- values
 
@@ -175,7 +177,7 @@ class Curve(ABC):
         if not self.of_points:
             raise InputError("orientations and poses have no curvature; ask it of the path of the position")
         parameters, alone = self._parameters(t, side)
-        d1, d2 = (self._derivative(parameters, order, side) for order in (1, 2))
+        d1, d2 = self._derivatives(parameters, (1, 2), side)
         speed = np.linalg.norm(d1, axis=1)
         self.refuse_standstill(parameters, speed)
         kappa = np.linalg.norm(across(d2, d1 / speed[:, None]), axis=1) / speed**2
@@ -210,11 +212,20 @@ class Curve(ABC):
         slack = SAME_PLACE * self.end
         if parameters.size and (parameters.min() < -slack or parameters.max() > self.end + slack):
             raise InputError(f"the parameter must be in [0, {self.end:.10g}]; it is {parameters.tolist()}")
-        for place in self.breakpoints:
-            parameters[np.abs(parameters - place) <= SAME_BREAK * self.end] = place
-        return np.clip(parameters, 0.0, self.end), dims == 0
+        return self._snapped(parameters), dims == 0
+
+    def _snapped(self, t: Array) -> Array:
+        """Return t (k,) inside [0, end], and on the breakpoint that is near."""
+        t, places = np.clip(t, 0.0, self.end), self.breakpoints
+        if not len(places):
+            return t
+        after = np.searchsorted(places, t)
+        for nearest in (places[np.minimum(after, len(places) - 1)], places[np.maximum(after - 1, 0)]):
+            t = np.where(np.abs(t - nearest) <= SAME_BREAK * self.end, nearest, t)
+        return t
 
 
+@dataclass(frozen=True, eq=False)
 class Coordinate(Curve):
     """One coordinate of a curve, as a timing law.
 
@@ -223,8 +234,8 @@ class Coordinate(Curve):
         index: which of them.
     """
 
-    def __init__(self, curve: Curve, index: int):
-        self.curve, self.index = curve, index
+    curve: Curve
+    index: int
 
     @property
     def end(self) -> float:

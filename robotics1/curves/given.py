@@ -1,6 +1,7 @@
 """What is handed in as a curve: a curve, a result that has a trajectory, or a motion of the user's own class."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
@@ -29,6 +30,7 @@ class Motion(Protocol):
         """Return q̇(t)."""
 
 
+@dataclass(frozen=True, eq=False)
 class ForeignMotion(Curve):
     """A motion of the user's own class, with a duration, derivatives, and breakpoints if it has some.
 
@@ -36,8 +38,7 @@ class ForeignMotion(Curve):
         motion: it takes (k,) times, and the derivatives take `side`.
     """
 
-    def __init__(self, motion: Any):
-        self.motion = motion
+    motion: Any
 
     @cached_property
     def of_points(self) -> bool:
@@ -78,8 +79,8 @@ def as_curve(name: str, value: Any, *, derivatives: int = 3) -> Curve:
     Raises:
         InputError: it is none, or has fewer derivatives.
     """
-    if not isinstance(value, Curve | type) and hasattr(type(value), "trajectory") | ("trajectory" in _fields(value)):
-        value = value.trajectory
+    if not isinstance(value, Curve | type):
+        value = getattr(value, "trajectory", value)
     if isinstance(value, Curve):
         return value
     methods = ("__call__", "velocity", "acceleration", "jerk")[: derivatives + 1]
@@ -90,10 +91,6 @@ def as_curve(name: str, value: Any, *, derivatives: int = 3) -> Curve:
             f"it is {value!r}"
         )
     return ForeignMotion(value)
-
-
-def _fields(value: Any) -> Any:
-    return getattr(type(value), "__dataclass_fields__", {})
 
 
 def as_path(name: str, value: Any, dimensions: tuple[int, ...] = ()) -> Curve:

@@ -180,7 +180,10 @@ class PiecewisePolynomial(Curve):
         tau = np.clip(t - self.x[i], 0.0, self.durations[i]) / (self.durations[i] if self.end else 1.0)
         tau = tau.reshape(-1, *[1] * len(self.shape))
         values = np.zeros((len(t), *self.shape))
-        for coefficients in self._differentiated(order)[:, i]:
+        motion = self
+        for _ in range(order):
+            motion = motion.rate
+        for coefficients in motion.c[:, i]:
             values = values * tau + coefficients
         return values
 

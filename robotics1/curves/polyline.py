@@ -10,7 +10,7 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.curves.sequence import CurveSequence
 from robotics1.errors import InputError
-from robotics1.inputs import LARGEST, Array, moderate, moderate_array, one_of, per_joint, positive_numbers
+from robotics1.inputs import LARGEST, Array, moderate, moderate_array, non_negative_numbers, one_of, positive_numbers
 
 SHORT = 1e-9  # of a segment: what is left of it between two blends, if it is less, is rounding
 
@@ -61,7 +61,7 @@ def polyline_path(
     return CurveSequence(tuple(pieces))
 
 
-def overfly(points: npt.ArrayLike, speeds: npt.ArrayLike, blend_times: npt.ArrayLike) -> PiecewisePolynomial:
+def parabolic_blends(points: npt.ArrayLike, speeds: npt.ArrayLike, blend_times: npt.ArrayLike) -> PiecewisePolynomial:
     """Return the motion that passes near the inner points: v₁ on the first segment, v₂ on the second, and so on, with a
     constant acceleration (v₂ − v₁)/T_b during the blend time T_b in between.
 
@@ -82,7 +82,7 @@ def overfly(points: npt.ArrayLike, speeds: npt.ArrayLike, blend_times: npt.Array
     """
     points, steps = points_apart(points)
     if len(points) < 3:
-        raise InputError("overfly takes three points at least: there is none to pass over between two")
+        raise InputError("parabolic_blends takes three points at least: there is none to pass over between two")
     speeds = positive_numbers("speeds", speeds, len(steps))
     return _with_parabolas(points, steps, speeds, positive_numbers("blend_times", blend_times, len(steps) - 1))
 
@@ -139,9 +139,7 @@ def _refuse_overlap(steps: Array, before: Array, after: Array) -> None:
 def _distances(blend: npt.ArrayLike, radius: npt.ArrayLike | None, kind: str, angles: Array) -> Array:
     """Return d of each corner; a corner that is straight has none."""
     name = "blend" if radius is None else "radius"
-    given = moderate(name, per_joint(name, blend if radius is None else radius, len(angles)))
-    if (given < 0).any():
-        raise InputError(f"{name} must not be negative; it is {given.tolist()}")
+    given = moderate(name, non_negative_numbers(name, blend if radius is None else radius, len(angles)))
     if kind == "circular" and (given[angles > np.pi - PARALLEL] > 0).any():
         raise InputError("a path that turns back has no circular blend; blend that corner with 0, or parabolically")
     if radius is None:

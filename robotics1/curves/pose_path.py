@@ -9,7 +9,7 @@ import numpy.typing as npt
 from robotics1.curves.arcs import line_path
 from robotics1.curves.curve import Curve, Side
 from robotics1.curves.given import as_path
-from robotics1.curves.rotations import RotationPath, axis_angle_path
+from robotics1.curves.rotations import RotationPath, slerp_path
 from robotics1.errors import InputError
 from robotics1.inputs import Array, moderate_array
 
@@ -25,7 +25,7 @@ class PosePath(Curve):
 
     Attributes:
         position: a path in space, or a point (3,) that stays [m].
-        orientation: R(s), such as `axis_angle_path(R0, R1)`.
+        orientation: R(s), such as `slerp_path(R0, R1)`.
     """
 
     position: Curve | npt.ArrayLike
@@ -34,7 +34,7 @@ class PosePath(Curve):
     def __post_init__(self) -> None:
         """Refuse a position that is not in space, and a pose that stands still."""
         if not isinstance(self.orientation, RotationPath):
-            raise InputError(f"orientation must be such as axis_angle_path(R0, R1); it is {self.orientation!r}")
+            raise InputError(f"orientation must be such as slerp_path(R0, R1); it is {self.orientation!r}")
         if isinstance(self.position, Curve):
             as_path("position", self.position, (3,))
         else:
@@ -103,7 +103,7 @@ def pose_line(T0: Any, T1: Any) -> PosePath:
     start, last = homogeneous("T0", T0), homogeneous("T1", T1)
     p0, p1 = start.translation, last.translation
     still = np.linalg.norm(p1 - p0) <= 1e-12 * max(np.abs(p0).max(), np.abs(p1).max())
-    orientation = axis_angle_path(start.rotation, last.rotation)
+    orientation = slerp_path(start.rotation, last.rotation)
     if still and orientation.end == 0:
         raise InputError("T0 and T1 must be different poses; they are the same")
     return PosePath(p0 if still else line_path(p0, p1), orientation)

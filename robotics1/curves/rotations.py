@@ -66,7 +66,7 @@ class FixedAxisRotation(RotationPath):
         return np.tile(self.axis if order == 1 else np.zeros(3), (len(t), 1))
 
 
-def axis_angle_path(R0: npt.ArrayLike, R1: npt.ArrayLike, *, long_way: bool = False) -> FixedAxisRotation:
+def slerp_path(R0: npt.ArrayLike, R1: npt.ArrayLike, *, long_way: bool = False) -> FixedAxisRotation:
     """Return the turn from R₀ to R₁ about one axis, R(s) = R(r, s) R₀, 0 ≤ s ≤ θ, with θ r = log(R₁ R₀ᵀ), θ ∈ [0, π].
 
     It is the spherical interpolation of quaternions. At θ = π both ways are equally long; `long_way` tells the other.
@@ -139,7 +139,7 @@ class EulerRotation(RotationPath):
     def _derivative(self, t: Array, order: int, side: Side) -> Array:
         if order > 3:
             raise InputError(f"derivatives of Euler angles' rotations are known up to the third; order is {order}")
-        given = [self.angles.derivative(t, k, side=side) for k in range(4)]
+        given = self.angles._derivatives(self.angles._snapped(t), range(4), side)
         return np.stack([self._rates(*angles)[order - 1] for angles in zip(*given, strict=True)])
 
     def _rates(self, phi: Array, d1: Array, d2: Array, d3: Array) -> tuple[Array, Array, Array]:

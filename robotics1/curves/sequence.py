@@ -125,14 +125,14 @@ class CurveSequence(Curve):
             return self._derivative(t, 0, side)
         values: list[Any] = [None] * len(t)
         for piece, here, local in self._located(t, side):
-            for j, value in zip(here, piece(local, side=side), strict=True):
+            for j, value in zip(here, piece._value(local, side), strict=True):
                 values[j] = value
         return values if values and hasattr(values[0], "rotation") else np.array(values)
 
     def _derivative(self, t: Array, order: int, side: Side) -> Array:
         values = np.empty((len(t), *self.shape))
         for piece, here, local in self._located(t, side):
-            values[here] = piece.derivative(local, order, side=side)
+            values[here] = piece._derivative(local, order, side)
         return values
 
     def _located(self, t: Array, side: Side) -> Iterator[tuple[Curve, npt.NDArray[np.intp], Array]]:
@@ -140,7 +140,7 @@ class CurveSequence(Curve):
         number = piece_at(self.starts, t, side)
         for i in np.unique(number):
             here = np.flatnonzero(number == i)
-            yield self.pieces[i], here, np.clip(t[here] - self.starts[i], 0.0, self.pieces[i].end)
+            yield self.pieces[i], here, self.pieces[i]._snapped(t[here] - self.starts[i])
 
 
 def _jumps(before: Curve, after: Curve) -> Array:

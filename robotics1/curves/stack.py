@@ -77,7 +77,7 @@ class StackedCurve(Curve):
     def _derivative(self, t: Array, order: int, side: Side) -> Array:
         columns = []
         for curve in self.curves:
-            values = curve.derivative(np.minimum(t, curve.end), order, side=side).reshape(len(t), curve.dimension)
+            values = curve._derivative(curve._snapped(t), order, side).reshape(len(t), curve.dimension)
             if order and self._stays(curve):
                 ended = t >= curve.end if side == "right" else t > curve.end
                 values = np.where(ended[:, None], 0.0, values)

@@ -11,7 +11,7 @@ from robotics1.trajectories.limits import MotionLimits
 from robotics1.trajectories.polynomials import cubic, quintic, septic
 from robotics1.trajectories.profiles import VelocityProfile, bang_bang_law, profile, steady
 from robotics1.trajectories.ramps import ramp_under
-from robotics1.trajectories.shortest import shortest_duration
+from robotics1.trajectories.shortest import minimum_duration
 from robotics1.trajectories.sines import cosine, cycloidal
 from robotics1.trajectories.transfer import Transfer
 
@@ -113,7 +113,7 @@ class RampsAndCruise:
 class BangBang:
     """Acceleration A, then −A, or the reverse, without a cruise: of a longer duration A is smaller."""
 
-    name: str = "bang-bang"
+    name: str = "bang_bang"
 
     def next_duration(self, move: JointMove, at_least: float) -> float:
         """Return the given duration or the least at which a bound is touched, whichever first keeps both bounds.
@@ -173,7 +173,7 @@ class Shape:
         if move.stays(at_least):
             return at_least
         limits = replace(move.limits, deceleration=None)
-        return shortest_duration(self._of(move), limits, at_least=at_least)
+        return minimum_duration(self._of(move), limits, at_least=at_least)
 
     def lasting(self, move: JointMove, duration: float) -> Curve:
         """Return the law of a duration."""
@@ -195,14 +195,14 @@ def _refuse_unbounded(name: str, move: JointMove, *, smooth: bool) -> None:
     if not smooth and move.limits.acceleration == inf:
         raise InputError(f"a {name} law needs a bound on the acceleration")
     if not smooth and move.limits.jerk < inf:
-        raise InputError(f"the acceleration of a {name} law jumps, so that no jerk is its bound; 'double-S' has one")
+        raise InputError(f"the acceleration of a {name} law jumps, so that no jerk is its bound; 'double_s' has one")
 
 
 KINDS: dict[str, LawKind] = {
     kind.name: kind
     for kind in (
         RampsAndCruise("trapezoidal", smooth=False),
-        RampsAndCruise("double-S", smooth=True),
+        RampsAndCruise("double_s", smooth=True),
         BangBang(),
         Shape("cubic", cubic),
         Shape("quintic", quintic),

@@ -75,9 +75,9 @@ def polynomial_through(conditions: Iterable[tuple[float, int, npt.ArrayLike]]) -
     return _solve([len(rows) - 1], [T], wanted)
 
 
-def mixed_spline(
-    points: npt.ArrayLike,
+def polynomial_spline(
     times: npt.ArrayLike,
+    points: npt.ArrayLike,
     degrees: Sequence[int],
     conditions: Iterable[tuple[int, int, npt.ArrayLike]] = AT_REST,
     *,
@@ -91,8 +91,8 @@ def mixed_spline(
     2m positions of the m pieces, and (m − 1) · continuity conditions of continuity: the rest is `conditions`.
 
     Args:
-        points: (m + 1, n), or (m + 1,) of one joint [rad or m].
         times: (m + 1,) of the points, ascending from 0 [s].
+        points: (m + 1, n), or (m + 1,) of one joint [rad or m].
         degrees: (m,) of the pieces.
         conditions: (point, order, value (n,)): a derivative at a point, numbered from 0, or from −1 backwards.
         continuity: 1 for continuous velocities, 2 for accelerations too, and so on.
@@ -102,7 +102,7 @@ def mixed_spline(
 
     Source: Fu, Gonzalez, Lee, Robotics: Control, Sensing, Vision, and Intelligence, 1987, section 4.3.
     """
-    points, times = timed_points(points, times)
+    times, points = timed_points(times, points)
     if not isinstance(degrees, Sequence) or isinstance(degrees, str):
         raise InputError(f"degrees must be whole numbers, such as (4, 3, 4); it is {degrees!r}")
     if len(degrees) != len(points) - 1:
@@ -111,8 +111,8 @@ def mixed_spline(
 
 
 def virtual_point_spline(
-    points: npt.ArrayLike,
     times: npt.ArrayLike,
+    points: npt.ArrayLike,
     v0: npt.ArrayLike = 0.0,
     v1: npt.ArrayLike = 0.0,
     a0: npt.ArrayLike = 0.0,
@@ -125,8 +125,8 @@ def virtual_point_spline(
     Through four points it is the trajectory of five cubics.
 
     Args:
-        points: (m, n), or (m,) of one joint [rad or m].
         times: (m,) of the points, ascending from 0 [s].
+        points: (m, n), or (m,) of one joint [rad or m].
         v0, v1: (n,) velocities at the start and at the end [rad/s or m/s], or one number for all.
         a0, a1: (n,) accelerations there [rad/s² or m/s²], or one number for all.
 
@@ -135,7 +135,7 @@ def virtual_point_spline(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.2.
     """
-    points, times = timed_points(points, times)
+    times, points = timed_points(times, points)
     first, last = (1 / 3, 2 / 3) if len(points) == 2 else (1 / 2, 1 / 2)
     virtual = times[0] + first * (times[1] - times[0]), times[-2] + last * (times[-1] - times[-2])
     rows = [points[0], None, *points[1:-1], None, points[-1]]

@@ -36,7 +36,7 @@ def scale_to_limits(trajectory: Any, limits: Limits, *, speed_up: bool = True) -
     """Return q(t/k) with the least k for which the bounds hold: q̇ is divided by k, q̈ by k².
 
     k = max over the bounds of max|q̇|/V, √(max|q̈|/A), ∛(max|d³q/dt³|/J), from the exact extremes. All velocities scale,
-    those at the ends too; `shortest_duration` keeps those.
+    those at the ends too; `minimum_duration` keeps those.
 
     Args:
         trajectory: any, in joint space or Cartesian.

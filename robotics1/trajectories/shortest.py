@@ -25,7 +25,7 @@ EXACT = {"xtol": 1e-15, "rtol": 1e-15}
 Motion = Callable[[float], Any]
 
 
-def shortest_duration(motion: Motion, limits: MotionLimits, *, at_least: float = 0.0) -> float:
+def minimum_duration(motion: Motion, limits: MotionLimits, *, at_least: float = 0.0) -> float:
     """Return the least T for which the motion of duration T keeps the bounds, from its exact extremes.
 
     `motion(T)` must be q(τ; T) = Σᵢ Tⁱ φᵢ(τ), i ≤ 3, as every polynomial and spline with given positions,
@@ -34,7 +34,7 @@ def shortest_duration(motion: Motion, limits: MotionLimits, *, at_least: float =
     at τ*, so that no duration before that zero will do. The steps from zero to zero, upwards from a T that is too
     short, converge quadratically to the least T and jump over nothing. A T below 1e-30 s is told as 1e-30 s.
 
-    As in `shortest_duration(lambda T: quintic(q0, q1, T, v0=v0), MotionLimits(velocity=2, acceleration=5))`.
+    As in `minimum_duration(lambda T: quintic(q0, q1, T, v0=v0), MotionLimits(velocity=2, acceleration=5))`.
 
     Args:
         motion: T [s] → the motion of that duration.

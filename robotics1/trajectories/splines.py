@@ -21,14 +21,14 @@ from robotics1.inputs import (
 )
 
 EXPONENTS = {"uniform": 0.0, "centripetal": 0.5, "chord": 1.0}
-ENDS = ("clamped", "natural", "periodic", "not-a-knot")
+CONDITIONS = ("clamped", "natural", "periodic", "not-a-knot")
 
 
 def cubic_spline(
-    points: npt.ArrayLike,
     times: npt.ArrayLike,
+    points: npt.ArrayLike,
     *,
-    ends: str = "clamped",
+    bc_type: str = "clamped",
     v0: npt.ArrayLike | None = None,
     v1: npt.ArrayLike | None = None,
     a0: npt.ArrayLike | None = None,
@@ -41,9 +41,9 @@ def cubic_spline(
     τ = (t − tᵢ)/Tᵢ and `coefficients_t` in t − tᵢ.
 
     Args:
-        points: (m, n), or (m,) of one joint [rad or m].
         times: (m,) of the points, ascending from 0 [s].
-        ends: what holds at an end where nothing else is given: "clamped" (at rest), "natural" (q̈ = 0), "not-a-knot"
+        points: (m, n), or (m,) of one joint [rad or m].
+        bc_type: what holds at an end where nothing else is given: "clamped" (at rest), "natural" (q̈ = 0), "not-a-knot"
             (the first two and the last two pieces are one cubic); "periodic": the end goes on at the start, with the
             same point, velocity and acceleration.
         v0, v1: (n,) the velocity at the start and at the end [rad/s or m/s], or one number for all.
@@ -56,27 +56,29 @@ def cubic_spline(
     Source: de Boor, A Practical Guide to Splines, 1978, chapter IV; Siciliano, Sciavicco, Villani, Oriolo, Robotics,
     2009, section 4.2.2.
     """
-    points, times = timed_points(points, times)
+    times, points = timed_points(times, points)
     given = [_end("v0", v0, "a0", a0, points.shape[1]), _end("v1", v1, "a1", a1, points.shape[1])]
-    return _cubic_spline(points, times, ends, given)
+    return _cubic_spline(times, points, bc_type, given)
 
 
-def _cubic_spline(points: Array, times: Array, ends: str, given: list[tuple[int, Array] | None]) -> PiecewisePolynomial:
-    """Return the spline with a derivative given at an end, or else the condition that `ends` makes there."""
+def _cubic_spline(
+    times: Array, points: Array, bc_type: str, given: list[tuple[int, Array] | None]
+) -> PiecewisePolynomial:
+    """Return the spline with a derivative given at an end, or else the condition of SciPy's `bc_type` there."""
     from scipy.interpolate import CubicSpline
 
-    one_of("ends", ends, ENDS)
+    one_of("bc_type", bc_type, CONDITIONS)
     conditions: Any = "periodic"
-    if ends == "periodic":
+    if bc_type == "periodic":
         _refuse_open(points, given)
         points[-1] = points[0]
     else:
-        conditions = tuple(ends if condition is None else condition for condition in given)
+        conditions = tuple(bc_type if condition is None else condition for condition in given)
     return PiecewisePolynomial.from_ppoly(CubicSpline(times, points, bc_type=conditions))
 
 
-def cubics_through(
-    points: npt.ArrayLike, times: npt.ArrayLike, velocities: npt.ArrayLike | None = None
+def cubic_hermite_spline(
+    times: npt.ArrayLike, points: npt.ArrayLike, velocities: npt.ArrayLike | None = None
 ) -> PiecewisePolynomial:
     """Return cubics through the points with given velocities there; the accelerations jump.
 
@@ -84,8 +86,8 @@ def cubics_through(
     zero where these have different signs: no joint passes a point and comes back.
 
     Args:
-        points: (m, n), or (m,) of one joint [rad or m].
         times: (m,) of the points, ascending from 0 [s].
+        points: (m, n), or (m,) of one joint [rad or m].
         velocities: (m, n), or (m,) of one joint [rad/s or m/s].
 
     Raises:
@@ -93,7 +95,7 @@ def cubics_through(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.2.
     """
-    points, times = timed_points(points, times)
+    times, points = timed_points(times, points)
     if velocities is None:
         slopes = np.diff(points, axis=0) / np.diff(times)[:, None]
         inner = np.where(slopes[:-1] * slopes[1:] > 0, (slopes[:-1] + slopes[1:]) / 2, 0.0)
@@ -110,36 +112,32 @@ def spline_path(
     points: npt.ArrayLike,
     *,
     knots: str | npt.ArrayLike = "chord",
-    ends: str = "natural",
-    start_tangent: npt.ArrayLike | None = None,
-    end_tangent: npt.ArrayLike | None = None,
-    start_second: npt.ArrayLike | None = None,
-    end_second: npt.ArrayLike | None = None,
+    bc_type: str = "natural",
+    v0: npt.ArrayLike | None = None,
+    v1: npt.ArrayLike | None = None,
+    a0: npt.ArrayLike | None = None,
+    a1: npt.ArrayLike | None = None,
 ) -> PiecewisePolynomial:
-    """Return the cubic spline p(s) through the points: p, p' and p'' are continuous.
+    """Return the cubic spline p(s) through the points: `cubic_spline` with knots that the points themselves give.
 
     s is near the arc length when the knots are those of the chords; `by_arc_length` makes it the arc length.
 
     Args:
-        points: (m, n) in order, Cartesian [m] or joint values.
+        points: (m, n) in order, Cartesian [m] or joint values; no two consecutive ones are the same.
         knots: "chord" (sᵢ₊₁ − sᵢ = |pᵢ₊₁ − pᵢ|), "centripetal" (its root), "uniform" (1), or (m,) numbers from 0.
-        ends: "natural" (p'' = 0), "not-a-knot" (p''' continuous at the first and last inner knot), "clamped" (p' = 0),
-            or "periodic" (closed, p' and p'' continuous there too).
-        start_tangent, end_tangent: (n,) p' there, in place of the condition that `ends` makes there.
-        start_second, end_second: (n,) p'' there instead. With the law s = t these are velocities and accelerations.
+        bc_type: as of `cubic_spline`, but "natural" (p'' = 0) by default: where p' = 0 a path has no tangent.
+        v0, v1: (n,) p' at the start and at the end instead.
+        a0, a1: (n,) p'' there instead.
 
     Raises:
-        InputError: p' and p'' are both given at one end (`mixed_spline` takes both), consecutive points
-            are the same, knots do not ascend, or a periodic spline is not closed.
+        InputError: p' and p'' are both given at one end, consecutive points are the same, knots do not ascend, or a
+            periodic spline is not closed.
 
     Source: de Boor, A Practical Guide to Splines, 1978, chapter IV.
     """
     rows, steps = points_apart(points)
-    given = [
-        _end("start_tangent", start_tangent, "start_second", start_second, rows.shape[1]),
-        _end("end_tangent", end_tangent, "end_second", end_second, rows.shape[1]),
-    ]
-    return _cubic_spline(rows, _knots(knots, steps), ends, given)
+    given = [_end("v0", v0, "a0", a0, rows.shape[1]), _end("v1", v1, "a1", a1, rows.shape[1])]
+    return _cubic_spline(_knots(knots, steps), rows, bc_type, given)
 
 
 def _knots(knots: str | npt.ArrayLike, steps: Array) -> Array:
@@ -157,7 +155,7 @@ def _end(first: str, v: npt.ArrayLike | None, second: str, a: npt.ArrayLike | No
     """Return which derivative is given at an end, and its value."""
     if v is not None and a is not None:
         raise InputError(
-            f"{first} and {second} are one condition too many for a cubic; mixed_spline(...) with the degree 4 at "
+            f"{first} and {second} are one condition too many for a cubic; polynomial_spline(...) with the degree 4 at "
             "the ends takes both"
         )
     if v is not None:
@@ -172,7 +170,7 @@ def _refuse_open(points: Array, given: list[tuple[int, Array] | None]) -> None:
         raise InputError("a periodic motion needs three points, and ends where it begins: repeat the first as the last")
 
 
-def times_of_points(points: npt.ArrayLike, duration: float, rule: str = "chord") -> Array:
+def knot_times(points: npt.ArrayLike, duration: float, rule: str = "chord") -> Array:
     """Return times for points, from 0 to the duration T, with intervals in proportion to |qᵢ₊₁ − qᵢ|ᵖ.
 
     "uniform", p = 0: equal intervals; "centripetal", p = ½: less overshoot at sharp turns; "chord", p = 1: the mean
@@ -199,8 +197,8 @@ def times_of_points(points: npt.ArrayLike, duration: float, rule: str = "chord")
     return np.asarray(T * times / times[-1])
 
 
-def timed_points(points: npt.ArrayLike, times: npt.ArrayLike) -> tuple[Array, Array]:
-    """Return points as (m, n) and their times (m,), if these ascend from 0.
+def timed_points(times: npt.ArrayLike, points: npt.ArrayLike) -> tuple[Array, Array]:
+    """Return times (m,), if they ascend from 0, and their points as (m, n).
 
     Raises:
         InputError: they do not, or there are not as many of both.
@@ -215,7 +213,7 @@ def timed_points(points: npt.ArrayLike, times: npt.ArrayLike) -> tuple[Array, Ar
         i = int(np.argmax(np.diff(knots) <= 0))
         raise InputError(f"times must ascend; {knots[i + 1]:g} follows {knots[i]:g}")
     moderate("the intervals of times", np.diff(knots), smallest=1 / LARGEST)
-    return rows, knots
+    return knots, rows
 
 
 def points_in_rows(points: npt.ArrayLike) -> Array:

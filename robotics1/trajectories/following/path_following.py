@@ -8,7 +8,7 @@ import numpy.typing as npt
 from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array
+from robotics1.inputs import Array, a_robot_and_a_task, non_negative_numbers, real_array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory
@@ -54,7 +54,7 @@ def follow_trajectory(
     """
     a_robot_and_a_task(robot, task)
     q0, motion = _start(robot, task, trajectory, q0)
-    K = _gain("gain", gain, task.rows)
+    K = non_negative_numbers("gain", gain, task.rows)
     flow = VelocityFlow(robot, task, motion, resolution_or_default(resolution), K, null_velocity)
     return _integrated(flow, q0)
 
@@ -94,7 +94,7 @@ def follow_trajectory_by_acceleration(
     resolution = resolution_or_default(resolution)
     inputs = resolution.inputs(robot, q0).shape[1]
     u0 = real_array("state[1]", u0, (inputs,), "one number for each joint, or each input")
-    K = np.array([_gain("gains", value, task.rows) for value in _pair("gains", gains)])
+    K = np.array([non_negative_numbers("gains", value, task.rows) for value in _pair("gains", gains)])
     flow = AccelerationFlow(robot, task, motion, resolution, K, null_acceleration)
     return _integrated(flow, np.concatenate([q0, u0]))
 
@@ -140,13 +140,6 @@ def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> tupl
             f"{motion.shape}"
         )
     return robot.configuration(q0), motion
-
-
-def _gain(name: str, value: npt.ArrayLike, m: int) -> Array:
-    K = per_joint(name, value, m)
-    if (K < 0).any():
-        raise InputError(f"{name} must not be negative; it is {K.tolist()}")
-    return K
 
 
 def _pair(name: str, value: Any) -> tuple[Any, Any]:

@@ -42,7 +42,7 @@ class PathTiming:
         return self.trajectory.duration
 
 
-def fastest_along(path: Curve, limits: MotionLimits, *, grid: int = 200) -> PathTiming:
+def time_optimal(path: Curve, limits: MotionLimits, *, grid: int = 200) -> PathTiming:
     """Return the law s(t) of least duration for which |q̇| = |p' ṡ| ≤ V and |q̈| = |p'' ṡ² + p' s̈| ≤ A along the path.
 
     On a grid of s the bounds are linear in ṡ² and s̈, and the greatest ṡ² is found point by point, backwards and

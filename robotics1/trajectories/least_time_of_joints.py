@@ -14,7 +14,7 @@ from robotics1.inputs import LARGEST, Array, joint_numbers, joint_rates, one_of
 from robotics1.trajectories.law_kinds import KINDS, SAME_DURATION, JointMove, LawKind
 from robotics1.trajectories.limits import BOUNDS, LimitUse, MotionLimits
 
-COORDINATIONS = ("slowed", "straight", "independent")
+COORDINATIONS = ("synchronized", "straight", "independent")
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +57,7 @@ def minimum_time(
     *,
     v0: npt.ArrayLike = 0.0,
     v1: npt.ArrayLike = 0.0,
-    coordination: str = "slowed",
+    coordination: str = "synchronized",
 ) -> MinimumTime:
     """Return the motion from (q0, v0) to (q1, v1) of the shortest duration, for one kind of timing law.
 
@@ -66,16 +66,16 @@ def minimum_time(
     from the goal brakes, turns and comes back. No motion under the same bounds is faster than the trapezoidal one; and
     none that begins and ends without acceleration, than the double-S.
 
-    "slowed": all joints take the time T of the slowest; the others are stretched uniformly, or cruise more slowly if
-    they have velocities at the ends. "straight": one law s(t) for all, q = q0 + s (q1 − q0), from rest to rest.
+    "synchronized": all joints take the time T of the slowest; the others are stretched uniformly, or cruise more slowly
+    if they have velocities at the ends. "straight": one law s(t) for all, q = q0 + s (q1 − q0), from rest to rest.
     "independent": each joint is as fast as it can, and then stays.
 
     Args:
         q0, q1: (n,) start and end [rad or m].
         limits: the bounds of the joints; the acceleration for trapezoidal and bang-bang, the jerk for double-S.
-        law: "trapezoidal", "double-S", "bang-bang", "cubic", "quintic", "septic", "cosine" or "cycloidal".
+        law: "trapezoidal", "double_s", "bang_bang", "cubic", "quintic", "septic", "cosine" or "cycloidal".
         v0, v1: (n,) velocities at the start and at the end [rad/s or m/s], or one number for all.
-        coordination: "slowed", "straight" or "independent".
+        coordination: "synchronized", "straight" or "independent".
 
     Raises:
         InputError: a velocity at an end is beyond its bound, the kind of law cannot keep such bounds, or shapes do not
@@ -99,7 +99,7 @@ def minimum_time(
     durations = [kind.next_duration(move, 0.0) for move in moves]
     if coordination == "straight":
         laws = _in_line(kind, moves)
-    elif coordination == "slowed":
+    elif coordination == "synchronized":
         laws = _together(kind, moves, max(durations))
     else:
         laws = [kind.lasting(move, T) for move, T in zip(moves, durations, strict=True)]
