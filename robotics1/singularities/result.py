@@ -190,7 +190,12 @@ class SingularSet:
         return tuple(name for name in names if all(name in branch.free_joints for branch in self.branches))
 
     def explain(self) -> str:
-        """Return the singularities in sentences."""
+        """Return the singularities in sentences, with the conditions on lengths of `parameter_conditions`."""
+        return self._explanation
+
+    @cached_property
+    def _explanation(self) -> str:
+        """The sentences, which are found once: to find the conditions on lengths takes as long as to find the set."""
         from robotics1.singularities.explain import set_sentences
 
         return printable(set_sentences(self), keep="\n")
