@@ -38,6 +38,11 @@ def read_only(values: Iterable[Any]) -> None:
             read_only(value)
 
 
+def same_entries(a: Any, b: Any) -> bool:
+    """Return whether two named tuples are the same; a plain tuple would ask an array whether it is true."""
+    return type(a) is type(b) and all(np.array_equal(x, y) for x, y in zip(a, b, strict=True))
+
+
 def made_again(kind: Callable[..., Any], *values: Any) -> Any:
     """Return a named tuple of results from its copied or unpickled values, whose arrays are made read-only."""
     read_only(values)

@@ -13,12 +13,10 @@ from closed_forms import SPATIAL_CHAIN, cylindrical_determinant, prr_pose_determ
 from sweeps import core_first
 
 from robotics1 import Robotics1Error, load_robot
-from robotics1.kernels.array_jacobian import task_jacobians
-from robotics1.kernels.bidiagonal import bidiagonal_squares
 from robotics1.kernels.block_jacobian import BLOCK, LARGEST, cosines_and_sines
 from robotics1.kernels.chain import chain_arrays
 from robotics1.kernels.extreme_singular_values import SWEEPS, largest_eigenvalues, smallest_eigenvalues
-from robotics1.kernels.singularity_measures import singularity_measures
+from robotics1.kernels.singularity_measures import bidiagonal_squares, singularity_measures, task_jacobians
 from robotics1.robot.model import tips
 from robotics1.robot.sources import example_robots
 

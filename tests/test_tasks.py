@@ -12,6 +12,7 @@ from differences import derivative
 from hypothesis import given
 
 from robotics1 import (
+    FormulaError,
     FunctionTask,
     InputError,
     OrientationTask,
@@ -21,8 +22,12 @@ from robotics1 import (
     PositionTask,
     TaskError,
     UnknownNameError,
+    formulas,
     forward_kinematics,
     frame_jacobian,
+    ik_solutions,
+    scan_singularities,
+    solve_ik,
 )
 
 PLANAR = {"prr": "xy", "planar_2r": "xy", "planar_3r": "xy", "vertical_2r": "xz"}
@@ -338,3 +343,49 @@ def test_a_function_task_takes_its_jacobian_by_place_by_name_and_by_the_name_of_
     assert by_place == FunctionTask(squares, 2, jacobian=half_turn_jacobian)
     assert by_place == FunctionTask(squares, 2, derivative=half_turn_jacobian)
     assert replace(FunctionTask(squares, 2), jacobian=half_turn_jacobian) == by_place
+
+
+# --- a task that is no function of one frame
+
+
+class TwoHeights:
+    """The heights of two frames of one arm: the protocol by hand, without a map of one frame."""
+
+    row_names, row_units, rows = ("y1", "y2"), ("m", "m"), 2
+
+    def value(self, robot, q):
+        return np.array([forward_kinematics(robot, q, frame=frame).translation[1] for frame in ("link2", "tool")])
+
+    def target(self, target):
+        return np.array(target, dtype=float)
+
+    def error(self, robot, q, target):
+        return self.target(target) - self.value(robot, q)
+
+    def jacobian(self, robot, q):
+        return np.array([frame_jacobian(robot, q, frame=frame)[1] for frame in ("link2", "tool")])
+
+    def check(self, robot):
+        pass
+
+    def check_integrable(self, robot):
+        pass
+
+    def frame_map(self):
+        return None
+
+
+def test_the_heights_of_elbow_and_tool_of_the_planar_2r_are_solved_though_they_are_of_two_frames():
+    """y1 = l1 sin q1 and y2 = y1 + l2 sin(q1 + q2), with l1 = 1.2 and l2 = 0.8: four solutions."""
+    robot, target = arm("planar_2r"), [0.6, 1.0]
+    found = ik_solutions(robot, TwoHeights(), target)
+    assert len(found) == 4
+    assert 1.2 * np.sin(found.q[:, 0]) == pytest.approx(np.full(4, 0.6), abs=1e-8)
+    assert 0.8 * np.sin(found.q.sum(axis=1)) == pytest.approx(np.full(4, 0.4), abs=1e-8)
+    one = solve_ik(robot, TwoHeights(), target).require()
+    assert TwoHeights().value(robot, one.q) == pytest.approx(target, abs=1e-6)
+    scan = scan_singularities(robot, TwoHeights(), samples=100)
+    J = TwoHeights().jacobian(robot, scan.worst[0])
+    assert scan.worst_values[0] == pytest.approx(np.linalg.svd(J, compute_uv=False)[-1], rel=1e-9)
+    with pytest.raises(FormulaError, match="for tasks on a frame and for FunctionTask"):
+        formulas(robot, TwoHeights())

@@ -11,7 +11,7 @@ from robotics1.errors import TaskError
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
-from robotics1.results import Frozen, made_again, require
+from robotics1.results import Frozen, made_again, require, same_entries
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -30,8 +30,7 @@ class IKIterate(NamedTuple):
     sigma_min: float
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all entries are the same; a plain tuple would ask an array whether it is true."""
-        return isinstance(other, IKIterate) and all(np.array_equal(a, b) for a, b in zip(self, other, strict=True))
+        return same_entries(self, other)
 
     def __ne__(self, other: object) -> bool:
         return not self == other

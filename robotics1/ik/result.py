@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.results import Frozen, made_again, require
+from robotics1.results import Frozen, made_again, require, same_entries
 
 
 class IKStatus(Enum):
@@ -45,10 +45,7 @@ class IKResult(NamedTuple):
     starts: int
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all entries are the same; a plain tuple would ask an array whether it is true."""
-        if not isinstance(other, IKResult) or not np.array_equal(self.q, other.q):
-            return False
-        return (self.status, self.error_norm, self.starts) == (other.status, other.error_norm, other.starts)
+        return same_entries(self, other)
 
     def __ne__(self, other: object) -> bool:
         return not self == other

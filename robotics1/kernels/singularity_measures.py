@@ -6,12 +6,12 @@ from typing import NamedTuple
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.array_jacobian import task_jacobians
-from robotics1.kernels.bidiagonal import bidiagonal_squares
 from robotics1.kernels.block_jacobian import BLOCK, jacobian_block, place_block, task_rows_block
 from robotics1.kernels.chain import ChainArrays, Indices
 from robotics1.kernels.compilation import COMPILED, compiled
 from robotics1.kernels.extreme_singular_values import largest_eigenvalues, smallest_eigenvalues
+
+ZERO = 1e-290  # |x|² of a vector that needs no reflection: its inverse would overflow
 
 
 class SingularityMeasures(NamedTuple):
@@ -135,3 +135,105 @@ def _keep(A: Array, start: int, size: int, J: Array) -> None:
             a, b = (i, j) if m <= n else (j, i)
             for c in range(size):
                 J[i, j, start + c] = A[a, b, c]
+
+
+@compiled(contract=True)
+def bidiagonal_squares(A: Array, Q: Array, E: Array, h: Array, w: Array) -> None:
+    """Turn each A (k, n), k ≤ n, into a lower bidiagonal B = U A V, U and V orthogonal, and write its squares.
+
+    Householder reflections 1 − h v vᵀ, v = x ± |x| e₁, act on the rows of A from the right and on its columns from
+    the left in turn. B is within rounding, 1e-16 |A|, of one with exactly A's singular values; of A Aᵀ this would
+    hold for their squares, and σ_min would be known to 1e-8 |A| only.
+
+    Args:
+        A: (k, n, BLOCK), overwritten by the vectors v.
+        Q: (k, BLOCK), the squares of the diagonal of B, to be written.
+        E: (k − 1, BLOCK) or more rows, the squares of what stands below the diagonal, to be written.
+        h, w: (BLOCK,), scratch.
+
+    Source: Golub, Van Loan, Matrix Computations, 2013, sections 5.1 and 5.4.
+    """
+    k, n = A.shape[0], A.shape[1]
+    for i in range(k):
+        for c in range(BLOCK):
+            w[c] = 0.0
+        for j in range(i, n):
+            for c in range(BLOCK):
+                w[c] += A[i, j, c] * A[i, j, c]
+        _reflection(w, A[i, i], Q[i], h)
+        for row in range(i + 1, k):
+            for c in range(BLOCK):
+                w[c] = 0.0
+            for j in range(i, n):
+                for c in range(BLOCK):
+                    w[c] += h[c] * A[i, j, c] * A[row, j, c]
+            for j in range(i, n):
+                for c in range(BLOCK):
+                    A[row, j, c] -= w[c] * A[i, j, c]
+        if i + 1 == k:
+            return
+        for c in range(BLOCK):
+            w[c] = 0.0
+        for row in range(i + 1, k):
+            for c in range(BLOCK):
+                w[c] += A[row, i, c] * A[row, i, c]
+        _reflection(w, A[i + 1, i], E[i], h)
+        for j in range(i + 1, n):
+            for c in range(BLOCK):
+                w[c] = 0.0
+            for row in range(i + 1, k):
+                for c in range(BLOCK):
+                    w[c] += h[c] * A[row, i, c] * A[row, j, c]
+            for row in range(i + 1, k):
+                for c in range(BLOCK):
+                    A[row, j, c] -= w[c] * A[row, i, c]
+
+
+@compiled(contract=True)
+def _reflection(squares: Array, first: Array, kept: Array, h: Array) -> None:
+    """Write v₁ = x₁ ± |x|, without cancellation, over x₁, and h = 2/|v|² = 1/(|x|² + |x| |x₁|); keep |x|²."""
+    for c in range(BLOCK):
+        x, square = first[c], squares[c]
+        length = math.sqrt(square)
+        half = square + length * abs(x)
+        kept[c] = square
+        h[c] = 1.0 / half if half > ZERO else 0.0
+        first[c] = x + math.copysign(length, x)
+
+
+def task_jacobians(chain: ChainArrays, S: Array, q: Array) -> Array:
+    """Return S J_frame, (m, n, N), at the configurations q (n, N).
+
+    Args:
+        chain: the constants of the chain.
+        S: (m, 6) the rows of the task.
+        q: (n, N) configurations, one a column.
+    """
+    n, count = q.shape
+    T = np.repeat(chain.placements[0][:, :, None], count, axis=2)
+    axes, points = [], []
+    for P, prismatic, motion in zip(chain.placements[1:], chain.prismatic, _motions(chain, q), strict=True):
+        axes.append(T[:, 2].copy())
+        points.append(T[:, 3].copy())
+        if prismatic:
+            T[:, 3] += motion * T[:, 2]
+        else:
+            c, s = np.cos(motion), np.sin(motion)
+            T[:, 0], T[:, 1] = c * T[:, 0] + s * T[:, 1], c * T[:, 1] - s * T[:, 0]
+        p = T[:, 3]
+        T = np.einsum("ijc,jk->ikc", T[:, :3], P)
+        T[:, 3] += p
+    J = np.zeros((6, n, count))
+    for joint, (z, o) in enumerate(zip(axes, points, strict=True)):
+        column, factor = chain.coordinate[joint], chain.ratio[joint]
+        if chain.prismatic[joint]:
+            J[:3, column] += factor * z
+        else:
+            J[:3, column] += factor * np.cross(z, T[:, 3] - o, axis=0)
+            J[3:, column] += factor * z
+    return np.asarray(np.einsum("ir,rjc->ijc", S, J))
+
+
+def _motions(chain: ChainArrays, q: Array) -> Array:
+    """Return the motion of each joint, (k, N)."""
+    return np.asarray(chain.ratio[:, None] * q[chain.coordinate])

@@ -7,9 +7,13 @@ import numpy as np
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
-from robotics1.kernels.array_jacobian import task_jacobians
 from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
-from robotics1.kernels.singularity_measures import SingularityMeasures, measures_of, singularity_measures
+from robotics1.kernels.singularity_measures import (
+    SingularityMeasures,
+    measures_of,
+    singularity_measures,
+    task_jacobians,
+)
 from robotics1.kinematics import reference_axes
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameMap, Task
