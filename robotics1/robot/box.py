@@ -109,7 +109,7 @@ def intervals(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None
         UnknownNameError: no such joint.
         InputError: an interval is empty or outside the limits.
     """
-    lower, upper = robot.lower, robot.upper
+    lower, upper = robot.lower.copy(), robot.upper.copy()
     for name, interval in by_name("box", box, "{'q1': (-1, 1)}").items():
         if name not in robot.joint_names:
             raise UnknownNameError("joint named", name, robot.joint_names)
