@@ -16,9 +16,9 @@ from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, one_of, real_array, real_number
 from robotics1.notation import joint_value, number, vector
 from robotics1.robot.checking import MOST_DEGREES
-from robotics1.robot.findings import LARGEST
 from robotics1.robot.parameters import Parameters
 from robotics1.robot.placements import homogeneous
+from robotics1.robot.report import LARGEST
 
 CONVENTIONS = ("standard", "modified")
 Limits = Sequence[float | None] | Array | None
