@@ -392,10 +392,7 @@ CALLS = [
     (lambda: Resolution(region=0.1), InputError, "give the damping λ too"),
     (lambda: Resolution(damping=0.1, region=0), InputError, "region must be a positive number"),
     (lambda: r1.TaskTrajectory(PRR, XYZ, r1.cubic([0, 0], [1, 1], 1.0)), InputError, "must move 3 joints"),
-    (
-        lambda: r1.TaskTrajectory(PRR, XYZ, r1.cubic([0] * 3, [1] * 3, 1.0))(1.1), InputError,
-        r"the parameter must be in \[0, 1\]",
-    ),
+    (lambda: r1.TaskTrajectory(PRR, XYZ, r1.cubic([0] * 3, [1] * 3, 1.0))(1.1), InputError, r"must be in \[0, 1\]"),
 ]  # fmt: skip
 
 

@@ -278,7 +278,7 @@ def test_no_motion_at_all_is_faster_than_the_profiles(kind, seed):
         ((0, 1, r1.MotionLimits(1, 1)), {"law": "cosine", "v0": 0.5}, "begins and ends at rest"),
         ((0, 1, r1.MotionLimits(1, 1)), {"coordination": "straight", "v0": 0.5}, "from rest to rest"),
         ((0, 1, r1.MotionLimits(1, 1)), {"law": "linear"}, "one of 'trapezoidal'"),
-        ((0, 1, r1.MotionLimits(1, 1)), {"coordination": "fast"}, "one of 'slowed'"),
+        ((0, 1, r1.MotionLimits(1, 1)), {"coordination": "fast"}, "one of 'synchronized'"),
         (([0, 0], [1], r1.MotionLimits(1, 1)), {}, "shape"),
         (([0, 0], [1, 1], r1.MotionLimits([1, 1, 1], 1)), {}, "shape"),
         ((0, 1, (1, 1)), {}, "must be MotionLimits"),

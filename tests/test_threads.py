@@ -197,7 +197,7 @@ class WaitingLaw:
 
     def __init__(self, begun, other_done):
         self.begun, self.other_done = begun, other_done
-        self.law = r1.cosine(0, 1, 1.0).laws[0]
+        self.law = r1.cosine(0, 1, 1.0).joint()
         self.switching_calls = 0
 
     def __getattr__(self, name):
