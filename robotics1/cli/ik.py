@@ -1,5 +1,6 @@
 """The command `robotics1 ik`."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -7,7 +8,6 @@ import typer
 
 from robotics1.cli import arguments
 from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, RobotName, TaskName, Tool
-from robotics1.cli.output import PlainConsole
 from robotics1.errors import InputError
 from robotics1.inputs import one_of
 
@@ -65,7 +65,7 @@ def ik(
     json: AsJson = False,
 ) -> None:
     """Inverse kinematics: all solutions, one found robustly, many targets, or the table of one method's iterations."""
-    from robotics1.cli import inverse, robust_inverse
+    from robotics1.cli import ik_answers as answers
     from robotics1.ik.iterate import METHODS
 
     if (target is None) == (targets is None):
@@ -78,19 +78,22 @@ def ik(
     given = {"prefer": prefer, "seed": seed, "time_limit": time_limit, "tolerance": tolerance}
     options = _used(question, given | {"q0": q0, "max_iterations": max_iterations})
     arm = arguments.parse_robot(robot, param or [], tool)
-    what, out = arguments.parse_task(task, frame), PlainConsole()
+    what = arguments.parse_task(task, frame)
     start = None if q0 is None else arguments.configuration(arm, q0, degrees)
-    if question == SOLVE:
-        search = robust_inverse.RobustInverse(out, arm, what, start, options, degrees=degrees, json=json)
-        done = search.answer(target or "") if targets is None else search.answer_all(targets)
+    if targets is not None:
+        wanted = answers.read_targets(targets, what, degrees)
+        done = answers.many_solutions(arm, what, wanted, start, options, degrees=degrees, json=json)
     else:
-        goal = inverse.parse_target(what, target or "", degrees)
-        if question == ALL:
-            done = inverse.print_solutions(out, arm, what, goal, options=options, degrees=degrees, json=json)
-        else:
-            begin = arguments.configuration(arm, None, degrees) if start is None else start
+        goal = answers.parse_target(what, target or "", degrees)
+        if question == ITERATE:
+            start = arguments.configuration(arm, None, degrees) if start is None else start
             options["method"] = method
-            done = inverse.print_iteration(out, arm, what, goal, begin, options=options, degrees=degrees, json=json)
+        kinds: dict[str, Callable[..., bool]] = {
+            ALL: answers.all_solutions,
+            SOLVE: answers.one_solution,
+            ITERATE: answers.iteration,
+        }
+        done = kinds[question](arm, what, goal, start, options, degrees=degrees, json=json)
     raise typer.Exit(0 if done else 1)
 
 

@@ -1,0 +1,173 @@
+"""The answers of `robotics1 ik`, each printed or written as JSON; each returns whether it is a success."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from robotics1.cli.arguments import parse_vector, read_text
+from robotics1.cli.output import PlainConsole, in_degrees, joint_names, progress_bar, say_outside_limits, write_json
+from robotics1.errors import InputError
+from robotics1.ik.iterate import IKIterate, IKIteration, iterate_ik
+from robotics1.ik.result import IKBatch, IKResult
+from robotics1.ik.solutions import ik_solutions
+from robotics1.ik.solver import IKSolver
+from robotics1.inputs import Array
+from robotics1.notation import count, vector
+from robotics1.report.tables import iteration_table, matrix_table, table
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import FrameTask
+
+OF_A_FAMILY = 16  # solutions that are printed, where there are infinitely many
+OF_A_FILE = 20  # targets that are printed; JSON has all
+
+
+def parse_target(task: FrameTask, text: str, degrees: bool) -> Any:
+    """Return the target as the task takes it: a vector, or a matrix typed row by row.
+
+    Raises:
+        InputError: the wrong number of values.
+    """
+    values = parse_vector(text)
+    value = task.g(np.zeros(3), np.eye(3))
+    shape = np.shape(getattr(value, "homogeneous", value))
+    if len(shape) == 2:
+        if values.size != shape[0] * shape[1]:
+            raise InputError(f"the target is {shape[0]} × {shape[1]}, row by row; it has {values.size} numbers")
+        return values.reshape(shape)
+    if degrees and values.size == task.rows:
+        values = np.where(np.array(task.row_units) == "rad", np.radians(values), values)
+    return values
+
+
+def read_targets(path: Path, task: FrameTask, degrees: bool) -> list[Any]:
+    """Return the targets of a file, one on each line in the form of --target; # begins a comment.
+
+    Raises:
+        InputError: there is no such file, it holds no target, or a line is none; the message has the line's number.
+    """
+    targets = []
+    for n, line in enumerate(read_text(path).splitlines(), 1):
+        text = line.partition("#")[0].strip()
+        if not text:
+            continue
+        try:
+            targets.append(task.target(parse_target(task, text, degrees)))
+        except InputError as error:
+            raise InputError(f"{path}, line {n}: {error}") from error
+    if not targets:
+        raise InputError(f"there is no target in {path}; write one on each line, as in 1,-1,3")
+    return targets
+
+
+def all_solutions(
+    robot: Robot, task: FrameTask, target: Any, _: None, options: dict[str, Any], *, degrees: bool, json: bool
+) -> bool:
+    """Print every solution, and return whether there is one."""
+    found = ik_solutions(robot, task, target, **options)
+    if json:
+        answer = {"status": found.status.name, "complete": found.complete, "solutions": found.q}
+        answer |= {"singular": found.singular, "error_norm": found.error_norm}
+        write_json(answer | {"free_joints": found.free_joints, "dimension": found.dimension})
+        return len(found) > 0
+    out = PlainConsole()
+    out.print(f"{found.status.value} ({len(found)} found by search)")
+    if not len(found):
+        nearest = vector(in_degrees(robot, found.closest, degrees))
+        out.print(f"the nearest miss is |e| = {found.error_norm:.4g} at q = {nearest}")
+        return False
+    rows = tuple(f"{i + 1}{' singular' if flag else ''}" for i, flag in enumerate(found.singular[:OF_A_FAMILY]))
+    out.print(matrix_table(in_degrees(robot, found.q[:OF_A_FAMILY], degrees), rows, joint_names(robot)))
+    if len(found) > OF_A_FAMILY:
+        out.print(f"and {len(found) - OF_A_FAMILY} more")
+    if found.free_joints:
+        out.print(f"{', '.join(found.free_joints)}: anywhere in the limits, since the task does not move")
+    return True
+
+
+def one_solution(
+    robot: Robot, task: FrameTask, target: Any, q0: Array | None, options: dict[str, Any], *, degrees: bool, json: bool
+) -> bool:
+    """Print the solution that is found robustly, or the nearest miss; and return which it is."""
+    result = IKSolver(robot, task, **options)(target, q0)
+    if json:
+        write_json(_as_json(result))
+        return result.converged
+    out = PlainConsole()
+    out.print(f"{result.status.name} after {count(result.starts, 'start')}: {result.status.value}")
+    if not result.converged:
+        out.print(f"the nearest miss is |e| = {result.error_norm:.4g} at")
+    out.print(matrix_table(in_degrees(robot, result.q, degrees)[:, None], joint_names(robot), ("q",)))
+    if result.converged:
+        out.print(f"|e| = {result.error_norm:.2g} by forward kinematics")
+    return result.converged
+
+
+def many_solutions(
+    robot: Robot,
+    task: FrameTask,
+    targets: Sequence[Any],
+    q0: Array | None,
+    options: dict[str, Any],
+    *,
+    degrees: bool,
+    json: bool,
+) -> bool:
+    """Print the solutions of many targets, and return whether all are reached."""
+    with progress_bar("solving", hidden=json) as progress:
+        batch = IKSolver(robot, task, **options).solve_batch(targets, q0, progress=progress)
+    if json:
+        write_json([_as_json(batch[i]) for i in range(len(batch))])
+    else:
+        _print_batch(batch, robot, degrees)
+    return bool(batch.converged.all())
+
+
+def _print_batch(batch: IKBatch, robot: Robot, degrees: bool) -> None:
+    out = PlainConsole()
+    out.print(f"{int(batch.converged.sum())} of {count(len(batch), 'target')} reached")
+    for status in dict.fromkeys(batch.status[~batch.converged]):
+        out.print(f"{(batch.status == status).sum()} {status.name}: {status.value}")
+    missed_first = np.argsort(batch.converged, kind="stable")
+    rows = []
+    for i in sorted(missed_first[:OF_A_FILE].tolist()):
+        q = vector(in_degrees(robot, batch.q[i], degrees))
+        rows.append((str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error_norm[i]:.2g}", q))
+    out.print(table(("target", "status", "starts", "|e|", "q"), rows, left=("status",)))
+    if len(batch) > OF_A_FILE:
+        out.print(f"and {len(batch) - OF_A_FILE} more; --json prints all")
+
+
+def _as_json(result: IKResult) -> dict[str, Any]:
+    return {"status": result.status.name, "q": result.q, "error_norm": result.error_norm, "starts": result.starts}
+
+
+def iteration(
+    robot: Robot, task: FrameTask, target: Any, q0: Array, options: dict[str, Any], *, degrees: bool, json: bool
+) -> bool:
+    """Print the table of an iteration, and return whether it converged."""
+    run = iterate_ik(robot, task, target, q0, **options)
+    if json:
+        answer = {"status": run.status.name, "iterations": run.iterations, "q": run.q}
+        write_json(answer | {"within_limits": run.within_limits, "table": [row._asdict() for row in run.table]})
+        return run.converged
+    out = PlainConsole()
+    title = f"{run.method}, angles in {'degrees, |e| in radians' if degrees else 'radians'}"
+    out.print(iteration_table(_in_degrees(run, robot, task) if degrees else run, title))
+    out.print(f"{run.status.name} after {count(run.iterations, 'iteration')}: {run.status.value}")
+    say_outside_limits(out, robot, run.q)
+    return run.converged
+
+
+def _in_degrees(run: IKIteration, robot: Robot, task: FrameTask) -> IKIteration:
+    """Return an iteration for printing, with its q, and r where it is a vector, in degrees."""
+    angles = np.array(task.row_units) == "rad"
+
+    def converted(row: IKIterate) -> IKIterate:
+        is_vector = isinstance(row.r, np.ndarray) and row.r.shape == angles.shape
+        r = np.where(angles, np.degrees(row.r), row.r) if is_vector else row.r
+        return row._replace(q=in_degrees(robot, row.q, True), r=r)
+
+    return replace(run, table=tuple(map(converted, run.table)))
