@@ -77,7 +77,7 @@ class ReachBound:
         o: (3,) the point on the first axis [m], in the task's axes.
         length: Σ |pieces| + Σ max |travel| [m]; ∞ if a prismatic joint has no limits.
         hand: (3,) where the last of the points on axes is in the task's frame [m], if that joint turns: a target pose
-            tells where it must be.
+            fixes where it must be.
         length_to_hand: the sum without the last piece [m].
         least: no configuration takes the origin nearer to o: the longest piece without all the others [m].
         arms: (k,) the sums of what follows each joint: how far its axis is from the frame's origin at most [m].

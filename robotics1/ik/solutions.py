@@ -25,7 +25,7 @@ FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a famil
 
 @dataclass(frozen=True, eq=False)
 class IKSolutions(Frozen):
-    """The solutions of f(q) = r_d inside the joint limits, each told once: whole turns of a joint apart are one.
+    """The solutions of f(q) = r_d inside the joint limits, each listed once: whole turns of a joint apart are one.
 
     Attributes:
         q: (k, nq) the solutions [rad or m].

@@ -30,7 +30,7 @@ class IKSolver:
         seed: of the random starts.
         time_limit: for one target [s]. Solutions come in microseconds; only a target that is hard, or cannot be
             reached, uses it up.
-        tolerance: on |e| = |r_d − f(q)| in the task's units [m, rad]. Where a task tells an orientation by angles, e
+        tolerance: on |e| = |r_d − f(q)| in the task's units [m, rad]. Where a task has an orientation as angles, e
             holds the rotation vector log3(R_d Rᵀ) in their place, and is brought to a thousandth of the tolerance.
         prefer: which of the solutions of a redundant arm: "any" takes the first; "near" moves it along the null
             space as near to q0 as that leads, "middle" to the middle of the joint ranges.
@@ -115,7 +115,7 @@ class IKSolver:
             progress: called with the numbers of targets done, and of all, now and then.
 
         Raises:
-            InputError: there is no target; one has the wrong form, and the message tells which; or q0 has.
+            InputError: there is no target; one has the wrong form, and the message says which; or q0 has.
         """
         return self._search.batch(list_of_targets(targets), q0, progress)
 
@@ -133,7 +133,7 @@ def solve_ik(
 ) -> IKResult:
     """Return a solution of f(q) = r_d inside the joint limits, or the nearest miss and why.
 
-    The same as `IKSolver(robot, task, ...)(target, q0)`, where the arguments are told; for more than one target make
+    The same as `IKSolver(robot, task, ...)(target, q0)`, which explains the arguments; for more than one target make
     the solver once.
 
     Raises:

@@ -143,7 +143,7 @@ class OrientationTask(_WithOrientation):
     """r = R, (3, 3); ṙ stands for ω [rad/s]; e = log3(R_d Rᵀ), the rotation vector that is still missing.
 
     With angles= it is r = φ, (3,), the angles of a sequence; ṙ = φ̇ = T(φ)⁻¹ ω, whose J is the analytic Jacobian; and
-    e = φ_d − φ, each wrapped into (−π, π]. Of the two φ of an orientation the first is told: cos φ₂ > 0 of ZYX and
+    e = φ_d − φ, each wrapped into (−π, π]. Of the two φ of an orientation the value is the first: cos φ₂ > 0 of ZYX and
     its like, sin φ₂ > 0 of ZYZ and its like. A target may be either. Where T is singular TaskError is raised.
 
     Attributes:

@@ -41,7 +41,7 @@ def follow_trajectory(
         robot: an arm of revolute and prismatic joints.
         task: r = f(q).
         trajectory: r_d(t), in the form of the task's value: a path with a timing law.
-        q0: (n,) where the joints start [rad or m]; off the path, the error is told.
+        q0: (n,) where the joints start [rad or m]; they may start off the path.
         resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
         gain: K [1/s], one number or (m,), not negative.
         null_velocity: q̇₀, (n,) or a function of q: the part of it that does not move the task is added.
