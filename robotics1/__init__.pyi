@@ -144,7 +144,7 @@ from .trajectories.limits import (
 )
 from .trajectories.meeting import (
     MeetingBranch,
-    MeetingVerdict,
+    MeetingStatus,
     Rendezvous,
     rendezvous,
 )
@@ -231,7 +231,7 @@ __all__ = [
     "LinearMotion",
     "MeasureDistribution",
     "MeetingBranch",
-    "MeetingVerdict",
+    "MeetingStatus",
     "MinimumTime",
     "MissingExtraError",
     "MotionLimits",

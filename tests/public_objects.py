@@ -188,7 +188,7 @@ INSTANCES = {
     "LinearMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "MeasureDistribution": lambda: list(scan().distributions.values()),
     "MeetingBranch": lambda: list(meeting().branches),
-    "MeetingVerdict": lambda: list(r1.MeetingVerdict),
+    "MeetingStatus": lambda: list(r1.MeetingStatus),
     "MinimumTime": lambda: [r1.minimum_time([0, 0], [1, 2], LIMITS, "double_s")],
     "MotionLimits": lambda: [LIMITS, r1.MotionLimits([1, 2])],
     "NearestRotation": lambda: [r1.nearest_rotation(np.eye(3))],

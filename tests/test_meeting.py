@@ -10,7 +10,7 @@ from robotics1 import (
     FunctionMotion,
     InputError,
     LinearMotion,
-    MeetingVerdict,
+    MeetingStatus,
     NotConverged,
     PlanarPoseTask,
     PoseTask,
@@ -46,7 +46,7 @@ def test_rendezvous_time_is_minus_p0x_over_v_cos_delta(meeting):
     assert meeting.position == pytest.approx([0, 1 + 1.5 * T_RV * sin(radians(15))], abs=1e-12)
     assert meeting.position[1] == pytest.approx(1.5359, abs=5e-5)
     assert meeting.velocity == pytest.approx([1.4489, 0.3882], abs=5e-5)
-    assert (meeting.verdict, meeting.miss) == (MeetingVerdict.MEETS, 0)
+    assert (meeting.status, meeting.miss) == (MeetingStatus.MEETS, 0)
     assert meeting.require() is meeting
 
 
@@ -161,7 +161,7 @@ def test_an_event_at_time_zero_does_not_count(planar_2r):
 
 def test_out_of_reach_is_an_outcome_with_its_miss(planar_2r):
     rv = rendezvous(planar_2r, POINT, LinearMotion([3, 0], [0, 0.5]), [0, 0], meet=8.0)
-    assert (rv.verdict, rv.branches) == (MeetingVerdict.UNREACHABLE, ())
+    assert (rv.status, rv.branches) == (MeetingStatus.UNREACHABLE, ())
     assert rv.miss == pytest.approx(3, abs=1e-7)
     for insist in (lambda: rv.trajectory, rv.require):
         with pytest.raises(NotConverged, match="out of the robot's reach") as caught:
@@ -171,14 +171,14 @@ def test_out_of_reach_is_an_outcome_with_its_miss(planar_2r):
 
 @pytest.mark.parametrize(
     ("v", "verdict", "lost"),
-    [((0, 0.5), MeetingVerdict.MEETS, (0, 0)), ((0.5, 0.5), MeetingVerdict.VELOCITY_LOST, (0.5, 0))],
+    [((0, 0.5), MeetingStatus.MEETS, (0, 0)), ((0.5, 0.5), MeetingStatus.VELOCITY_LOST, (0.5, 0))],
 )
 def test_at_the_stretched_arm_only_the_velocity_across_it_can_be_matched(planar_2r, v, verdict, lost):
     rv = rendezvous(planar_2r, POINT, LinearMotion(np.subtract([2, 0], np.multiply(4, v)), v), [0.3, 0.3], meet=4.0)
-    assert rv.verdict is verdict
+    assert rv.status is verdict
     (branch,) = rv.branches
     assert branch.singular
-    assert branch.matches is (verdict is MeetingVerdict.MEETS)
+    assert branch.matches is (verdict is MeetingStatus.MEETS)
     assert branch.velocity_error == pytest.approx(lost, abs=1e-6)
     J = cf.planar_jacobian([0, 0], [1.2, 0.8])
     assert branch.qdot == pytest.approx(np.linalg.pinv(J) @ [0, 0.5], abs=1e-6)
@@ -186,7 +186,7 @@ def test_at_the_stretched_arm_only_the_velocity_across_it_can_be_matched(planar_
 
 def test_too_little_time_is_beyond_the_limits_and_says_which(planar_2r):
     rv = rendezvous(planar_2r, POINT, LinearMotion([0, 1.4], [0.0, 0.0]), [0, 0], meet=0.1)
-    assert rv.verdict is MeetingVerdict.BEYOND_LIMITS
+    assert rv.status is MeetingStatus.BEYOND_LIMITS
     assert all(branch.violations and branch.matches and not branch.feasible for branch in rv.branches)
     with pytest.raises(NotConverged, match="the velocity of q1 is"):
         rv.require()
@@ -196,7 +196,7 @@ def test_feasible_branches_come_first(planar_2r):
     """In half a second the near way is slow enough, and the other one turns too far."""
     right, left = cf.two_link_solutions([1.2, 0.9], 1.2, 0.8)
     rv = rendezvous(planar_2r, POINT, LinearMotion([1.2, 0.9], [0, 0]), right + 0.1, meet=0.5)
-    assert rv.verdict is MeetingVerdict.MEETS
+    assert rv.status is MeetingStatus.MEETS
     assert rv.branches[0].q == pytest.approx(right, abs=1e-8)
     assert rv.branches[1].q == pytest.approx(left, abs=1e-8)
     assert [branch.feasible for branch in rv.branches] == [True, False]

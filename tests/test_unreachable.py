@@ -15,7 +15,7 @@ from robotics1 import (
     IKSolver,
     IKStatus,
     LinearMotion,
-    MeetingVerdict,
+    MeetingStatus,
     OrientationTask,
     PointingTask,
     PoseTask,
@@ -151,6 +151,6 @@ def test_nothing_is_proven_of_a_function_or_of_a_search_that_failed(planar_2r):
 
 def test_a_meeting_point_is_unreachable_only_where_that_is_proven(planar_2r):
     here = LinearMotion([3, 0], [0, 0.5])
-    assert rendezvous(planar_2r, XY, here, [0, 0], meet=1.0).verdict is MeetingVerdict.UNREACHABLE
+    assert rendezvous(planar_2r, XY, here, [0, 0], meet=1.0).status is MeetingStatus.UNREACHABLE
     same = FunctionTask(lambda p, R, q: p[:2], 2)
-    assert rendezvous(planar_2r, same, here, [0, 0], meet=1.0).verdict is MeetingVerdict.NOT_FOUND
+    assert rendezvous(planar_2r, same, here, [0, 0], meet=1.0).status is MeetingStatus.NOT_FOUND

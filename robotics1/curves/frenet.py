@@ -12,12 +12,13 @@ from robotics1.curves.interpolants import CONVERGED, interpolants
 from robotics1.curves.rotations import RotationPath
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_number
+from robotics1.results import Frozen
 
 STRAIGHT = 1e-9  # κ times the length: a curve that bends less is straight
 
 
 @dataclass(frozen=True, eq=False)
-class FrenetFrame:
+class FrenetFrame(Frozen):
     """The Frenet frame of a curve at one point; a planar curve lies in the plane z = 0.
 
     By the arc length: t' = κ n, n' = −κ t + τ b, b' = −τ n.

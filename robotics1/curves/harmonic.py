@@ -38,9 +38,8 @@ class HarmonicCurve(Curve):
     def __post_init__(self) -> None:
         """Make the arrays read-only."""
         for name in ("c", "a", "b", "h"):
-            array = np.array(getattr(self, name), dtype=float)
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
+            object.__setattr__(self, name, np.array(getattr(self, name), dtype=float))
+        super().__post_init__()
 
     @property
     def shape(self) -> tuple[int, ...]:

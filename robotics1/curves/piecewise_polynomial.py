@@ -41,9 +41,9 @@ class PiecewisePolynomial(Curve):
         T = real_array("durations", self.durations, (c.shape[1],), "one for each piece")
         if not c.shape[0] or not c.shape[1] or T[0] < 0 or (len(T) > 1 and (T <= 0).any()):
             raise InputError(f"durations must be positive, with coefficients of each piece; they are {T.tolist()}")
-        for name, array in (("c", c), ("durations", T)):
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
+        object.__setattr__(self, "c", c)
+        object.__setattr__(self, "durations", T)
+        super().__post_init__()
 
     @classmethod
     def from_pieces(cls, pieces: Sequence[tuple[npt.ArrayLike, float]]) -> "PiecewisePolynomial":

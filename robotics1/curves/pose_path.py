@@ -40,6 +40,7 @@ class PosePath(Curve):
         else:
             point = moderate_array("position", self.position, (3,), "a point, or a path in space")
             object.__setattr__(self, "position", point)
+        super().__post_init__()
         if self.end == 0:
             raise InputError("the pose must change: neither the position nor the orientation does")
 

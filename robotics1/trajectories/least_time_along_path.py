@@ -10,6 +10,7 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_path
 from robotics1.errors import InputError, MissingExtraError, NotConverged
 from robotics1.inputs import Array, counting_number
+from robotics1.results import Frozen
 from robotics1.trajectories.limits import LimitUse, MotionLimits
 from robotics1.trajectories.profiles import law_of_phases
 from robotics1.trajectories.ramps import Phase
@@ -22,7 +23,7 @@ NEAR = 1e-9  # of the end: a point of the grid so near to a break is the break
 
 
 @dataclass(frozen=True, eq=False)
-class PathTiming:
+class PathTiming(Frozen):
     """The fastest motion along a path, at rest at both ends.
 
     Attributes:

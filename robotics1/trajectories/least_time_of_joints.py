@@ -11,6 +11,7 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.stack import JointTrajectory
 from robotics1.errors import InputError
 from robotics1.inputs import LARGEST, Array, joint_numbers, joint_rates, one_of
+from robotics1.results import Frozen
 from robotics1.trajectories.law_kinds import KINDS, SAME_DURATION, JointMove, LawKind
 from robotics1.trajectories.limits import BOUNDS, LimitUse, MotionLimits
 
@@ -18,7 +19,7 @@ COORDINATIONS = ("synchronized", "straight", "independent")
 
 
 @dataclass(frozen=True, eq=False)
-class MinimumTime:
+class MinimumTime(Frozen):
     """The fastest motion of some kind under bounds, and what decides its time.
 
     Attributes:

@@ -16,6 +16,7 @@ from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
 from robotics1.least_squares import generalized_inverse
+from robotics1.results import Frozen, require
 from robotics1.robot.box import nearest_turn
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
@@ -27,7 +28,7 @@ from robotics1.trajectories.target_motion import TargetMotion
 INSTANTS = 4000  # at which an event is looked at before its zero is refined
 
 
-class MeetingVerdict(Enum):
+class MeetingStatus(Enum):
     """Whether the robot can meet the target."""
 
     MEETS = "the robot meets the target in position and velocity"
@@ -38,7 +39,7 @@ class MeetingVerdict(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class MeetingBranch:
+class MeetingBranch(Frozen):
     """One way to meet: one inverse kinematics solution of the meeting point, and the motion to it.
 
     Attributes:
@@ -69,7 +70,7 @@ class MeetingBranch:
 
 
 @dataclass(frozen=True, eq=False)
-class Rendezvous:
+class Rendezvous(Frozen):
     """When and where the target is met, and every way to do it.
 
     Attributes:
@@ -77,7 +78,7 @@ class Rendezvous:
         position: the target then, in the form of the task's value.
         velocity: (m,) of the target then.
         branches: one for each inverse kinematics solution; those that work come first.
-        verdict: whether one of them works.
+        status: whether one of them works.
         miss: the least distance to the meeting point in the task's units; zero when it is reached.
     """
 
@@ -85,7 +86,7 @@ class Rendezvous:
     position: Any
     velocity: Array
     branches: tuple[MeetingBranch, ...]
-    verdict: MeetingVerdict
+    status: MeetingStatus
     miss: float
 
     @property
@@ -96,8 +97,13 @@ class Rendezvous:
             NotConverged: there is no branch.
         """
         if not self.branches:
-            raise NotConverged(f"{self.verdict.value}; the nearest miss is {self.miss:.3g}", self)
+            raise NotConverged(f"{self.status.value}; the nearest miss is {self.miss:.3g}", self)
         return self.branches[0].trajectory
+
+    def explain(self) -> str:
+        """Return whether the target is met, and which limits are in the way."""
+        why = "; ".join(str(violation) for branch in self.branches for violation in branch.violations)
+        return self.status.value + (f": {why}" if why else "")
 
     def require(self) -> "Rendezvous":
         """Return self if the target is met within the limits.
@@ -105,10 +111,7 @@ class Rendezvous:
         Raises:
             NotConverged: it is not; the message says why.
         """
-        if self.verdict is not MeetingVerdict.MEETS:
-            why = "; ".join(str(violation) for branch in self.branches for violation in branch.violations)
-            raise NotConverged(self.verdict.value + (f": {why}" if why else ""), self)
-        return self
+        return require(self, self.status is MeetingStatus.MEETS)
 
 
 def rendezvous(
@@ -151,7 +154,7 @@ def rendezvous(
     branches = [_branch(robot, task, q, velocity, (q0, qdot0), T) for q in solutions.q]
     branches.sort(key=lambda branch: (not branch.feasible, branch.singular))
     miss = 0.0 if len(solutions) else solutions.error_norm
-    return Rendezvous(T, position, velocity, tuple(branches), _verdict(branches, solutions.status), miss)
+    return Rendezvous(T, position, velocity, tuple(branches), _status(branches, solutions.status), miss)
 
 
 def meeting_time(
@@ -201,11 +204,11 @@ def _lost(spaces: Subspaces, velocity: Array) -> Array:
     return np.zeros_like(velocity) if spaces.contains(velocity) else spaces.unrealisable(velocity)
 
 
-def _verdict(branches: list[MeetingBranch], solutions: IKStatus) -> MeetingVerdict:
+def _status(branches: list[MeetingBranch], solutions: IKStatus) -> MeetingStatus:
     if not branches:
-        return MeetingVerdict.UNREACHABLE if solutions is IKStatus.UNREACHABLE else MeetingVerdict.NOT_FOUND
+        return MeetingStatus.UNREACHABLE if solutions is IKStatus.UNREACHABLE else MeetingStatus.NOT_FOUND
     if any(branch.feasible for branch in branches):
-        return MeetingVerdict.MEETS
+        return MeetingStatus.MEETS
     if any(branch.matches for branch in branches):
-        return MeetingVerdict.BEYOND_LIMITS
-    return MeetingVerdict.VELOCITY_LOST
+        return MeetingStatus.BEYOND_LIMITS
+    return MeetingStatus.VELOCITY_LOST

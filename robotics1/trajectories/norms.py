@@ -11,6 +11,7 @@ from robotics1.curves.given import as_curve
 from robotics1.curves.interpolants import Extreme, largest
 from robotics1.errors import InputError
 from robotics1.inputs import Array, one_of
+from robotics1.results import Frozen
 
 NORMS = ("velocity", "acceleration", "jerk", "tangential acceleration", "normal acceleration")
 
@@ -18,7 +19,7 @@ ROUNDING = 1e-12  # of the acceleration: a part as small as this is none
 
 
 @dataclass(frozen=True, eq=False)
-class AccelerationSplit:
+class AccelerationSplit(Frozen):
     """An acceleration as the sum of two, along the motion and across it: p̈ = a_t t + κ |ṗ|² n.
 
     Attributes:

@@ -7,11 +7,12 @@ from robotics1.curves.composition import stretched
 from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
 from robotics1.errors import InputError
+from robotics1.results import Frozen
 from robotics1.trajectories.limits import Limits, LimitUse
 
 
 @dataclass(frozen=True, eq=False)
-class TimeScaling:
+class TimeScaling(Frozen):
     """A motion in the shortest time to which its bounds let it be scaled.
 
     Attributes:

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
+from robotics1.results import Frozen
 
 
 class TargetMotion(Protocol):
@@ -22,7 +23,7 @@ class TargetMotion(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class LinearMotion:
+class LinearMotion(Frozen):
     """p(t) = p0 + v t: a straight line at constant speed.
 
     Attributes:
@@ -38,6 +39,7 @@ class LinearMotion:
         p0 = real_array("p0", self.p0, (None,), "the position at t = 0")
         object.__setattr__(self, "p0", p0)
         object.__setattr__(self, "v", real_array("v", self.v, p0.shape, "as long as p0"))
+        super().__post_init__()
 
     def __call__(self, t: float) -> Array:
         """Return p(t), (m,) [m]."""

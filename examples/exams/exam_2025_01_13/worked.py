@@ -136,7 +136,7 @@ def _print_exercise_3(console: Console, three: Exercise3) -> None:
     meeting = three.meeting
     console.print(
         f"\nt_rv = {meeting.time:.4f} s, p_rv = {vector(meeting.position)} m, ṗ_T = {vector(meeting.velocity)} m/s; "
-        f"{meeting.verdict.value}.",
+        f"{meeting.status.value}.",
         highlight=False,
     )
     for name, branch in (("right", three.right), ("left", three.left)):

@@ -12,7 +12,7 @@ from robotics1.curves.interpolants import Extreme
 from robotics1.differentiation import derivative_inside
 from robotics1.errors import InputError
 from robotics1.inputs import Array
-from robotics1.results import Frozen, require
+from robotics1.results import require
 from robotics1.tasks.task import unitless_rows
 from robotics1.trajectories.following.integration import Segment
 from robotics1.trajectories.following.path_flow import AccelerationFlow, Command, VelocityFlow
@@ -31,7 +31,7 @@ class FollowingStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class FollowedTrajectory(Frozen, Curve):
+class FollowedTrajectory(Curve):
     """q(t), (n,) for a number and (k, n) for (k,) times, from the inverse differential kinematics of a task trajectory.
 
     q̇ comes from the differential equation; q̈ is its derivative along the solution by differences, exact to about 1e-8,
