@@ -1,7 +1,8 @@
 """Kinematics of robot arms, answered as a good textbook would: the number, the formula, the verdict, the picture.
 
-The public names are listed in `__init__.pyi`; each is imported when it is first used, so that `import robotics1`
-is quick.
+At the top are the names that most questions need. The others are in namespaces: `curves`, `trajectories`,
+`orientation`, `singularities`, `ik`, `dh` and `control`. `__init__.pyi` lists them; each is imported when it is first
+used, so that `import robotics1` is quick.
 """
 
 import lazy_loader

@@ -3,6 +3,8 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from robotics1.results import read_only
+
 if TYPE_CHECKING:  # for type checkers it is that of the standard library
     from functools import cached_property
 else:
@@ -13,7 +15,7 @@ else:
         `functools.cached_property` of Python 3.11 holds a lock that all objects of a class share. A thread that finds
         one formula would keep the others from finding theirs, two paths that contain one another's kind could wait for
         each other, and a process that is forked meanwhile would wait for ever. Here there is no lock: two threads may
-        both find the value, and both get the one that is kept first.
+        both find the value, and both get the one that is kept first. An array that is kept can only be read.
         """
 
         def __init__(self, find: Callable[[Any], Any]) -> None:
@@ -27,7 +29,11 @@ else:
             if instance is None:
                 return self
             kept = instance.__dict__
-            return kept[self.name] if self.name in kept else kept.setdefault(self.name, self.find(instance))
+            if self.name not in kept:
+                value = self.find(instance)
+                read_only([value])
+                kept.setdefault(self.name, value)
+            return kept[self.name]
 
 
 __all__ = ["cached_property"]

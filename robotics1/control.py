@@ -14,6 +14,8 @@ from robotics1.inputs import Array, counting_number, non_negative_numbers, real_
 from robotics1.results import Frozen, require
 from robotics1.trajectories.following.integration import integrated
 
+__all__ = ["GainChoice", "GainStatus", "Tracking", "simulate_tracking", "smallest_gain"]
+
 PRECISION = 1e-12  # of the integration, of the largest value of each joint
 FASTEST = 1e9  # gain times duration: a faster loop follows at once, and cannot be integrated
 LARGEST = 1e150  # rad or m: squares of such errors are finite
@@ -93,7 +95,8 @@ def simulate_tracking(
     q = np.full((len(t), n), np.nan)
     for segment in segments:
         here = (t >= segment.start) & (t <= segment.end)
-        q[here] = segment.state(t[here]).T
+        if here.any():  # between two samples there may be several switching times
+            q[here] = segment.state(t[here]).T
     asked = np.array([wanted(time, position, "right") for time, position in zip(t, q, strict=True)])
     saturated = (np.abs(asked) > limits).any(axis=0)
     return Tracking(t, q, np.clip(asked, -limits, limits), motion(t) - q, saturated)

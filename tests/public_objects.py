@@ -82,10 +82,10 @@ def followed():
     robot, q0 = arm("planar_2r"), [0.1, 1.2]
     start = r1.forward_kinematics(robot, q0).translation[:2]
     line = r1.line_path(start, start + np.array([-0.1, 0.1]))
-    motion = r1.PathTrajectory(line, r1.trapezoidal(0, line.end, 1.0, acceleration=1).laws[0])
+    motion = r1.curves.PathTrajectory(line, r1.trapezoidal(0, line.end, 1.0, acceleration=1).laws[0])
     return [
         r1.follow_trajectory(robot, PLANE, motion, q0, gain=4.0),
-        r1.follow_trajectory_by_acceleration(robot, PLANE, motion, (q0, [0, 0]), gains=(16.0, 8.0)),
+        r1.trajectories.follow_trajectory_by_acceleration(robot, PLANE, motion, (q0, [0, 0]), gains=(16.0, 8.0)),
     ]
 
 
@@ -99,33 +99,36 @@ def cubic():
 def laws():
     return [
         r1.trapezoidal(0, 1, 2.0, acceleration=3),
-        r1.cosine(0, 1, 2.0),
-        r1.cycloidal(0, 1, 2.0),
-        r1.bang_bang(0, 1, 2.0),
-        r1.double_s([0, 1], [1, 3], 2.0, jerk=40),
+        r1.trajectories.cosine(0, 1, 2.0),
+        r1.trajectories.cycloidal(0, 1, 2.0),
+        r1.trajectories.bang_bang(0, 1, 2.0),
+        r1.trajectories.double_s([0, 1], [1, 3], 2.0, jerk=40),
     ]
 
 
 def rotations():
-    return [r1.turn_path(np.eye(3), [0, 0, 1], 1.0), r1.euler_path("ZYZ", r1.line_path([0, 0.2, 0], [1, 1, 1]))]
+    return [
+        r1.curves.turn_path(np.eye(3), [0, 0, 1], 1.0),
+        r1.curves.euler_path("ZYZ", r1.line_path([0, 0.2, 0], [1, 1, 1])),
+    ]
 
 
 def paths():
     """A path of every kind."""
     return [
         r1.line_path([0, 0, 0], [1, 1, 0]),
-        r1.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2),
-        r1.circle_path([0, 0], 1.0),
-        r1.ellipse_path([0, 0], [2, 0], [0, 1]),
-        r1.by_arc_length(r1.ellipse_path([0, 0], [2, 0], [0, 1])),
-        r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2),
-        r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2, kind="parabolic"),
-        r1.spline_path([[0, 0], [1, -0.5], [2, 0.3]]),
-        r1.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3}),
+        r1.curves.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2),
+        r1.curves.circle_path([0, 0], 1.0),
+        r1.curves.ellipse_path([0, 0], [2, 0], [0, 1]),
+        r1.curves.by_arc_length(r1.curves.ellipse_path([0, 0], [2, 0], [0, 1])),
+        r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2),
+        r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2, kind="parabolic"),
+        r1.trajectories.spline_path([[0, 0], [1, -0.5], [2, 0.3]]),
+        r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3}),
         *rotations(),
-        r1.frenet_path(r1.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2)),
-        r1.slerp_path(np.eye(3), pin.exp3(np.array([0.1, 0.2, 0.3]))),
-        r1.pose_line(pin.SE3.Identity(), pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
+        r1.curves.frenet_path(r1.curves.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2)),
+        r1.curves.slerp_path(np.eye(3), pin.exp3(np.array([0.1, 0.2, 0.3]))),
+        r1.curves.pose_line(pin.SE3.Identity(), pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
     ]
 
 
@@ -133,38 +136,41 @@ LIMITS = r1.MotionLimits(1.0, 3.0, 20.0)
 
 
 INSTANCES = {
-    "AccelerationSplit": lambda: [r1.acceleration_split(cubic(), 0.5)],
-    "Alignment": lambda: [r1.align_direction([0, 0, 1], [1, 1, 0])],
-    "AxisAngle": lambda: [r1.rotation_to_axis_angle(np.eye(3)), r1.rotation_to_axis_angle(pin.exp3(np.ones(3)))],
+    "AccelerationSplit": lambda: [r1.trajectories.acceleration_split(cubic(), 0.5)],
+    "Alignment": lambda: [r1.orientation.align_direction([0, 0, 1], [1, 1, 0])],
+    "AxisAngle": lambda: [
+        r1.orientation.rotation_to_axis_angle(np.eye(3)),
+        r1.orientation.rotation_to_axis_angle(pin.exp3(np.ones(3))),
+    ],
     "Curve": lambda: [
         *paths(),
-        r1.stretched(r1.TaskTrajectory(arm("planar_2r"), PLANE, cubic()), 2.0),
+        r1.curves.stretched(r1.trajectories.TaskTrajectory(arm("planar_2r"), PLANE, cubic()), 2.0),
         laws()[1].joint(),
     ],
     "CurveSequence": lambda: [
-        r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2),
-        r1.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))),
+        r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2),
+        r1.curves.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))),
     ],
-    "DHRow": lambda: [r1.DHRow("R", 1.0, 0.0, "l", 0.0)],
-    "DHTable": lambda: [r1.urdf_to_dh(arm("six_r")), r1.urdf_to_dh(arm("prr"), convention="modified")],
-    "EulerFormulas": lambda: [r1.euler_formulas("ZYZ")],
-    "EulerRates": lambda: [r1.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
-    "EulerSequence": lambda: [r1.euler_formulas("ZYZ").sequence],
-    "EulerSolutions": lambda: [r1.rotation_to_euler("ZYZ", pin.exp3(np.ones(3)))],
+    "DHRow": lambda: [r1.dh.DHRow("R", 1.0, 0.0, "l", 0.0)],
+    "DHTable": lambda: [r1.dh.urdf_to_dh(arm("six_r")), r1.dh.urdf_to_dh(arm("prr"), convention="modified")],
+    "EulerFormulas": lambda: [r1.orientation.euler_formulas("ZYZ")],
+    "EulerRates": lambda: [r1.orientation.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
+    "EulerSequence": lambda: [r1.orientation.euler_formulas("ZYZ").sequence],
+    "EulerSolutions": lambda: [r1.orientation.rotation_to_euler("ZYZ", pin.exp3(np.ones(3)))],
     "RobotReport": lambda: [r1.check_robot("prr")],
-    "Extreme": lambda: [laws()[0].peak(1), r1.peak_norm(cubic())],
+    "Extreme": lambda: [laws()[0].peak(1), r1.trajectories.peak_norm(cubic())],
     "FollowedTrajectory": followed,
-    "FollowingStatus": lambda: list(r1.FollowingStatus),
-    "FormulaPath": lambda: [r1.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
+    "FollowingStatus": lambda: list(r1.trajectories.FollowingStatus),
+    "FormulaPath": lambda: [r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
     "Formulas": formulas,
-    "FrameAlignment": lambda: [r1.align_two_directions([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1])],
-    "FrenetFormulas": lambda: [r1.frenet_formulas(r1.formula_path(["cos(s)", "sin(s)", "s"], "s", 2.0))],
-    "FrenetFrame": lambda: [r1.frenet_frame(r1.circle_path([0, 0], 1.0), 0.3)],
-    "FunctionMotion": lambda: [r1.FunctionMotion(moved_position, moved_velocity)],
+    "FrameAlignment": lambda: [r1.orientation.align_two_directions([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1])],
+    "FrenetFormulas": lambda: [r1.curves.frenet_formulas(r1.curves.formula_path(["cos(s)", "sin(s)", "s"], "s", 2.0))],
+    "FrenetFrame": lambda: [r1.curves.frenet_frame(r1.curves.circle_path([0, 0], 1.0), 0.3)],
+    "FunctionMotion": lambda: [r1.trajectories.FunctionMotion(moved_position, moved_velocity)],
     "FunctionTask": lambda: [r1.FunctionTask(squared_distance, 1), r1.FunctionTask(squared_distance, 1, its_jacobian)],
-    "GainChoice": lambda: [r1.smallest_gain(cubic(), [0.1, 1], 1e-2)],
-    "GainStatus": lambda: list(r1.GainStatus),
-    "HarmonicCurve": lambda: [r1.circle_path([0, 0], 1.0), *laws()[1:3], r1.stretched(laws()[1], 2.0)],
+    "GainChoice": lambda: [r1.control.smallest_gain(cubic(), [0.1, 1], 1e-2)],
+    "GainStatus": lambda: list(r1.control.GainStatus),
+    "HarmonicCurve": lambda: [r1.curves.circle_path([0, 0], 1.0), *laws()[1:3], r1.curves.stretched(laws()[1], 2.0)],
     "IKBatch": lambda: [r1.IKSolver(arm("planar_2r"), PLANE).solve_batch([TARGET, [0.5, 0.5]])],
     "IKIterate": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q).table[0]],
     "IKIteration": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q)],
@@ -175,62 +181,67 @@ INSTANCES = {
         r1.IKSolver(arm("six_r"), r1.PoseTask(), prefer="middle", tolerance=1e-8),
         r1.IKSolver(arm("planar_2r"), r1.FunctionTask(squared_distance, 1), time_limit=0.2),
     ],
-    "IKStatus": lambda: list(r1.IKStatus),
-    "Intersections": lambda: [r1.find_intersections(found) for found in singular_sets()],
-    "Join": lambda: list(r1.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),
+    "IKStatus": lambda: list(r1.ik.IKStatus),
+    "Intersections": lambda: [r1.singularities.find_intersections(found) for found in singular_sets()],
+    "Join": lambda: list(r1.curves.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),
     "JointAcceleration": lambda: [r1.joint_acceleration(arm("planar_2r"), PLANE, [1, 0], Q, [0.1, 0.2])],
     "JointTrajectory": lambda: [laws()[0], *laws()[3:]],
     "JointVelocity": lambda: [r1.joint_velocity(arm("planar_2r"), PLANE, [1, 0], Q)],
     "LimitUse": lambda: [
         *r1.minimum_time(0, 1, LIMITS, "double_s").active,
-        *r1.limit_violations(arm("planar_2r"), cubic(), r1.MotionLimits(0.1)),
+        *r1.trajectories.limit_violations(arm("planar_2r"), cubic(), r1.MotionLimits(0.1)),
     ],
     "LinearMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "MeasureDistribution": lambda: list(scan().distributions.values()),
     "MeetingBranch": lambda: list(meeting().branches),
-    "MeetingStatus": lambda: list(r1.MeetingStatus),
+    "MeetingStatus": lambda: list(r1.trajectories.MeetingStatus),
     "MinimumTime": lambda: [r1.minimum_time([0, 0], [1, 2], LIMITS, "double_s")],
     "MotionLimits": lambda: [LIMITS, r1.MotionLimits([1, 2])],
-    "NearestRotation": lambda: [r1.nearest_rotation(np.eye(3))],
-    "NormLimits": lambda: [r1.NormLimits(velocity=1.0, rows=slice(0, 2))],
+    "NearestRotation": lambda: [r1.orientation.nearest_rotation(np.eye(3))],
+    "NormLimits": lambda: [r1.trajectories.NormLimits(velocity=1.0, rows=slice(0, 2))],
     "OrientationTask": lambda: [r1.OrientationTask(), r1.OrientationTask("ZYZ", fixed=True)],
-    "PathTiming": lambda: [r1.time_optimal(r1.line_path([0, 0], [1, 1]), r1.MotionLimits(1.0, 3.0), grid=50)],
-    "PathTrajectory": lambda: [r1.PathTrajectory(r1.circle_path([0, 0], 1.0), laws()[0].laws[0])],
+    "PathTiming": lambda: [
+        r1.trajectories.time_optimal(r1.line_path([0, 0], [1, 1]), r1.MotionLimits(1.0, 3.0), grid=50)
+    ],
+    "PathTrajectory": lambda: [r1.curves.PathTrajectory(r1.curves.circle_path([0, 0], 1.0), laws()[0].laws[0])],
     "PiecewisePolynomial": lambda: [
         cubic(),
         r1.quintic([0, 1], [1, -1], 2.0),
         r1.quintic(0, 1, 2.0).joint(),
         r1.cubic_spline([0, 1, 2.5], [[0, 0], [1, -1], [0, 2]]),
-        r1.parabolic_blends([[0, 0], [1, 0], [1, 1]], [1.0, 1.0], [0.2]),
+        r1.curves.parabolic_blends([[0, 0], [1, 0], [1, 1]], [1.0, 1.0], [0.2]),
     ],
     "PlanarPoseTask": lambda: [r1.PlanarPoseTask(), r1.PlanarPoseTask("xz")],
     "PointingTask": lambda: [r1.PointingTask(), r1.PointingTask((1, 1, 0))],
-    "PolynomialFormula": lambda: [r1.polynomial_formula((q0, 0), (q1, 0), T)],
-    "PosePath": lambda: [r1.pose_line(pin.SE3.Identity(), pin.SE3(np.eye(3), np.ones(3)))],
+    "PolynomialFormula": lambda: [r1.trajectories.polynomial_formula((q0, 0), (q1, 0), T)],
+    "PosePath": lambda: [r1.curves.pose_line(pin.SE3.Identity(), pin.SE3(np.eye(3), np.ones(3)))],
     "PoseTask": lambda: [r1.PoseTask(), r1.PoseTask("XYZ", frame="tool")],
     "PositionTask": lambda: [r1.PositionTask(), r1.PositionTask("xz", frame="tool", reference="tool")],
-    "RankStatus": lambda: list(r1.RankStatus),
-    "RateStatus": lambda: list(r1.RateStatus),
+    "RankStatus": lambda: list(r1.singularities.RankStatus),
+    "RateStatus": lambda: list(r1.trajectories.RateStatus),
     "RefinedGroup": lambda: list(scan().refined.groups),
     "Refinement": lambda: [scan().refined],
     "Rendezvous": lambda: [meeting()],
-    "Resolution": lambda: [r1.Resolution(), r1.Resolution(weights=[1, 2], damping=0.1)],
+    "Resolution": lambda: [r1.trajectories.Resolution(), r1.trajectories.Resolution(weights=[1, 2], damping=0.1)],
     "Robot": lambda: list(robots().values()),
     "RoundedConfiguration": lambda: [
-        r1.singularity_within_rounding(arm("planar_2r"), PLANE, q) for q in ([0.3, 3.1416], [0.3, 1.25])
+        r1.singularities.singularity_within_rounding(arm("planar_2r"), PLANE, q) for q in ([0.3, 3.1416], [0.3, 1.25])
     ],
-    "SingularAngle": lambda: list(r1.euler_formulas("ZYZ").singular),
+    "SingularAngle": lambda: list(r1.orientation.euler_formulas("ZYZ").singular),
     "SingularBranch": lambda: [branch for found in singular_sets() for branch in found.branches],
     "SingularSet": singular_sets,
     "SingularityScan": lambda: [scan()],
-    "StackedCurve": lambda: [r1.stacked_path([r1.line_path([0], [1]), r1.line_path([1], [3])])],
+    "StackedCurve": lambda: [r1.curves.stacked_path([r1.line_path([0], [1]), r1.line_path([1], [3])])],
     "Subspaces": lambda: [r1.subspaces(PLANE.jacobian(arm("planar_2r"), q)) for q in (Q, [0.3, 0])],
     "TargetMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "Task": lambda: [r1.PositionTask()],
-    "TaskTrajectory": lambda: [r1.TaskTrajectory(arm("planar_2r"), PLANE, cubic())],
-    "TimeScaling": lambda: [r1.scale_to_limits(cubic(), LIMITS)],
-    "TimingBounds": lambda: [r1.timing_bounds(r1.ellipse_path([0, 0], [2, 0], [0, 1]), 1.0, 2.0)],
+    "TaskTrajectory": lambda: [r1.trajectories.TaskTrajectory(arm("planar_2r"), PLANE, cubic())],
+    "TimeScaling": lambda: [r1.trajectories.scale_to_limits(cubic(), LIMITS)],
+    "TimingBounds": lambda: [r1.trajectories.timing_bounds(r1.curves.ellipse_path([0, 0], [2, 0], [0, 1]), 1.0, 2.0)],
     "Tracking": lambda: [r1.simulate_tracking(cubic(), [0.1, 1], 2.0)],
-    "UnitQuaternions": lambda: [r1.rotation_to_quaternion(pin.exp3(np.ones(3)))],
-    "VelocityProfile": lambda: [laws()[0].laws[0], r1.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0)],
+    "UnitQuaternions": lambda: [r1.orientation.rotation_to_quaternion(pin.exp3(np.ones(3)))],
+    "VelocityProfile": lambda: [
+        laws()[0].laws[0],
+        r1.trajectories.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0),
+    ],
 }

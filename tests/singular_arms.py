@@ -37,14 +37,7 @@ from dh_arms import (
     ur5,
 )
 
-from robotics1 import (
-    FunctionTask,
-    OrientationTask,
-    PlanarPoseTask,
-    PointingTask,
-    PoseTask,
-    PositionTask,
-)
+from robotics1 import FunctionTask, OrientationTask, PlanarPoseTask, PointingTask, PoseTask, PositionTask
 
 H = pi / 2
 X, Y, Z, XY, XYZ = (PositionTask(axes) for axes in ("x", "y", "z", "xy", "xyz"))

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import robotics1 as r1
-from robotics1 import GainStatus, InputError, cubic, simulate_tracking, smallest_gain
+from robotics1 import InputError, cubic, simulate_tracking
+from robotics1.control import GainStatus, smallest_gain
 
 TRAJECTORY = cubic([0, 0], [1.0294, 1.4250], 1.38, v1=[-0.7359, -0.6278])
 T = TRAJECTORY.duration
@@ -160,14 +161,16 @@ def test_unlimited_joints_of_a_robot_may_be_handed_over_as_rate_limits():
 
 def trajectories():
     limits = r1.MotionLimits([1, 0.5], [2, 1])
-    path = r1.PathTrajectory(r1.polyline_path([[0, 0], [1, 0], [1, 1]]), r1.trapezoidal(0, 2, 3, velocity=1).joint())
+    path = r1.curves.PathTrajectory(
+        r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]]), r1.trapezoidal(0, 2, 3, velocity=1).joint()
+    )
     return {
         "profiles": r1.minimum_time([0, 0], [1, -1], limits).trajectory,
-        "bang_bang": r1.bang_bang([0, 0], [1, -1], 2),
+        "bang_bang": r1.trajectories.bang_bang([0, 0], [1, -1], 2),
         "spline": r1.cubic_spline([0, 1, 2.5], [[0, 0], [1, -1], [0.5, 0]]),
         "path": path,
-        "sequence": r1.CurveSequence((cubic([0, 0], [1, 1], 1, v1=[2, 0]), cubic([1, 1], [0, 1], 1))),
-        "stretched": r1.stretched(path, 2.0),
+        "sequence": r1.curves.CurveSequence((cubic([0, 0], [1, 1], 1, v1=[2, 0]), cubic([1, 1], [0, 1], 1))),
+        "stretched": r1.curves.stretched(path, 2.0),
     }
 
 
@@ -187,9 +190,9 @@ def test_the_error_along_any_trajectory_decays_as_exp_minus_k_t_also_where_the_v
         3,
         None,
         cubic,
-        r1.turn_path(np.eye(3), [0, 0, 1], 1.0),
+        r1.curves.turn_path(np.eye(3), [0, 0, 1], 1.0),
         r1.LinearMotion([0, 0], [1, 1]),
-        r1.bang_bang(0, 1, 1).joint(),
+        r1.trajectories.bang_bang(0, 1, 1).joint(),
     ],
 )
 def test_what_is_no_trajectory_of_joints_is_an_input_error(motion):

@@ -27,7 +27,7 @@ PLACEMENTS = st.none() | st.tuples(st.lists(st.floats(-2, 2), min_size=6, max_si
 
 def table_of(rows, **options):
     robot = r1.robot_from_dh(rows, **options)
-    return r1.urdf_to_dh(robot, convention=options.get("convention", "standard"))
+    return r1.dh.urdf_to_dh(robot, convention=options.get("convention", "standard"))
 
 
 def same_rows(found, rows):
@@ -65,7 +65,7 @@ def test_the_table_of_a_table_without_tool_placement_has_none(rows, convention):
 @given(st.lists(ROW, min_size=1, max_size=5), CONVENTIONS, PLACEMENTS, PLACEMENTS)
 def test_a_second_round_trip_changes_nothing(rows, convention, base, tool):
     first = table_of(rows, convention=convention, base_placement=base, tool_placement=tool)
-    again = r1.urdf_to_dh(r1.robot_from_dh(first.rows, **first.options), convention=convention)
+    again = r1.dh.urdf_to_dh(r1.robot_from_dh(first.rows, **first.options), convention=convention)
     same_rows(again.rows, first.rows)
     assert matrix(again.base_placement) == pytest.approx(matrix(first.base_placement), abs=1e-11)
     assert matrix(again.tool_placement) == pytest.approx(matrix(first.tool_placement), abs=1e-11)
@@ -83,8 +83,8 @@ def test_a_row_of_any_angle_is_its_own_table(a, alpha, theta):
 
 def test_a_written_file_has_the_table_that_it_was_written_from(tmp_path):
     rows = [("R", 0.3, pi / 4, 0.1, pi / 4), ("P", -0.2, -pi / 2, 0.3, -pi / 3), ("R", 0.3, pi / 4, 0.1, 3 * pi / 4)]
-    robot = r1.load_robot(r1.dh_to_urdf(rows, tmp_path / "arm.urdf"))
-    same_rows(r1.urdf_to_dh(robot).rows, rows)
+    robot = r1.load_robot(r1.dh.dh_to_urdf(rows, tmp_path / "arm.urdf"))
+    same_rows(r1.dh.urdf_to_dh(robot).rows, rows)
 
 
 def test_a_tool_turned_by_a_half_turn_in_a_file_of_other_frames_is_reached_by_the_last_row():
@@ -92,6 +92,6 @@ def test_a_tool_turned_by_a_half_turn_in_a_file_of_other_frames_is_reached_by_th
     <joint name="j" type="continuous"><parent link="base"/><child link="arm"/><axis xyz="0 1 0"/></joint>
     <joint name="f" type="fixed"><parent link="arm"/><child link="tool"/>
     <origin xyz="-0.4 0 0" rpy="-1.5707963267948966 0 3.141592653589793"/></joint></robot>"""
-    table = r1.urdf_to_dh(r1.load_robot(text))
+    table = r1.dh.urdf_to_dh(r1.load_robot(text))
     assert matrix(table.tool_placement) == pytest.approx(np.eye(4), abs=1e-14)
     assert table.residual < 1e-14

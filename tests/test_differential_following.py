@@ -8,7 +8,8 @@ import pytest
 from arms import arm, random_q
 
 import robotics1 as r1
-from robotics1 import FollowingStatus, InputError, NotConverged, Resolution, TaskError
+from robotics1 import InputError, NotConverged, TaskError
+from robotics1.trajectories import FollowingStatus, Resolution
 
 XY, XYZ = r1.PositionTask("xy"), r1.PositionTask("xyz")
 START = [0.3, 1.2]
@@ -19,7 +20,7 @@ def two_r():
 
 
 def timed(path, duration=2.0):
-    return r1.PathTrajectory(path, r1.cubic([0], [path.end], duration).joint(0))
+    return r1.curves.PathTrajectory(path, r1.cubic([0], [path.end], duration).joint(0))
 
 
 def tool(robot, q):
@@ -38,7 +39,7 @@ def rate(f, t, h):
 def pose_motion(robot, q):
     T0 = r1.forward_kinematics(robot, q)
     T1 = pin.SE3(pin.exp3(np.array([0.1, 0.3, -0.2])) @ T0.rotation, T0.translation + np.array([0.1, 0.1, -0.05]))
-    return timed(r1.pose_line(T0, T1))
+    return timed(r1.curves.pose_line(T0, T1))
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +81,7 @@ def test_first_order_satisfies_the_second_order_equation(followed):
     task, motion = r1.PoseTask(), found.flow.trajectory
     for t in (0.5, 1.3):
         q, qdot, qddot = found(t), found.velocity(t), found.acceleration(t)
-        left = task.jacobian(robot, q) @ qddot + r1.jacobian_rate(robot, task, q, qdot) @ qdot
+        left = task.jacobian(robot, q) @ qddot + r1.trajectories.jacobian_rate(robot, task, q, qdot) @ qdot
         assert left == pytest.approx(motion.acceleration(t), abs=1e-7)
 
 
@@ -121,11 +122,11 @@ def test_second_order_gives_the_error_the_dynamics_of_its_gains():
     motion = line_from(robot, START, [-0.3, 0.2])
     q0 = np.array(START) + np.array([0.02, -0.01])
     e0 = motion(0.0) - tool(robot, q0)[:2]
-    found = r1.follow_trajectory_by_acceleration(robot, XY, motion, (q0, [0, 0]), gains=(16.0, 8.0))
+    found = r1.trajectories.follow_trajectory_by_acceleration(robot, XY, motion, (q0, [0, 0]), gains=(16.0, 8.0))
     for t in (0.3, 1.0):  # critically damped, from rest: e = e0 (1 + 4t) exp(−4t)
         e = motion(t) - tool(robot, found(t))[:2]
         assert e == pytest.approx(e0 * (1 + 4 * t) * np.exp(-4 * t), rel=1e-5)
-    exact = r1.follow_trajectory_by_acceleration(robot, XY, motion, (START, [0, 0]))
+    exact = r1.trajectories.follow_trajectory_by_acceleration(robot, XY, motion, (START, [0, 0]))
     first = r1.follow_trajectory(robot, XY, motion, START)
     t = np.array([0.4, 1.2, 2.0])
     assert exact.status is FollowingStatus.FOLLOWS
@@ -143,7 +144,7 @@ def test_null_motion_goes_on_while_the_task_is_followed():
     centred = r1.follow_trajectory(robot, r1.PoseTask(), motion, q, null_velocity=lambda x: 2 * (middle - x))
     assert centred.status is FollowingStatus.FOLLOWS
     assert np.linalg.norm(centred(2.0) - middle) < np.linalg.norm(plain(2.0) - middle) - 0.01
-    damped = r1.follow_trajectory_by_acceleration(
+    damped = r1.trajectories.follow_trajectory_by_acceleration(
         robot, r1.PoseTask(), motion, (q, np.zeros(7)), null_acceleration=lambda x, v: -3 * v
     )
     assert damped.status is FollowingStatus.FOLLOWS
@@ -152,13 +153,13 @@ def test_null_motion_goes_on_while_the_task_is_followed():
 def test_switching_times_are_kept_and_the_acceleration_is_told_from_both_sides():
     robot = two_r()
     p = tool(robot, START)[:2]
-    path = r1.polyline_path([p, p + np.array([-0.3, 0]), p + np.array([-0.3, 0.3])], blend=0.1)
+    path = r1.curves.polyline_path([p, p + np.array([-0.3, 0]), p + np.array([-0.3, 0.3])], blend=0.1)
     motion = timed(path)
     found = r1.follow_trajectory(robot, XY, motion, START)
     assert found.breakpoints == pytest.approx(motion.breakpoints)
     t = float(found.breakpoints[0])
     q, qdot = found(t), found.velocity(t)
-    drift = r1.jacobian_rate(robot, XY, q, qdot) @ qdot
+    drift = r1.trajectories.jacobian_rate(robot, XY, q, qdot) @ qdot
     for side in ("left", "right"):
         left = XY.jacobian(robot, q) @ found.acceleration(t, side=side) + drift
         assert left == pytest.approx(motion.acceleration(t, side=side), abs=1e-6)
@@ -198,7 +199,7 @@ def test_damping_goes_on_beyond_it_with_an_error_that_is_told():
 def test_a_motion_through_a_singularity_that_it_does_not_feel_is_followed():
     """Stretched, the arm goes on along the circle that its tool is on: ṙ stays in the range of J."""
     robot = two_r()
-    motion = timed(r1.arc_path([0, 0], [2, 0], 1.0))
+    motion = timed(r1.curves.arc_path([0, 0], [2, 0], 1.0))
     found = r1.follow_trajectory(robot, XY, motion, [0.0, 0.0])
     assert found.status is FollowingStatus.FOLLOWS
     assert found.least_singular_value.value == pytest.approx(0, abs=1e-12)
@@ -216,7 +217,7 @@ def test_an_unrealisable_velocity_at_the_start_does_not_move_the_arm():
 
 def test_joint_velocities_that_run_away_at_once_give_no_motion():
     robot = two_r()
-    motion = r1.PathTrajectory(r1.line_path([2, 0], [-8, 0]), r1.cubic([0], [10], 1.0, v0=10, v1=10).joint(0))
+    motion = r1.curves.PathTrajectory(r1.line_path([2, 0], [-8, 0]), r1.cubic([0], [10], 1.0, v0=10, v1=10).joint(0))
     found = r1.follow_trajectory(robot, XY, motion, [0.0, 1e-3])
     assert found.status is FollowingStatus.STOPPED
     assert found.duration == 0
@@ -241,7 +242,7 @@ def test_coupled_joints_follow_with_their_inputs():
     plain = r1.follow_trajectory(robot, XY, motion, START)
     assert found(2.0) == pytest.approx(plain(2.0), abs=1e-8)
     varying = Resolution(input_matrix=lambda q: [[1 + 0.5 * sin(q[1]), 0], [0.2 * cos(q[0]), 1]])
-    other = r1.follow_trajectory_by_acceleration(robot, XY, motion, (START, [0, 0]), resolution=varying)
+    other = r1.trajectories.follow_trajectory_by_acceleration(robot, XY, motion, (START, [0, 0]), resolution=varying)
     assert other(2.0) == pytest.approx(plain(2.0), abs=1e-7)
     assert other.acceleration(1.0) == pytest.approx(plain.acceleration(1.0), abs=1e-6)
 
@@ -265,12 +266,27 @@ CALLS = [
     (lambda r: r1.follow_trajectory(r, XY, MOTION, START, null_velocity=[1, 2, 3]), InputError, "null_velocity must"),
     (lambda r: r1.follow_trajectory(r, XY, r1.LinearMotion([1, 1], [0, 1]), START), InputError, "with a duration"),
     (lambda r: r1.follow_trajectory(r, r1.PositionTask("xy", reference="tool"), MOTION, START), TaskError, "move with"),
-    (lambda r: r1.follow_trajectory_by_acceleration(r, XY, MOTION, START), InputError, "q must have shape"),
-    (lambda r: r1.follow_trajectory_by_acceleration(r, XY, MOTION, 3.0), InputError, "state must be two values"),
-    (lambda r: r1.follow_trajectory_by_acceleration(r, XY, MOTION, (START, [0])), InputError, r"state\[1\] must have"),
-    (lambda r: r1.follow_trajectory_by_acceleration(r, XY, MOTION, (START, [0, 0]), gains=(1, -1)), InputError,
-     "gains must not be negative"),
-]  # fmt: skip
+    (
+        lambda r: r1.trajectories.follow_trajectory_by_acceleration(r, XY, MOTION, START),
+        InputError,
+        "q must have shape",
+    ),
+    (
+        lambda r: r1.trajectories.follow_trajectory_by_acceleration(r, XY, MOTION, 3.0),
+        InputError,
+        "state must be two values",
+    ),
+    (
+        lambda r: r1.trajectories.follow_trajectory_by_acceleration(r, XY, MOTION, (START, [0])),
+        InputError,
+        r"state\[1\] must have",
+    ),
+    (
+        lambda r: r1.trajectories.follow_trajectory_by_acceleration(r, XY, MOTION, (START, [0, 0]), gains=(1, -1)),
+        InputError,
+        "gains must not be negative",
+    ),
+]
 
 
 @pytest.mark.parametrize(("call", "kind", "message"), CALLS, ids=range(len(CALLS)))

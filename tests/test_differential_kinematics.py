@@ -10,8 +10,9 @@ from scipy.linalg import null_space
 from scipy.optimize import minimize
 
 import robotics1 as r1
-from robotics1 import InputError, Resolution, TaskError
+from robotics1 import InputError, TaskError
 from robotics1.differentiation import derivative_inside
+from robotics1.trajectories import Resolution
 
 XYZ = r1.PositionTask("xyz")
 FRAMES = {"two_tips": "camera"}
@@ -50,7 +51,7 @@ def test_task_jacobian_rate_is_the_derivative_of_the_jacobian(name, task):
     q, qdot, h = random_q(robot, 3), rates(robot.nv, 4), 2e-3
     f = lambda x: task.jacobian(robot, q + x * qdot)  # noqa: E731
     expected = (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h)
-    assert r1.jacobian_rate(robot, task, q, qdot) == pytest.approx(expected, abs=3e-8)
+    assert r1.trajectories.jacobian_rate(robot, task, q, qdot) == pytest.approx(expected, abs=3e-8)
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -58,7 +59,7 @@ def test_rate_of_a_pose_task_is_pinocchios_and_rate_times_qdot_is_the_second_dif
     robot, frame = arm(name), FRAMES.get(name)
     q, qdot, h = random_q(robot, 3), rates(robot.nv, 4), 1e-3
     task = r1.PoseTask(frame=frame)
-    rate = r1.jacobian_rate(robot, task, q, qdot)
+    rate = r1.trajectories.jacobian_rate(robot, task, q, qdot)
     assert rate == pytest.approx(r1.frame_jacobian_rate(robot, q, qdot, frame=frame), abs=1e-10)
     p = lambda x: r1.forward_kinematics(robot, q + x * qdot, frame=frame).translation.copy()  # noqa: E731
     second = (p(h) - 2 * p(0) + p(-h)) / h**2
@@ -69,7 +70,9 @@ def test_rate_of_a_function_task_without_a_jacobian_is_exact_to_1e_8():
     robot = arm("redundant")
     q, qdot = random_q(robot, 3), rates(7, 4)
     given_, own = r1.FunctionTask(lambda p, R, q: p, 3), XYZ
-    assert r1.jacobian_rate(robot, given_, q, qdot) == pytest.approx(r1.jacobian_rate(robot, own, q, qdot), abs=1e-8)
+    assert r1.trajectories.jacobian_rate(robot, given_, q, qdot) == pytest.approx(
+        r1.trajectories.jacobian_rate(robot, own, q, qdot), abs=1e-8
+    )
 
 
 def test_a_planar_2r_has_the_centripetal_drift():
@@ -78,7 +81,7 @@ def test_a_planar_2r_has_the_centripetal_drift():
     c1, s1, c12, s12 = cos(0.3), sin(0.3), cos(1.2), sin(1.2)
     w12 = w.sum()
     expected = [-0.7 * c1 * w[0] ** 2 - 0.4 * c12 * w12**2, -0.7 * s1 * w[0] ** 2 - 0.4 * s12 * w12**2]
-    assert r1.jacobian_rate(robot, r1.PositionTask("xy"), q, w) @ w == pytest.approx(expected, abs=1e-11)
+    assert r1.trajectories.jacobian_rate(robot, r1.PositionTask("xy"), q, w) @ w == pytest.approx(expected, abs=1e-11)
 
 
 # --- first order
@@ -99,7 +102,7 @@ def test_a_velocity_in_the_range_is_realised_and_the_residual_of_another_is_orth
     assert J.T @ other.residual == pytest.approx(np.zeros(robot.nv), abs=1e-9)
     assert other.realised == pytest.approx(J @ other.qdot, abs=1e-12)
     if np.linalg.matrix_rank(J, tol=1e-9) < task.rows:
-        assert other.status is r1.RateStatus.OUT_OF_RANGE
+        assert other.status is r1.trajectories.RateStatus.OUT_OF_RANGE
         assert other.unrealisable == pytest.approx(other.residual, abs=1e-9)
     kernel = null_space(J, rcond=1e-9)
     assert kernel.T @ found.qdot == pytest.approx(np.zeros(kernel.shape[1]), abs=1e-9)  # the shortest
@@ -143,7 +146,7 @@ def test_damped_velocity_minimises_the_error_and_the_damped_weighted_norm(dampin
     assert found.qdot == pytest.approx(expected, abs=1e-9)
     cost = lambda x: np.sum((rdot - J @ x) ** 2) + damping**2 * np.sum(w * x**2)  # noqa: E731
     assert cost(found.qdot) <= minimize(cost, np.zeros(5)).fun + 1e-9
-    assert found.status is r1.RateStatus.DAMPED
+    assert found.status is r1.trajectories.RateStatus.DAMPED
     assert found.feasible
 
 
@@ -166,11 +169,11 @@ def test_a_singular_2r_realises_what_is_across_it_and_says_what_is_lost():
     robot, task, q = arm("planar_2r", l1=1.0, l2=1.0), r1.PositionTask("xy"), [0.5, 0.0]
     along, across = np.array([cos(0.5), sin(0.5)]), np.array([-sin(0.5), cos(0.5)])
     good = r1.joint_velocity(robot, task, 3 * across, q)
-    assert good.status is r1.RateStatus.REALISED_ALL_THE_SAME
+    assert good.status is r1.trajectories.RateStatus.REALISED_ALL_THE_SAME
     assert (good.rank, good.feasible) == (1, True)
     assert good.qdot == pytest.approx(np.array([2, 1]) * 3 / 5)
     bad = r1.joint_velocity(robot, task, 3 * across + 2 * along, q)
-    assert bad.status is r1.RateStatus.OUT_OF_RANGE
+    assert bad.status is r1.trajectories.RateStatus.OUT_OF_RANGE
     assert bad.residual == pytest.approx(2 * along)
     assert bad.unrealisable == pytest.approx(2 * along)
     assert bad.qdot == pytest.approx(good.qdot)
@@ -178,7 +181,7 @@ def test_a_singular_2r_realises_what_is_across_it_and_says_what_is_lost():
     assert "|residual| = 2" in bad.explain()
     close = r1.joint_velocity(robot, task, along, [0.5, 1e-3])
     assert close.near_singular
-    assert close.status is r1.RateStatus.REALISED
+    assert close.status is r1.trajectories.RateStatus.REALISED
     assert "near a singularity" in close.explain()
     assert np.abs(close.qdot).max() > 1e3 / 3
     assert "near" not in r1.joint_velocity(robot, task, along, [0.5, 1.0]).explain()
@@ -208,7 +211,7 @@ def test_an_acceleration_in_the_range_is_realised(name, task):
     robot = arm(name)
     q, qdot = random_q(robot, 11), rates(robot.nv, 3)
     J = task.jacobian(robot, q)
-    drift = r1.jacobian_rate(robot, task, q, qdot) @ qdot
+    drift = r1.trajectories.jacobian_rate(robot, task, q, qdot) @ qdot
     asked = J @ rates(robot.nv, 4) + drift
     found = r1.joint_acceleration(robot, task, asked, q, qdot)
     assert found.drift == pytest.approx(drift, abs=1e-7)
@@ -222,7 +225,7 @@ def test_round_trip_of_a_joint_motion_through_the_task(name):
     robot = arm(name)
     motion = r1.cubic(random_q(robot, 1), random_q(robot, 2), 2.0)
     task = r1.PoseTask() if robot.nv > 5 else r1.PositionTask("xyz")
-    seen = r1.TaskTrajectory(robot, task, motion)
+    seen = r1.trajectories.TaskTrajectory(robot, task, motion)
     t = 0.63
     q, qdot, qddot = motion(t), motion.velocity(t), motion.acceleration(t)
     J = task.jacobian(robot, q)
@@ -243,7 +246,7 @@ def test_a_singular_acceleration_is_realised_by_the_centripetal_part_alone():
     assert found.drift == pytest.approx([-2 * w**2, 0])
     assert found.qddot == pytest.approx([0, 0], abs=1e-9)
     lost = r1.joint_acceleration(robot, task, [0, 0], [0, 0], [w, 0])
-    assert lost.status is r1.RateStatus.OUT_OF_RANGE
+    assert lost.status is r1.trajectories.RateStatus.OUT_OF_RANGE
     assert lost.residual == pytest.approx([2 * w**2, 0])
 
 
@@ -257,7 +260,7 @@ def test_motion_of_the_task_is_differentiated_along_the_joint_motion(name, task)
         return
     q = random_q(robot, 1)
     motion = r1.cubic(q, q + 0.3 * rates(robot.nv, 2), 2.0, v0=0.2)
-    seen, t, h = r1.TaskTrajectory(robot, task, motion), 0.8, 1e-3
+    seen, t, h = r1.trajectories.TaskTrajectory(robot, task, motion), 0.8, 1e-3
     now = seen(t)
     steps = [task.error(robot, motion(t), seen(t + k * h)) for k in (1, -1, 2, -2)]  # log3(R(t + kh) Rᵀ) of rotations
     velocity = (8 * (steps[0] - steps[1]) - (steps[2] - steps[3])) / (12 * h)
@@ -272,10 +275,10 @@ def test_motion_of_the_task_is_differentiated_along_the_joint_motion(name, task)
 
 def test_cartesian_speed_of_a_joint_motion_has_its_exact_peak():
     robot, motion = arm("planar_2r"), r1.cubic([0, 0.5], [1, 1.5], 2.0)
-    seen = r1.TaskTrajectory(robot, r1.PositionTask("xy"), motion)
+    seen = r1.trajectories.TaskTrajectory(robot, r1.PositionTask("xy"), motion)
     t = np.linspace(0, 2, 2001)
     samples = np.linalg.norm(seen.velocity(t), axis=1)
-    peak = r1.peak_norm(seen)
+    peak = r1.trajectories.peak_norm(seen)
     assert peak.value == pytest.approx(samples.max(), rel=1e-6)
     assert peak.value >= samples.max()
     assert peak.resolved
@@ -378,22 +381,32 @@ CALLS = [
     (lambda: r1.joint_velocity(PRR, XYZ, [1, np.nan, 3], [0, 0, 0]), InputError, "rdot must be finite"),
     (lambda: r1.joint_velocity(PRR, XYZ, [1, 2, 3], [0, 0, 0], null_velocity=[1]), InputError, "null_velocity must"),
     (lambda: r1.joint_velocity(PRR, r1.PlanarPoseTask("xz"), [1, 2, 3], [0, 0, 0]), TaskError, "leaves the xz plane"),
-    (lambda: r1.joint_velocity(PRR, XYZ, [1, 2, 3], [0, 0, 0], resolution=Resolution(weights=[1, 2])), InputError,
-     r"weights must have shape \(3,\)"),
-    (lambda: r1.joint_velocity(PRR, XYZ, [1, 2, 3], [0, 0, 0], resolution=Resolution(input_matrix=np.eye(2))),
-     InputError, r"input_matrix must have shape \(3, any\)"),
+    (
+        lambda: r1.joint_velocity(PRR, XYZ, [1, 2, 3], [0, 0, 0], resolution=Resolution(weights=[1, 2])),
+        InputError,
+        r"weights must have shape \(3,\)",
+    ),
+    (
+        lambda: r1.joint_velocity(PRR, XYZ, [1, 2, 3], [0, 0, 0], resolution=Resolution(input_matrix=np.eye(2))),
+        InputError,
+        r"input_matrix must have shape \(3, any\)",
+    ),
     (lambda: r1.joint_acceleration(PRR, XYZ, [1, 2, 3], [0, 0, 0], [0, 0]), InputError, "qdot must have shape"),
     (lambda: r1.joint_acceleration(PRR, XYZ, [1, 2], [0, 0, 0], [0, 0, 0]), InputError, "rddot must have shape"),
-    (lambda: r1.jacobian_rate(PRR, XYZ, [0, 0, 0], [1, 2]), InputError, "qdot must have shape"),
+    (lambda: r1.trajectories.jacobian_rate(PRR, XYZ, [0, 0, 0], [1, 2]), InputError, "qdot must have shape"),
     (lambda: Resolution(weights=[1, 0, 2]), InputError, "weights must be positive"),
     (lambda: Resolution(weights=[[1, 2], [2, 1]]), InputError, "symmetric, positive definite"),
     (lambda: Resolution(weights=[[1, 0.5], [0, 1]]), InputError, "symmetric, positive definite"),
     (lambda: Resolution(damping=-0.1), InputError, "damping must be a non-negative number"),
     (lambda: Resolution(region=0.1), InputError, "give the damping λ too"),
     (lambda: Resolution(damping=0.1, region=0), InputError, "region must be a positive number"),
-    (lambda: r1.TaskTrajectory(PRR, XYZ, r1.cubic([0, 0], [1, 1], 1.0)), InputError, "must move 3 joints"),
-    (lambda: r1.TaskTrajectory(PRR, XYZ, r1.cubic([0] * 3, [1] * 3, 1.0))(1.1), InputError, r"must be in \[0, 1\]"),
-]  # fmt: skip
+    (lambda: r1.trajectories.TaskTrajectory(PRR, XYZ, r1.cubic([0, 0], [1, 1], 1.0)), InputError, "must move 3 joints"),
+    (
+        lambda: r1.trajectories.TaskTrajectory(PRR, XYZ, r1.cubic([0] * 3, [1] * 3, 1.0))(1.1),
+        InputError,
+        r"must be in \[0, 1\]",
+    ),
+]
 
 
 @pytest.mark.parametrize(("call", "kind", "message"), CALLS, ids=range(len(CALLS)))
@@ -418,4 +431,4 @@ def test_what_is_not_realised_is_an_error_for_who_requires_it():
     assert good.require() is good
     with pytest.raises(r1.NotConverged, match="not in the range of the Jacobian") as caught:
         r1.joint_velocity(robot, task, [1.0, 0.0], [0.0, 0.0]).require()
-    assert caught.value.result.status is r1.RateStatus.OUT_OF_RANGE
+    assert caught.value.result.status is r1.trajectories.RateStatus.OUT_OF_RANGE

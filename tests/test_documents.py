@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 import sympy
 
-from robotics1 import FollowingStatus, Formulas, RateStatus
+from robotics1 import Formulas
+from robotics1.trajectories import FollowingStatus, RateStatus
 
 DOCS = Path(__file__).parents[1] / "docs"
 DESCRIPTIONS = Path(__file__).parent / "descriptions"  # in the manner of the makers' own

@@ -13,15 +13,7 @@ from dh_arms import CABLE, SPATIAL_4R, dh
 from formula_values import number, real, same
 from sympy import Matrix, cos, sin
 
-from robotics1 import (
-    OrientationTask,
-    PoseTask,
-    PositionTask,
-    formulas,
-    joint_velocity,
-    robot_from_dh,
-    subspaces,
-)
+from robotics1 import OrientationTask, PoseTask, PositionTask, formulas, joint_velocity, robot_from_dh, subspaces
 
 H = pi / 2
 XY, XYZ, TURN, TWIST = PositionTask("xy"), PositionTask("xyz"), OrientationTask(), PoseTask()

@@ -10,20 +10,18 @@ import pytest
 import sympy
 from sympy import atan2, cos, sin
 
-from robotics1 import (
+from robotics1 import cubic, subspaces
+from robotics1.curves import frenet_frame, helix_path
+from robotics1.orientation import (
     align_two_directions,
     angular_velocity,
     axis_angle_to_rotation,
-    cubic,
     euler_formulas,
     euler_rates,
     euler_to_rotation,
-    frenet_frame,
-    helix_path,
     rotation_to_axis_angle,
     rotation_to_euler,
     skew,
-    subspaces,
 )
 
 a, b, g, s = sympy.symbols("a b g s", real=True)

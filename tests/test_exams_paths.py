@@ -17,30 +17,30 @@ up = pi / 2
 # --- traj-cartesian
 
 
-HELIX = r1.formula_path(["R*cos(s)", "R*sin(s)", "h*s"], "s", 11.9, values={"R": 0.3, "h": 0.1})
+HELIX = r1.curves.formula_path(["R*cos(s)", "R*sin(s)", "h*s"], "s", 11.9, values={"R": 0.3, "h": 0.1})
 
 
 def test_2010_01_12_a_1a_helix_under_bounds_on_speed_and_acceleration():
-    bounds = r1.timing_bounds(HELIX, 1.0, 5.0)
+    bounds = r1.trajectories.timing_bounds(HELIX, 1.0, 5.0)
     v, a, T = bounds.velocity, bounds.acceleration, 4.0
-    law = r1.cruise_profile(v, T - 2 * v / a, acceleration=a)
-    motion = r1.PathTrajectory(HELIX, law)
+    law = r1.trajectories.cruise_profile(v, T - 2 * v / a, acceleration=a)
+    motion = r1.curves.PathTrajectory(HELIX, law)
     assert (v, a) == pytest.approx((3.1623, 12.6491), abs=PRINTED)
     assert v == pytest.approx(1 / sqrt(0.3**2 + 0.1**2))
     assert a == pytest.approx(sqrt((25 - (0.3 / 0.1) ** 2) / 0.1))
     assert law.breakpoints[0] == pytest.approx(0.25, abs=PRINTED)
     assert law(law.end) == pytest.approx(11.8585, abs=PRINTED)
     assert motion(T) == pytest.approx([0.2279, -0.1951, 1.1859], abs=PRINTED)
-    assert r1.peak_norm(motion).value == pytest.approx(1.0)
-    assert r1.peak_norm(motion, "acceleration").value == pytest.approx(5.0)
+    assert r1.trajectories.peak_norm(motion).value == pytest.approx(1.0)
+    assert r1.trajectories.peak_norm(motion, "acceleration").value == pytest.approx(5.0)
 
 
 def test_2010_01_12_b_1_frame_that_looks_at_the_axis_of_the_helix_turns_with_sdot():
-    bounds = r1.timing_bounds(HELIX, 1.0, 5.0)
-    law = r1.cruise_profile(bounds.velocity, 3.5, acceleration=bounds.acceleration)
-    towards_axis = r1.turn_path([[-1, 0, 0], [0, -1, 0], [0, 0, 1]], [0, 0, 1], HELIX.end)
-    motion = r1.PathTrajectory(r1.PosePath(HELIX, towards_axis), law)
-    assert r1.peak_norm(motion, rows=slice(3, 6)).value == pytest.approx(3.1623, abs=PRINTED)
+    bounds = r1.trajectories.timing_bounds(HELIX, 1.0, 5.0)
+    law = r1.trajectories.cruise_profile(bounds.velocity, 3.5, acceleration=bounds.acceleration)
+    towards_axis = r1.curves.turn_path([[-1, 0, 0], [0, -1, 0], [0, 0, 1]], [0, 0, 1], HELIX.end)
+    motion = r1.curves.PathTrajectory(r1.curves.PosePath(HELIX, towards_axis), law)
+    assert r1.trajectories.peak_norm(motion, rows=slice(3, 6)).value == pytest.approx(3.1623, abs=PRINTED)
     T = motion(1.3)
     assert T.rotation[:, 0] == pytest.approx(-T.translation * [1, 1, 0] / 0.3)
     assert motion(4.0).translation[2] == pytest.approx(1.1859, abs=PRINTED)
@@ -51,12 +51,12 @@ T_B = np.array([[0, -1, 0, 1], [1, 0, 0, 0], [0, 0, 1, -0.5], [0, 0, 0, 1]])
 
 
 def pose_motion():
-    path = r1.pose_line(T_A, T_B)
-    return r1.PathTrajectory(path, r1.cubic(0, path.end, 2.0).joint())
+    path = r1.curves.pose_line(T_A, T_B)
+    return r1.curves.PathTrajectory(path, r1.cubic(0, path.end, 2.0).joint())
 
 
 def test_2009_07_10_2a_straight_line_and_reorientation_about_a_fixed_axis():
-    path = r1.pose_line(T_A, T_B)
+    path = r1.curves.pose_line(T_A, T_B)
     assert path.end == pytest.approx(1.802776, abs=1e-6)
     assert path.orientation.angle == pytest.approx(2.0944, abs=1e-4)
     assert T_A[:3, :3].T @ path.orientation.axis == pytest.approx(np.array([-1, 1, 1]) / sqrt(3))
@@ -158,7 +158,7 @@ def test_2012_02_09_3b_initial_velocities_of_a_cartesian_and_a_joint_tracking_la
     arm = r1.robot_from_dh([("R", 0, up, 1, 0), ("R", 0, up, 0, 0), ("P", 0, 0, 0, 0)])
     q0, xyz = np.array([pi / 3, pi / 2, 1]), r1.PositionTask("xyz")
     path = r1.line_path([1, 1, 1], [-1, 1, 3])
-    motion = r1.PathTrajectory(path, r1.cubic(0, path.end, path.end, v0=1, v1=1).joint())
+    motion = r1.curves.PathTrajectory(path, r1.cubic(0, path.end, path.end, v0=1, v1=1).joint())
     assert motion.duration == pytest.approx(2.828427, abs=1e-6)
     run = r1.follow_trajectory(arm, xyz, motion, q0, gain=1.0)
     assert run.command(0.0).error == pytest.approx([0.5, 0.133975, 0], abs=1e-6)
@@ -179,7 +179,7 @@ def test_2010_06_15_1b_acceleration_law_of_one_row_of_a_planar_rp_arm():
     found = r1.joint_acceleration(arm, y, asked, q, qdot)
     assert np.array([[0.9 * cos(0.4), sin(0.4)]]) == pytest.approx(J)
     assert found.qddot == pytest.approx([0.649232, 0.30499], abs=1e-6)
-    rate = r1.jacobian_rate(arm, y, q, qdot)
+    rate = r1.trajectories.jacobian_rate(arm, y, q, qdot)
     assert rate == pytest.approx(np.array([[-0.2 * cos(0.4) - 0.9 * sin(0.4) * 0.3, cos(0.4) * 0.3]]), abs=1e-11)
 
 

@@ -15,7 +15,6 @@ from robotics1 import (
     OrientationTask,
     PoseTask,
     PositionTask,
-    find_intersections,
     find_singularities,
     formulas,
     ik_solutions,
@@ -25,6 +24,7 @@ from robotics1 import (
     robot_from_dh,
     subspaces,
 )
+from robotics1.singularities import find_intersections
 
 H = pi / 2
 XY, XYZ, TURN = PositionTask("xy"), PositionTask("xyz"), OrientationTask()

@@ -61,7 +61,7 @@ START, HALF = np.array([pi / 2, pi / 4, pi / 4]), np.array([pi / 4, -pi / 6, pi 
 
 def test_2011_02_25_a_cosine_motion_there_and_back():
     """q = q_start + A (1 − cos 2πt/T), T = 2: in T/2 a cosine law from q_start to q_half, and back."""
-    there, back = r1.cosine(START, HALF, 1.0), r1.cosine(HALF, START, 1.0)
+    there, back = r1.trajectories.cosine(START, HALF, 1.0), r1.trajectories.cosine(HALF, START, 1.0)
     assert (HALF - START) / 2 == pytest.approx([-0.392699, -0.654498, 0.1309], abs=1e-6)
     assert [abs(peak.value) for peak in there.peaks(1)] == pytest.approx([1.2337, 2.0562, 0.4112], abs=PRINTED)
     assert there.acceleration(0) == pytest.approx([-3.8758, -6.4596, 1.2919], abs=PRINTED)
@@ -75,14 +75,18 @@ def test_2011_02_25_c_the_same_path_retraced_with_a_cubic_law():
     amplitude = (HALF - START) / 2
     symbols = [f"q{i} + A{i}*(1 - cos(2*pi*s))" for i in range(3)]
     values = {f"q{i}": START[i] for i in range(3)} | {f"A{i}": amplitude[i] for i in range(3)}
-    motion = r1.PathTrajectory(r1.formula_path([sympified(text) for text in symbols], "s", 1.0, values=values), LAW)
+    motion = r1.curves.PathTrajectory(
+        r1.curves.formula_path([sympified(text) for text in symbols], "s", 1.0, values=values), LAW
+    )
     for i, peak in enumerate([1.6522, 2.7537, 0.5507]):
-        assert r1.peak_norm(motion, rows=slice(i, i + 1)).value == pytest.approx(peak, abs=PRINTED)
+        assert r1.trajectories.peak_norm(motion, rows=slice(i, i + 1)).value == pytest.approx(peak, abs=PRINTED)
     assert motion.acceleration([0, 2]) == pytest.approx(np.zeros((2, 3)), abs=1e-9)
     assert motion.velocity(1) == pytest.approx([0] * 3, abs=1e-9)
     assert motion.acceleration(1) == pytest.approx([8.7205, 14.5342, -2.9068], abs=PRINTED)
     for i, peak in enumerate([8.7205, 14.5342, 2.9068]):
-        assert r1.peak_norm(motion, "acceleration", rows=slice(i, i + 1)).value == pytest.approx(peak, abs=PRINTED)
+        assert r1.trajectories.peak_norm(motion, "acceleration", rows=slice(i, i + 1)).value == pytest.approx(
+            peak, abs=PRINTED
+        )
     t, lam, rate = 0.3, LAW(0.3), LAW.velocity(0.3)
     assert motion.velocity(t) == pytest.approx(2 * pi * amplitude * np.sin(2 * pi * lam) * rate)
     wanted = 2 * pi * np.sin(2 * pi * lam) * LAW.acceleration(t) + 4 * pi**2 * np.cos(2 * pi * lam) * rate**2
@@ -103,7 +107,7 @@ def sympified(text):
 
 def test_2010_09_15_i_displacement_of_seven_phases_with_a_given_cruise_time():
     v, a, j, Tv = 3, 5, 12, 2
-    law = r1.cruise_profile(v, Tv, acceleration=a, jerk=j)
+    law = r1.trajectories.cruise_profile(v, Tv, acceleration=a, jerk=j)
     assert law(law.end) == pytest.approx(v * (Tv + v / a + a / j))
     assert (law(law.end), law.duration) == pytest.approx((9.05, 4.0333), abs=PRINTED)
     Ts, Ta = (phase.duration for phase in law.phases[:2])
@@ -136,7 +140,7 @@ def in_powers_of_s(spline):
 
 
 def test_2010_02_11_c_quadratic_then_linear_with_continuous_tangent():
-    path = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 1), (), continuity=1)
+    path = r1.trajectories.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 1), (), continuity=1)
     first, second = in_powers_of_s(path)
     assert first == pytest.approx(np.array([IN, 6 * MID - 4 * IN - 2 * FIN, 4 * FIN - 8 * MID + 4 * IN]))
     assert second[:2] == pytest.approx(np.array([2 * MID - FIN, 2 * (FIN - MID)]))
@@ -148,19 +152,19 @@ def test_2010_02_11_c_quadratic_then_linear_with_continuous_tangent():
 
 def test_2010_02_11_e_two_quadratics_with_a_given_tangent_at_the_middle():
     t = np.array([1.3, -2.1])
-    path = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 2), [(1, 1, t)], continuity=1)
+    path = r1.trajectories.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 2), [(1, 1, t)], continuity=1)
     first, second = in_powers_of_s(path)
     assert first == pytest.approx(np.array([IN, 4 * (MID - IN) - t, 4 * (IN - MID) + 2 * t]))
     assert second == pytest.approx(np.array([FIN - t, 4 * (MID - FIN) + 3 * t, 4 * (FIN - MID) - 2 * t]))
-    smooth = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 2), ())
+    smooth = r1.trajectories.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 2), ())
     assert smooth.velocity(0.5) == pytest.approx(FIN - IN)
     assert smooth.velocity(0.5) == pytest.approx([3.3408, -2.8007], abs=PRINTED)
     assert smooth.breakpoints.size == 0  # the curvature is continuous too
 
 
 def test_2010_02_11_f_one_timing_law_for_all_joints_keeps_the_path():
-    path = r1.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 1), (), continuity=1)
-    motion = r1.PathTrajectory(path, r1.quintic(0, 1, 3).joint())
+    path = r1.trajectories.polynomial_spline([0, 0.5, 1], [IN, MID, FIN], (2, 1), (), continuity=1)
+    motion = r1.curves.PathTrajectory(path, r1.quintic(0, 1, 3).joint())
     s = r1.quintic(0, 1, 3)([0.4, 1.5, 2.2])[:, 0]
     assert motion([0.4, 1.5, 2.2]) == pytest.approx(path(s))
     assert motion.velocity([0, 3]) == pytest.approx(np.zeros((2, 2)), abs=1e-12)

@@ -21,12 +21,12 @@ posix = pytest.mark.skipif(os.name == "nt", reason="modes and links are POSIX's"
 
 @cache
 def circle():
-    return r1.formula_path(["cos(s)", "sin(s)"], "s", 1.0)
+    return r1.curves.formula_path(["cos(s)", "sin(s)"], "s", 1.0)
 
 
 WRITERS = {
     "write_file": lambda path: write_file(path, "new"),
-    "dh_to_urdf": lambda path: r1.dh_to_urdf(ROWS, path),
+    "dh_to_urdf": lambda path: r1.dh.dh_to_urdf(ROWS, path),
     "view": lambda path: r1.view(r1.load_robot("planar_2r"), [0, 0], path),
     "plot_path": lambda path: (r1.plot_path(circle(), file=path), path)[1],
 }

@@ -23,14 +23,14 @@ CODE = [
 @pytest.mark.parametrize("text", ENDLESS, ids=lambda text: text[:20])
 def test_a_formula_too_large_to_be_computed_is_refused(text):
     with pytest.raises(r1.InputError) as error:
-        r1.formula_path(["s", text], "s", 1.0)
+        r1.curves.formula_path(["s", text], "s", 1.0)
     assert len(str(error.value)) < 1000
 
 
 @pytest.mark.parametrize("text", CODE, ids=ascii)
 def test_what_is_no_arithmetic_is_refused_and_not_run(text):
     with pytest.raises(r1.InputError):
-        r1.formula_path(["s", text], "s", 1.0)
+        r1.curves.formula_path(["s", text], "s", 1.0)
 
 
 @pytest.mark.parametrize(
@@ -46,7 +46,7 @@ def test_what_is_no_arithmetic_is_refused_and_not_run(text):
     ],
 )
 def test_arithmetic_is_read(text, value):
-    path = r1.formula_path(["s", text], "s", 1.0, values={"R": 0.3})
+    path = r1.curves.formula_path(["s", text], "s", 1.0, values={"R": 0.3})
     assert path(0.5) == pytest.approx([0.5, value], rel=1e-14)
 
 

@@ -252,7 +252,7 @@ def test_bases_and_meetings_of_branches_hold_over_all_turns(tmp_path):
         )
         assert np.abs(J @ null).max() < 1e-9 * np.abs(null).max()
         assert np.abs(J.T @ lost).max() < 1e-9 * np.abs(lost).max()
-    assert r1.find_intersections(found).branches == ()
+    assert r1.singularities.find_intersections(found).branches == ()
     copy = pickle.loads(pickle.dumps(found))
     assert [b.conditions for b in copy.branches] == [b.conditions for b in found.branches]
 

@@ -8,7 +8,6 @@ import pytest
 from arms import arm, random_q
 
 from robotics1 import (
-    IKStatus,
     InputError,
     NotConverged,
     OrientationTask,
@@ -19,6 +18,7 @@ from robotics1 import (
     forward_kinematics,
     iterate_ik,
 )
+from robotics1.ik import IKStatus
 
 SPACE, POINT = PositionTask("xyz"), PositionTask("xy")
 GOAL = (1, -1, 3)

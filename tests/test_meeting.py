@@ -7,10 +7,8 @@ from arms import arm
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
-    FunctionMotion,
     InputError,
     LinearMotion,
-    MeetingStatus,
     NotConverged,
     PlanarPoseTask,
     PoseTask,
@@ -21,6 +19,7 @@ from robotics1 import (
     frame_jacobian,
     rendezvous,
 )
+from robotics1.trajectories import FunctionMotion, MeetingStatus
 
 POINT, SPACE = PositionTask("xy"), PositionTask("xyz")
 SPEED = 1.5 * np.array([cos(radians(15)), sin(radians(15))])

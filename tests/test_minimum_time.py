@@ -178,7 +178,7 @@ def test_a_shorter_polynomial_or_bang_bang_violates_a_bound(kind, d, V, A, J, x0
     v0, v1 = x0 * V, x1 * V
     J = inf if kind in JERK_FREE else J
     T = r1.minimum_time(0, d, r1.MotionLimits(V, A, J), kind, v0=v0, v1=v1).duration
-    motion_of = {"cubic": r1.cubic, "quintic": r1.quintic, "bang_bang": r1.bang_bang}[kind]
+    motion_of = {"cubic": r1.cubic, "quintic": r1.quintic, "bang_bang": r1.trajectories.bang_bang}[kind]
     for shorter in T * np.concatenate([np.linspace(0.02, 0.98, 25), 1 - np.geomspace(1e-6, 1e-2, 5)]):
         assert max(ratios(motion_of([0], [d], shorter, v0, v1), V, A, J)) > 1
 

@@ -259,7 +259,7 @@ def a_rendezvous_is_found_or_refused(p0, v, q0, meet, qdot0, horizon):
     answer(r1.rendezvous, robot, task, straight, [0, 0], 1, qdot0=qdot0)
     answer(r1.rendezvous, robot, task, straight, [0, 0], lambda t, p: p[0] - 1.05, horizon=horizon)
     answer(r1.rendezvous, robot, task, straight, [0, 0], lambda t, p: meet)
-    answer(r1.rendezvous, robot, task, r1.FunctionMotion(lambda t: p0, lambda t: v), [0, 0], 1)
+    answer(r1.rendezvous, robot, task, r1.trajectories.FunctionMotion(lambda t: p0, lambda t: v), [0, 0], 1)
 
 
 @holds(option=st.sampled_from(["q0", "gain", "rate_limits", "samples"]), junk=JUNK, samples=FEW, error=JUNK)
@@ -268,10 +268,10 @@ def tracking_runs_or_is_refused(option, junk, samples, error):
     options = {"q0": [0.1, 1], "gain": 2, "samples": 11} | {option: samples if option == "samples" else junk}
     run = answer(r1.simulate_tracking, trajectory, options.pop("q0"), options.pop("gain"), **options)
     assert run is None or run.q.shape == (options["samples"], 2)
-    choice = answer(r1.smallest_gain, trajectory, [0.1, 1], error)
+    choice = answer(r1.control.smallest_gain, trajectory, [0.1, 1], error)
     assert choice is None or (choice.gain >= 0).all()
-    answer(r1.smallest_gain, trajectory, junk, 0.01)
-    answer(r1.smallest_gain, trajectory, [0.1, 1], 0.01, rate_limits=junk)
+    answer(r1.control.smallest_gain, trajectory, junk, 0.01)
+    answer(r1.control.smallest_gain, trajectory, [0.1, 1], 0.01, rate_limits=junk)
 
 
 def main():

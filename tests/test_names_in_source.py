@@ -128,7 +128,7 @@ def test_a_length_named_like_a_joint_is_refused_by_name(tmp_path):
 
 
 def test_a_path_may_have_a_parameter_named_like_a_function():
-    path = r1.formula_path(["2*sin", "sin**2"], "sin", 1.0)
+    path = r1.curves.formula_path(["2*sin", "sin**2"], "sin", 1.0)
     assert path(0.5) == pytest.approx([1.0, 0.25])
 
 

@@ -12,7 +12,6 @@ from scipy.optimize import least_squares
 from robotics1 import (
     FunctionTask,
     IKSolver,
-    IKStatus,
     PointingTask,
     PoseTask,
     PositionTask,
@@ -21,6 +20,7 @@ from robotics1 import (
     load_robot,
     robot_from_dh,
 )
+from robotics1.ik import IKStatus
 
 XY, XYZ = PositionTask("xy"), PositionTask()
 

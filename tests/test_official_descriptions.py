@@ -5,13 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from robotics1 import (
-    InputError,
-    RobotFileError,
-    UnknownNameError,
-    forward_kinematics,
-    load_robot,
-)
+from robotics1 import InputError, RobotFileError, UnknownNameError, forward_kinematics, load_robot
 
 SRC = Path(__file__).parent / "descriptions" / "src"
 UR = SRC / "Universal_Robots_ROS2_Description" / "urdf" / "ur.urdf.xacro"

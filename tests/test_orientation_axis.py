@@ -10,8 +10,8 @@ from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
 import robotics1 as r1
-from robotics1 import (
-    InputError,
+from robotics1 import InputError
+from robotics1.orientation import (
     axis_angle_to_rotation,
     nearest_rotation,
     quaternion_to_rotation,
@@ -179,7 +179,7 @@ def test_quaternion_rates_are_half_of_omega_times_Q_in_hamiltons_product(axis, a
 
     spatial = np.array([0, *omega])
     for reference, wanted in (("world", product(spatial, Q) / 2), ("body", product(Q, spatial) / 2)):
-        E = r1.quaternion_rate_map(Q, reference=reference)
+        E = r1.orientation.quaternion_rate_map(Q, reference=reference)
         assert E @ omega == pytest.approx(wanted, rel=1e-12, abs=1e-12 * np.abs(omega).max())
         assert 4 * E.T @ E == pytest.approx(np.eye(3), abs=1e-14)
         assert Q @ E == pytest.approx(np.zeros(3), abs=1e-15)
@@ -188,13 +188,13 @@ def test_quaternion_rates_are_half_of_omega_times_Q_in_hamiltons_product(axis, a
 def test_quaternion_rates_make_the_rotation_turn_with_omega():
     """Ṙ = S(ω) R, by central differences along Q̇."""
     Q, omega, h = np.array([0.5, 0.1, -0.7, 0.5]), np.array([0.3, -1.2, 0.8]), 1e-5
-    rate = r1.quaternion_rate_map(Q) @ omega
+    rate = r1.orientation.quaternion_rate_map(Q) @ omega
     ahead, behind = (quaternion_to_rotation((Q + x * rate) / np.linalg.norm(Q + x * rate)) for x in (h, -h))
-    assert (ahead - behind) / (2 * h) == pytest.approx(r1.skew(omega) @ quaternion_to_rotation(Q), abs=1e-9)
+    assert (ahead - behind) / (2 * h) == pytest.approx(r1.orientation.skew(omega) @ quaternion_to_rotation(Q), abs=1e-9)
 
 
 def test_quaternion_rates_in_formulas():
-    E = r1.quaternion_rate_map(["eta", "x", "y", "z"], reference="body")
+    E = r1.orientation.quaternion_rate_map(["eta", "x", "y", "z"], reference="body")
     eta, x, y, z = (sympy.Symbol(name, real=True) for name in ("eta", "x", "y", "z"))
     assert E == sympy.Matrix([[-x, -y, -z], [eta, -z, y], [z, eta, -x], [-y, x, eta]]) / 2
 
@@ -202,7 +202,7 @@ def test_quaternion_rates_in_formulas():
 @pytest.mark.parametrize("Q", [[1, 0, 0], [1, 1, 0, 0], "ab", [0, 0, 0, 0], [nan, 0, 0, 1]])
 def test_rates_of_what_is_no_unit_quaternion_are_input_errors(Q):
     with pytest.raises(InputError, match="quaternion"):
-        r1.quaternion_rate_map(Q)
+        r1.orientation.quaternion_rate_map(Q)
 
 
 def test_quaternions_of_the_identity_and_of_half_turns():

@@ -11,7 +11,7 @@ from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 from sweeps import core_first
 
-from robotics1 import euler_formulas, euler_to_rotation, rotation_to_euler
+from robotics1.orientation import euler_formulas, euler_to_rotation, rotation_to_euler
 
 TWELVE = [a + b + c for a, b, c in product("XYZ", repeat=3) if a != b != c]
 SIGNS = list(product(("", "-"), repeat=3))

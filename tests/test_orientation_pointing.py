@@ -8,7 +8,8 @@ import sympy
 from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
-from robotics1 import InputError, align_direction, align_two_directions, axis_angle_to_rotation, rotation_to_axis_angle
+from robotics1 import InputError
+from robotics1.orientation import align_direction, align_two_directions, axis_angle_to_rotation, rotation_to_axis_angle
 
 entry = st.floats(-1, 1)
 vectors = st.tuples(entry, entry, entry).map(np.array).filter(lambda v: np.linalg.norm(v) > 1e-3)

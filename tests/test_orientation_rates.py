@@ -10,8 +10,8 @@ from differences import derivative
 from hypothesis import given, strategies as st
 from sweeps import core_first
 
-from robotics1 import (
-    InputError,
+from robotics1 import InputError, subspaces
+from robotics1.orientation import (
     angular_velocity,
     axis_angle_to_rotation,
     euler_formulas,
@@ -19,7 +19,6 @@ from robotics1 import (
     euler_rates,
     euler_to_rotation,
     skew,
-    subspaces,
     vee,
 )
 from robotics1.orientation.expressions import vanishes

@@ -20,7 +20,7 @@ def law_to(end, duration=2.0, start=0.0):
 
 def pieces_of_tau(*pieces):
     """A law of polynomials of τ = (t − tᵢ)/T, with ascending coefficients, each given with its T."""
-    return r1.PiecewisePolynomial.from_pieces(pieces)
+    return r1.curves.PiecewisePolynomial.from_pieces(pieces)
 
 
 def trapezoid(end, ramp, cruise):
@@ -35,7 +35,7 @@ def linear(points, times):
     return pieces_of_tau(*(([a, b - a], T) for a, b, T in zip(points, points[1:], np.diff(times), strict=False)))
 
 
-MOTIONS = {name: r1.PathTrajectory(path, law_to(path.end)) for name, path in PATHS.items()}
+MOTIONS = {name: r1.curves.PathTrajectory(path, law_to(path.end)) for name, path in PATHS.items()}
 
 
 @pytest.mark.parametrize("name", MOTIONS)
@@ -55,7 +55,7 @@ def test_speed_by_the_arc_length_is_the_laws_and_normal_acceleration_is_kappa_v2
     for name in ("circle", "helix", "line"):
         motion, path = MOTIONS[name], PATHS[name]
         sdot, sddot, kappa = motion.law.velocity(t), motion.law.acceleration(t), path.curvature(motion.law(t))
-        parts = r1.acceleration_split(motion, t)
+        parts = r1.trajectories.acceleration_split(motion, t)
         assert np.linalg.norm(motion.velocity(t)) == pytest.approx(abs(sdot), abs=1e-12)
         assert np.linalg.norm(parts.normal) == pytest.approx(kappa * sdot**2, abs=1e-9)
         assert np.linalg.norm(parts.tangential) == pytest.approx(abs(sddot), abs=1e-9)
@@ -63,7 +63,7 @@ def test_speed_by_the_arc_length_is_the_laws_and_normal_acceleration_is_kappa_v2
 
 
 def test_at_rest_the_acceleration_is_tangential():
-    parts = r1.acceleration_split(MOTIONS["circle"], np.array([0.0, 2.0]))
+    parts = r1.trajectories.acceleration_split(MOTIONS["circle"], np.array([0.0, 2.0]))
     assert parts.tangential == pytest.approx(MOTIONS["circle"].acceleration(np.array([0.0, 2.0])))
     assert not parts.normal.any()
 
@@ -72,12 +72,12 @@ def test_at_rest_the_acceleration_is_tangential():
 
 
 def test_at_a_corner_the_velocity_is_told_from_the_side_that_is_asked():
-    path = r1.polyline_path([[0, 0], [1, 0], [1, 1]])
-    motion = r1.PathTrajectory(path, linear([0, 2], [0, 4]))
+    path = r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]])
+    motion = r1.curves.PathTrajectory(path, linear([0, 2], [0, 4]))
     assert motion.breakpoints == pytest.approx([2.0])
     assert motion.velocity(2.0) == pytest.approx([0, 0.5])
     assert motion.velocity(2.0, side="left") == pytest.approx([0.5, 0])
-    back = r1.PathTrajectory(path, linear([2, 0], [0, 4]))
+    back = r1.curves.PathTrajectory(path, linear([2, 0], [0, 4]))
     assert back.velocity(2.0) == pytest.approx([-0.5, 0])
     assert back.velocity(2.0, side="left") == pytest.approx([0, -0.5])
     several = np.array([1.0, 2.0, 3.0])
@@ -85,21 +85,21 @@ def test_at_a_corner_the_velocity_is_told_from_the_side_that_is_asked():
 
 
 def test_a_stop_at_a_corner_accelerates_along_the_next_segment_and_a_return_along_the_same():
-    path = r1.polyline_path([[0, 0], [1, 0], [1, 1]])
-    there = r1.PathTrajectory(path, pieces_of_tau(([0, 2, -1], 1), ([1, 0, 1], 1)))
+    path = r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]])
+    there = r1.curves.PathTrajectory(path, pieces_of_tau(([0, 2, -1], 1), ([1, 0, 1], 1)))
     assert there.acceleration(1.0) == pytest.approx([0, 2])
     assert there.acceleration(1.0, side="left") == pytest.approx([-2, 0])
-    home = r1.PathTrajectory(path, pieces_of_tau(([0, 2, -1], 1), ([1, 0, -1], 1)))
+    home = r1.curves.PathTrajectory(path, pieces_of_tau(([0, 2, -1], 1), ([1, 0, -1], 1)))
     assert home.acceleration(1.0) == pytest.approx([-2, 0])
     assert home.acceleration(1.0, side="left") == pytest.approx([-2, 0])
     assert home.jerk(1.0) == pytest.approx([0, 0])
 
 
 def test_at_the_end_of_a_motion_that_ends_on_a_corner_the_values_are_those_before_it():
-    path = r1.polyline_path([[0, 0], [1, 0], [1, 1]])
-    motion = r1.PathTrajectory(path, linear([0, 1], [0, 2]))
+    path = r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]])
+    motion = r1.curves.PathTrajectory(path, linear([0, 1], [0, 2]))
     assert motion.velocity(2.0) == pytest.approx([0.5, 0])
-    onward = r1.PathTrajectory(path, linear([1, 2], [0, 2]))
+    onward = r1.curves.PathTrajectory(path, linear([1, 2], [0, 2]))
     assert onward.velocity(0.0) == pytest.approx([0, 0.5])
     assert onward.velocity(0.0, side="left") == pytest.approx([0, 0.5])
 
@@ -107,7 +107,7 @@ def test_at_the_end_of_a_motion_that_ends_on_a_corner_the_values_are_those_befor
 def test_switching_times_are_the_laws_and_where_the_path_has_a_break():
     path = PATHS["polyline"]
     law = trapezoid(path.end, 0.4, 1.2)
-    motion = r1.PathTrajectory(path, law)
+    motion = r1.curves.PathTrajectory(path, law)
     times = motion.breakpoints
     assert len(times) == 2 + len(path.breakpoints)
     assert set(law.breakpoints) <= set(times)
@@ -127,12 +127,12 @@ def test_switching_times_are_the_laws_and_where_the_path_has_a_break():
 @pytest.mark.parametrize("quantity", ["velocity", "acceleration", "normal acceleration", "tangential acceleration"])
 def test_peak_of_a_norm_is_not_below_any_sample_and_is_reached(name, quantity):
     motion = MOTIONS[name]
-    peak = r1.peak_norm(motion, quantity)
+    peak = r1.trajectories.peak_norm(motion, quantity)
     t = np.unique(np.concatenate([np.linspace(0, 2, 4001), motion.breakpoints]))
 
     def norms(side):
         kind, _, of = quantity.rpartition(" ")
-        split = r1.acceleration_split(motion, t, side=side)
+        split = r1.trajectories.acceleration_split(motion, t, side=side)
         vectors = getattr(split, kind) if kind else getattr(motion, of)(t, side=side)
         return np.linalg.norm(vectors, axis=1)
 
@@ -143,14 +143,14 @@ def test_peak_of_a_norm_is_not_below_any_sample_and_is_reached(name, quantity):
 
 def test_peaks_on_a_circle_with_a_trapezoid_are_v_v2_over_r_and_their_root_at_the_end_of_the_ramp():
     r, ramp = 0.5, 0.4
-    path = r1.circle_path([0, 0, 0], r)
+    path = r1.curves.circle_path([0, 0, 0], r)
     law = trapezoid(path.end, ramp, 1.2)
     v, a = path.end / 1.6, path.end / 1.6 / ramp
-    motion = r1.PathTrajectory(path, law)
-    assert r1.peak_norm(motion).value == pytest.approx(v)
-    assert r1.peak_norm(motion, "normal acceleration").value == pytest.approx(v**2 / r)
-    assert r1.peak_norm(motion, "tangential acceleration").value == pytest.approx(a)
-    total = r1.peak_norm(motion, "acceleration")
+    motion = r1.curves.PathTrajectory(path, law)
+    assert r1.trajectories.peak_norm(motion).value == pytest.approx(v)
+    assert r1.trajectories.peak_norm(motion, "normal acceleration").value == pytest.approx(v**2 / r)
+    assert r1.trajectories.peak_norm(motion, "tangential acceleration").value == pytest.approx(a)
+    total = r1.trajectories.peak_norm(motion, "acceleration")
     assert total.value == pytest.approx(sqrt(a**2 + (v**2 / r) ** 2))
     assert total.time == pytest.approx(ramp)
     assert total.resolved
@@ -158,12 +158,12 @@ def test_peaks_on_a_circle_with_a_trapezoid_are_v_v2_over_r_and_their_root_at_th
 
 def test_peak_acceleration_of_a_cubic_on_a_circle_is_a_root_of_a_polynomial():
     r, T, L = 0.5, 2.0, 3.0
-    motion = r1.PathTrajectory(r1.arc_path([0, 0], [r, 0], L / r), law_to(L, T))
+    motion = r1.curves.PathTrajectory(r1.curves.arc_path([0, 0], [r, 0], L / r), law_to(L, T))
     v = np.polynomial.Polynomial([0, 6 * L / T**2, -6 * L / T**3])  # ṡ; |p̈|² = s̈² + ṡ⁴/r²
     square = v.deriv() ** 2 + v**4 / r**2
     roots = [x.real for x in square.deriv().roots() if abs(x.imag) < 1e-9 and 0 <= x.real <= T]
     best = max([0.0, T, *roots], key=square)
-    peak = r1.peak_norm(motion, "acceleration")
+    peak = r1.trajectories.peak_norm(motion, "acceleration")
     assert peak.value == pytest.approx(sqrt(square(best)), rel=1e-12)
     assert square(peak.time) == pytest.approx(square(best), rel=1e-12)
 
@@ -172,13 +172,13 @@ def test_peak_of_some_rows_and_of_joints():
     T0, T1 = np.eye(4), np.eye(4)
     T1[:3, 3] = [3, 4, 0]
     T1[:3, :3] = pin.exp3(np.array([0, 0, 1.0]))
-    motion = r1.PathTrajectory(r1.pose_line(T0, T1), law_to(5.0, 3.0))
-    assert r1.peak_norm(motion, rows=slice(0, 3)).value == pytest.approx(1.5 * 5 / 3)
-    assert r1.peak_norm(motion, rows=slice(3, 6)).value == pytest.approx(1.5 * 1 / 3)
+    motion = r1.curves.PathTrajectory(r1.curves.pose_line(T0, T1), law_to(5.0, 3.0))
+    assert r1.trajectories.peak_norm(motion, rows=slice(0, 3)).value == pytest.approx(1.5 * 5 / 3)
+    assert r1.trajectories.peak_norm(motion, rows=slice(3, 6)).value == pytest.approx(1.5 * 1 / 3)
     joints = r1.cubic([0, 0], [3, 4], 2.0)
-    assert r1.peak_norm(joints).value == pytest.approx(1.5 * 5 / 2)
-    assert r1.peak_norm(joints, "acceleration").value == pytest.approx(6 * 5 / 4)
-    assert r1.peak_norm(joints, "jerk").value == pytest.approx(12 * 5 / 8)
+    assert r1.trajectories.peak_norm(joints).value == pytest.approx(1.5 * 5 / 2)
+    assert r1.trajectories.peak_norm(joints, "acceleration").value == pytest.approx(6 * 5 / 4)
+    assert r1.trajectories.peak_norm(joints, "jerk").value == pytest.approx(12 * 5 / 8)
 
 
 # --- bounds of the law from bounds of the motion
@@ -188,8 +188,8 @@ def test_peak_of_some_rows_and_of_joints():
 def test_timing_bounds_of_a_helix_are_v_and_the_root_of_a2_minus_kappa2_v4(r, h, V, excess):
     kappa = r / (r * r + h * h)
     A = excess * kappa * V**2
-    path = r1.helix_path([0, 0, 0], [r, 0, 0], 2 * pi * h, 1.5)
-    bounds = r1.timing_bounds(path, V, A)
+    path = r1.curves.helix_path([0, 0, 0], [r, 0, 0], 2 * pi * h, 1.5)
+    bounds = r1.trajectories.timing_bounds(path, V, A)
     assert bounds.velocity == pytest.approx(V)
     assert bounds.acceleration == pytest.approx(sqrt(A**2 - (kappa * V**2) ** 2), rel=1e-6)
 
@@ -200,7 +200,7 @@ def test_timing_bounds_keep_the_motion_bounded_and_are_reached_on_any_path():
         V = 0.7
         most = max(path.curvature(np.linspace(0, path.end, 20001)))
         A = 1.5 * most * V**2
-        bounds = r1.timing_bounds(path, V, A)
+        bounds = r1.trajectories.timing_bounds(path, V, A)
         places = np.linspace(0, path.end, 20001)
         p1, p2 = path.derivative(places), path.derivative(places, 2)
         v, a = bounds.velocity, bounds.acceleration
@@ -211,10 +211,10 @@ def test_timing_bounds_keep_the_motion_bounded_and_are_reached_on_any_path():
 
 
 def test_a_velocity_whose_normal_acceleration_is_too_large_is_refused_with_the_largest_that_is_not():
-    path = r1.circle_path([0, 0], 0.5)
+    path = r1.curves.circle_path([0, 0], 0.5)
     with pytest.raises(InputError, match=r"the normal acceleration is 8 at s = 0, more than 2: .* at most 1"):
-        r1.timing_bounds(path, 2.0, 2.0)
-    assert r1.timing_bounds(path, 1.0, 2.0).acceleration == pytest.approx(0, abs=1e-6)
+        r1.trajectories.timing_bounds(path, 2.0, 2.0)
+    assert r1.trajectories.timing_bounds(path, 1.0, 2.0).acceleration == pytest.approx(0, abs=1e-6)
 
 
 # --- in a row
@@ -223,7 +223,7 @@ def test_a_velocity_whose_normal_acceleration_is_too_large_is_refused_with_the_l
 def test_a_sequence_tells_what_jumps_at_its_joins():
     first, second = r1.cubic([0, 0], [1, 2], 1.0), r1.cubic([1, 2], [0, 0], 2.0)
     moving = r1.cubic([0, 0], [1, 1], 1.0, v0=[0.5, 0])
-    motion = r1.CurveSequence((first, second, moving))
+    motion = r1.curves.CurveSequence((first, second, moving))
     assert motion.duration == 4
     assert motion.breakpoints == pytest.approx([1, 3])
     a, b = motion.joins
@@ -240,7 +240,7 @@ def test_a_sequence_tells_what_jumps_at_its_joins():
     assert motion.velocity(3.0, side="left") == pytest.approx([0, 0])
     assert motion.acceleration(1.0, side="left") == pytest.approx(first.acceleration(1.0))
     assert motion.jerk(1.0) == pytest.approx(second.jerk(0.0))
-    gap = r1.CurveSequence((first, moving), jumps=True)
+    gap = r1.curves.CurveSequence((first, moving), jumps=True)
     assert gap.continuity == -1
     assert gap.joins[0].jumps[0] == pytest.approx([-1, -2])
 
@@ -250,8 +250,8 @@ def test_a_sequence_of_one_law_cut_in_two_is_smooth():
     halves = []
     for a in (0.0, 1.0):
         c = [[whole(a)], [whole.velocity(a)], [whole.acceleration(a) / 2], [whole.jerk(a) / 6]]
-        halves.append(r1.PiecewisePolynomial.from_pieces([(c, 1.0)]))
-    motion = r1.CurveSequence(halves)
+        halves.append(r1.curves.PiecewisePolynomial.from_pieces([(c, 1.0)]))
+    motion = r1.curves.CurveSequence(halves)
     assert motion.continuity == 3
     assert str(motion.joins[0]) == "at t = 1 s nothing jumps, up to the jerk"
     t = np.linspace(0, 2, 9)
@@ -260,12 +260,14 @@ def test_a_sequence_of_one_law_cut_in_two_is_smooth():
 
 def test_poses_in_a_row():
     T = [pin.SE3(pin.exp3(np.array([0, 0, a])), np.array([x, 0, 0])) for a, x in ((0, 0), (1, 1), (1, 2))]
-    paths = [r1.pose_line(T[0], T[1]), r1.pose_line(T[1], T[2])]
-    motion = r1.CurveSequence([r1.PathTrajectory(path, law_to(path.end)) for path in paths])
+    paths = [r1.curves.pose_line(T[0], T[1]), r1.curves.pose_line(T[1], T[2])]
+    motion = r1.curves.CurveSequence([r1.curves.PathTrajectory(path, law_to(path.end)) for path in paths])
     assert motion.continuity == 1
     assert motion(3.0).isApprox(paths[1](0.5), 1e-12)
     assert len(motion([0.0, 4.0])) == 2
-    apart = r1.CurveSequence([r1.PathTrajectory(path, law_to(path.end)) for path in (paths[0], paths[0])], jumps=True)
+    apart = r1.curves.CurveSequence(
+        [r1.curves.PathTrajectory(path, law_to(path.end)) for path in (paths[0], paths[0])], jumps=True
+    )
     assert apart.joins[0].jumps[0] == pytest.approx([-1, 0, 0, 0, 0, -1])
 
 
@@ -275,7 +277,7 @@ def test_poses_in_a_row():
 def test_overfly_leaves_at_v1_t_over_2_before_the_corner_and_accelerates_by_the_difference_over_t():
     A, B, C = np.array([0.0, 0, 0]), np.array([2.0, 0, 0]), np.array([2.0, 3, 0])
     v1, v2, T = 0.5, 1.0, 0.8
-    motion = r1.parabolic_blends([A, B, C], [v1, v2], T)
+    motion = r1.curves.parabolic_blends([A, B, C], [v1, v2], T)
     leaves = 2 / v1 - T / 2
     assert motion.duration == pytest.approx(2 / v1 + 3 / v2)
     assert motion.breakpoints == pytest.approx([leaves, leaves + T])
@@ -290,11 +292,11 @@ def test_overfly_leaves_at_v1_t_over_2_before_the_corner_and_accelerates_by_the_
 
 def test_overfly_of_many_points_is_c1_and_passes_where_the_blends_do_not_reach():
     points = np.random.default_rng(7).normal(size=(6, 2))
-    motion = r1.parabolic_blends(points, 1.0, [0.2, 0.1, 0.15, 0.2])
+    motion = r1.curves.parabolic_blends(points, 1.0, [0.2, 0.1, 0.15, 0.2])
     for t in motion.breakpoints:
         assert motion(t, side="left") == pytest.approx(motion(t), abs=1e-12)
         assert motion.velocity(t, side="left") == pytest.approx(motion.velocity(t), abs=1e-12)
-    assert r1.peak_norm(motion).value == pytest.approx(1.0)
+    assert r1.trajectories.peak_norm(motion).value == pytest.approx(1.0)
     lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
     assert motion.duration == pytest.approx(lengths.sum())
     assert motion(0.9 * lengths[0] - 0.1) == pytest.approx(
@@ -303,28 +305,31 @@ def test_overfly_of_many_points_is_c1_and_passes_where_the_blends_do_not_reach()
 
 
 MISUSE = [
-    (lambda: r1.PathTrajectory(PATHS["line"], law_to(5.1)), "stay on the path, 0 ≤ s ≤ 5; it goes from 0 to 5.1"),
-    (lambda: r1.PathTrajectory(PATHS["line"], law_to(4, start=-0.5)), "it goes from -0.5 to 4"),
-    (lambda: r1.PathTrajectory(PATHS["line"], r1.cubic([0], [4.9], 1.0, v1=-9.0).joint(0)), "stay on the path"),
-    (lambda: r1.PathTrajectory(3, law_to(1)), "path must be a path"),
-    (lambda: r1.PathTrajectory(PATHS["line"], lambda t: t), "law must be a motion"),
+    (
+        lambda: r1.curves.PathTrajectory(PATHS["line"], law_to(5.1)),
+        "stay on the path, 0 ≤ s ≤ 5; it goes from 0 to 5.1",
+    ),
+    (lambda: r1.curves.PathTrajectory(PATHS["line"], law_to(4, start=-0.5)), "it goes from -0.5 to 4"),
+    (lambda: r1.curves.PathTrajectory(PATHS["line"], r1.cubic([0], [4.9], 1.0, v1=-9.0).joint(0)), "stay on the path"),
+    (lambda: r1.curves.PathTrajectory(3, law_to(1)), "path must be a path"),
+    (lambda: r1.curves.PathTrajectory(PATHS["line"], lambda t: t), "law must be a motion"),
     (lambda: MOTIONS["line"](2.1), r"the parameter must be in \[0, 2\]"),
     (lambda: MOTIONS["line"].velocity(-0.1), r"the parameter must be in \[0, 2\]"),
     (lambda: MOTIONS["line"].velocity(np.nan), "the parameter must be finite"),
     (lambda: MOTIONS["line"].velocity(1.0, side="both"), "side must be one of"),
-    (lambda: r1.peak_norm(MOTIONS["line"], "speed"), "quantity must be one of"),
-    (lambda: r1.peak_norm(MOTIONS["line"], rows=3), "rows must be a slice"),
-    (lambda: r1.timing_bounds(PATHS["line"], 0, 1), "velocity must be a positive number"),
-    (lambda: r1.timing_bounds("line", 1, 1), "path must be a path"),
-    (lambda: r1.CurveSequence(()), "pieces must be one curve or several"),
-    (lambda: r1.CurveSequence((MOTIONS["line"], MOTIONS["ellipse"])), "the same coordinates"),
-    (lambda: r1.CurveSequence((MOTIONS["line"],))(2.5), r"the parameter must be in \[0, 2\]"),
-    (lambda: r1.parabolic_blends([[0, 0], [1, 0]], 1.0, 0.1), "three points at least"),
-    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 0]], 1.0, 0.1), "points 1 and 2 are both"),
-    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 1]], 1.0, 2.1), "point 1 there is 1, and they need 1.05"),
-    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 1]], [1, 0], 0.1), "speeds must be positive"),
-    (lambda: r1.parabolic_blends([[0, 0], [1, 0], [1, 1]], 1.0, 0.0), "blend_times must be positive"),
-]  # fmt: skip
+    (lambda: r1.trajectories.peak_norm(MOTIONS["line"], "speed"), "quantity must be one of"),
+    (lambda: r1.trajectories.peak_norm(MOTIONS["line"], rows=3), "rows must be a slice"),
+    (lambda: r1.trajectories.timing_bounds(PATHS["line"], 0, 1), "velocity must be a positive number"),
+    (lambda: r1.trajectories.timing_bounds("line", 1, 1), "path must be a path"),
+    (lambda: r1.curves.CurveSequence(()), "pieces must be one curve or several"),
+    (lambda: r1.curves.CurveSequence((MOTIONS["line"], MOTIONS["ellipse"])), "the same coordinates"),
+    (lambda: r1.curves.CurveSequence((MOTIONS["line"],))(2.5), r"the parameter must be in \[0, 2\]"),
+    (lambda: r1.curves.parabolic_blends([[0, 0], [1, 0]], 1.0, 0.1), "three points at least"),
+    (lambda: r1.curves.parabolic_blends([[0, 0], [1, 0], [1, 0]], 1.0, 0.1), "points 1 and 2 are both"),
+    (lambda: r1.curves.parabolic_blends([[0, 0], [1, 0], [1, 1]], 1.0, 2.1), "point 1 there is 1, and they need 1.05"),
+    (lambda: r1.curves.parabolic_blends([[0, 0], [1, 0], [1, 1]], [1, 0], 0.1), "speeds must be positive"),
+    (lambda: r1.curves.parabolic_blends([[0, 0], [1, 0], [1, 1]], 1.0, 0.0), "blend_times must be positive"),
+]
 
 
 @pytest.mark.parametrize(("call", "message"), MISUSE, ids=range(len(MISUSE)))
@@ -336,8 +341,8 @@ def test_misuse_of_paths_in_time_is_an_input_error(call, message):
 def test_a_path_of_joints_by_a_formula_is_retraced_by_a_law():
     lam = sympy.Symbol("lam")
     A, T = np.array([0.3, -0.5]), 2.0
-    path = r1.formula_path([a * (1 - sympy.cos(2 * sympy.pi * lam)) for a in A], lam, 1.0)
-    motion = r1.PathTrajectory(path, law_to(1.0, T))
+    path = r1.curves.formula_path([a * (1 - sympy.cos(2 * sympy.pi * lam)) for a in A], lam, 1.0)
+    motion = r1.curves.PathTrajectory(path, law_to(1.0, T))
     for t in (0.3, 1.0, 1.6):
         x, v, a = motion.law(t), motion.law.velocity(t), motion.law.acceleration(t)
         assert motion.velocity(t) == pytest.approx(2 * pi * A * sin(2 * pi * x) * v)

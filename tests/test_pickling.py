@@ -13,14 +13,13 @@ import numpy as np
 import pytest
 from arms import arm
 from observation import observed
+from public_names import PUBLIC
 from public_objects import INSTANCES, robots
 
 import robotics1 as r1
 from robotics1.results import Frozen
 
-CLASSES = [
-    name for name in r1.__all__ if inspect.isclass(getattr(r1, name)) and not issubclass(getattr(r1, name), Exception)
-]
+CLASSES = [name for name, kind in PUBLIC.items() if inspect.isclass(kind) and not issubclass(kind, Exception)]
 
 
 def pickled(x):
@@ -57,7 +56,7 @@ def arrays_in(x):
         yield from arrays_in(tuple(vars(x).values()))
 
 
-@pytest.mark.parametrize("name", [name for name in CLASSES if issubclass(getattr(r1, name), Frozen)])
+@pytest.mark.parametrize("name", [name for name in CLASSES if issubclass(PUBLIC[name], Frozen)])
 def test_nobody_can_write_into_the_arrays_of_a_result_or_of_its_copies(name):
     found = 0
     for x in INSTANCES[name]():
@@ -65,7 +64,7 @@ def test_nobody_can_write_into_the_arrays_of_a_result_or_of_its_copies(name):
             arrays = list(arrays_in(other))
             found += len(arrays)
             assert not any(array.flags.writeable for array in arrays)
-    assert found
+    assert found or name == "FormulaPath"  # which holds formulas alone
 
 
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))  # SymPy, for a point, has no lower one

@@ -13,8 +13,8 @@ from robotics1 import InputError
 from robotics1.trajectories.limits import MotionLimits
 from robotics1.viewer.plot_figures import line_style
 
-CORNER = r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
-SPACE = r1.polyline_path([[0, 0, 0], [1, 0, 0], [1, 1, 1]], blend=0.2)
+CORNER = r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
+SPACE = r1.curves.polyline_path([[0, 0, 0], [1, 0, 0], [1, 1, 1]], blend=0.2)
 
 
 def is_svg(path):
@@ -23,12 +23,12 @@ def is_svg(path):
 
 def pose_motion():
     T1 = pin.SE3(pin.exp3(np.array([0, 0, 1.2])), np.array([1, 2, 2.0]))
-    path = r1.pose_line(np.eye(4), T1)
-    return r1.PathTrajectory(path, law_to(path.end))
+    path = r1.curves.pose_line(np.eye(4), T1)
+    return r1.curves.PathTrajectory(path, law_to(path.end))
 
 
 def test_trajectory_is_drawn_with_its_derivatives_and_units(tmp_path):
-    motion = r1.PathTrajectory(CORNER, law_to(CORNER.end))
+    motion = r1.curves.PathTrajectory(CORNER, law_to(CORNER.end))
     panels = r1.plot_trajectory(motion, file=tmp_path / "a.svg", names=["x", "y"], units="m", title="over a corner")
     assert is_svg(tmp_path / "a.svg")
     assert [panel.get_ylabel() for panel in panels] == ["position [m]", "velocity [m/s]", "acceleration [m/s²]"]
@@ -42,7 +42,7 @@ def test_trajectory_is_drawn_with_its_derivatives_and_units(tmp_path):
 
 
 def test_a_jump_is_drawn_upright_from_both_sides(tmp_path):
-    motion = r1.PathTrajectory(CORNER, law_to(CORNER.end))
+    motion = r1.curves.PathTrajectory(CORNER, law_to(CORNER.end))
     drawn = r1.plot_trajectory(motion)
     switch = motion.breakpoints[0]
     t, a = drawn[2].lines[1].get_data()
@@ -82,7 +82,7 @@ def test_poses_are_drawn_as_a_position_and_a_rotation_vector(tmp_path):
     lines = drawn[0].lines
     assert lines[5].get_ydata()[-1] == pytest.approx(1.2)
     assert lines[1].get_ydata()[-1] == pytest.approx(2)
-    turning = r1.PathTrajectory(motion.path.orientation, law_to(1.2))
+    turning = r1.curves.PathTrajectory(motion.path.orientation, law_to(1.2))
     drawn = r1.plot_trajectory(turning)
     assert drawn[0].lines[2].get_ydata()[-1] == pytest.approx(1.2)
 
@@ -121,7 +121,7 @@ def test_a_path_is_drawn_with_start_end_and_breaks(tmp_path):
 
 
 def test_frames_along_an_arc_are_its_tangents_and_normals(tmp_path):
-    drawn = r1.plot_path(r1.arc_path([0, 0], [1, 0], 1.0), frames=1)
+    drawn = r1.plot_path(r1.curves.arc_path([0, 0], [1, 0], 1.0), frames=1)
     tangent, normal = drawn.lines[3:]
     directions = [np.diff(line.get_xydata(), axis=0)[0] for line in (tangent, normal)]
     assert directions[0] / np.linalg.norm(directions[0]) == pytest.approx([0, 1])
@@ -137,7 +137,7 @@ def test_paths_in_space_poses_and_trajectories_are_drawn(tmp_path):
     drawn = r1.plot_path(pose_motion().path, frames=3)
     assert len(drawn.lines) == 3 + 9
     r1.plot_path(pose_motion(), frames=2)
-    motion = r1.PathTrajectory(SPACE, law_to(SPACE.end))
+    motion = r1.curves.PathTrajectory(SPACE, law_to(SPACE.end))
     drawn = r1.plot_path(motion, frames=2)
     assert np.array(drawn.lines[0].get_data_3d())[:, -1] == pytest.approx([1, 1, 1])
 
@@ -150,7 +150,7 @@ def test_the_same_figure_is_the_same_bytes(tmp_path):
 
 
 def test_a_tool_path_ends_on_the_target_which_is_dotted(planar_2r):
-    tool = r1.TaskTrajectory(planar_2r, r1.PositionTask("xy"), r1.cubic([0, 0], [0, 0], 1.0))
+    tool = r1.trajectories.TaskTrajectory(planar_2r, r1.PositionTask("xy"), r1.cubic([0, 0], [0, 0], 1.0))
     drawing = r1.plot_path(tool, target=r1.LinearMotion([1, 1], [1, -1]))
     assert drawing.lines[0].get_xydata()[-1] == pytest.approx([2.0, 0.0])
     assert drawing.lines[3].get_xydata()[-1] == pytest.approx([2.0, 0.0])
@@ -197,13 +197,17 @@ def test_misuse_of_plots_is_an_input_error(tmp_path, call, message):
 
 @pytest.mark.parametrize(
     ("motion", "message"),
-    [(3, "must be a motion"), (r1.turn_path(np.eye(3), [0, 0, 1], 1.0), "joints"), (r1.cubic([0], [1], 1), "joints")],
+    [
+        (3, "must be a motion"),
+        (r1.curves.turn_path(np.eye(3), [0, 0, 1], 1.0), "joints"),
+        (r1.cubic([0], [1], 1), "joints"),
+    ],
 )
 def test_what_is_no_motion_of_the_robots_joints_is_an_input_error(motion, message, planar_2r, tmp_path):
     for draw in (
         lambda: r1.animate(planar_2r, motion, tmp_path / "motion.out"),
         lambda: r1.plot_trajectory(motion, robot=planar_2r),
-        lambda: r1.TaskTrajectory(planar_2r, r1.PositionTask("xy"), motion),
+        lambda: r1.trajectories.TaskTrajectory(planar_2r, r1.PositionTask("xy"), motion),
     ):
         with pytest.raises(r1.InputError, match=message):
             draw()
@@ -220,7 +224,7 @@ def test_poses_are_drawn_in_metres_and_radians(tmp_path):
     assert texts == ["x [m/s]", "y [m/s]", "z [m/s]", "θx [rad/s]", "θy [rad/s]", "θz [rad/s]"]
 
 
-@pytest.mark.parametrize("path", [r1.helix_path([0, 0, 0], [0.5, 0, 0], 0.2, 2), SPACE])
+@pytest.mark.parametrize("path", [r1.curves.helix_path([0, 0, 0], [0.5, 0, 0], 0.2, 2), SPACE])
 def test_the_labels_of_three_axes_are_inside_the_figure(tmp_path, path):
     space = r1.plot_path(path, file=tmp_path / "a.svg")
     space.figure.canvas.draw()

@@ -6,7 +6,9 @@ import pytest
 from arms import arm
 from hypothesis import given, strategies as st
 
-from robotics1 import InputError, PiecewisePolynomial, cubic, limit_violations
+from robotics1 import InputError, cubic
+from robotics1.curves import PiecewisePolynomial
+from robotics1.trajectories import limit_violations
 
 value = st.floats(-10, 10)
 pair = st.tuples(value, value).map(np.array)

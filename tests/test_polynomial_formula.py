@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import sympy
 
-from robotics1 import InputError, cubic, polynomial_formula, quintic, septic
+from robotics1 import InputError, cubic, quintic
+from robotics1.trajectories import polynomial_formula, septic
 
 q0, v0, a0, q1, v1, a1, T = sympy.symbols("q0 v0 a0 q1 v1 a1 T", real=True)
 tau, t = sympy.symbols("tau t", real=True)

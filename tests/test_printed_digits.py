@@ -16,7 +16,7 @@ from robotics1.cli.commands import app
 from robotics1.singularities.printed_digits import half_units
 
 PLANAR, XY, POSE = r1.PlanarPoseTask("xy"), r1.PositionTask("xy"), r1.PoseTask()
-NEARLY = r1.RateStatus.NEARLY_SINGULAR
+NEARLY = r1.trajectories.RateStatus.NEARLY_SINGULAR
 
 
 def ur5():
@@ -53,10 +53,10 @@ PRINTED = [
 @pytest.mark.parametrize(("name", "q", "joint", "value", "rank"), PRINTED)
 def test_a_printed_configuration_that_rounds_a_singular_one_is_nearly_singular(name, q, joint, value, rank):
     robot, task = ROBOTS[name](), TASKS[name]
-    rounded = r1.singularity_within_rounding(robot, task, q)
+    rounded = r1.singularities.singularity_within_rounding(robot, task, q)
     exact = np.array(q, dtype=float)
     exact[joint] = value
-    assert rounded.status is r1.RankStatus.NEARLY_SINGULAR
+    assert rounded.status is r1.singularities.RankStatus.NEARLY_SINGULAR
     assert rounded.singular_q == pytest.approx(exact, abs=1e-9)
     assert np.flatnonzero(rounded.singular_q != q).tolist() == [joint]
     assert rounded.at_singularity.rank == rank == np.linalg.matrix_rank(task.jacobian(robot, exact), tol=1e-9)
@@ -67,7 +67,7 @@ def test_a_printed_configuration_that_rounds_a_singular_one_is_nearly_singular(n
     assert found.status is NEARLY
     assert found.at_singularity.qdot == pytest.approx(there.qdot, abs=1e-8)
     assert np.abs(found.at_singularity.qdot).max() < 10 < np.abs(found.qdot).max()
-    assert found.at_singularity.status is there.status is r1.RateStatus.OUT_OF_RANGE
+    assert found.at_singularity.status is there.status is r1.trajectories.RateStatus.OUT_OF_RANGE
     assert "nearly singular" in found.explain()
     assert "at_singularity" in found.explain()
     second = r1.joint_acceleration(robot, task, rdot, q, np.full(robot.nv, 0.1))
@@ -77,7 +77,7 @@ def test_a_printed_configuration_that_rounds_a_singular_one_is_nearly_singular(n
 
 
 def test_the_answer_at_the_singularity_of_a_prr_is_the_exams():
-    rounded = r1.singularity_within_rounding(arm("prr"), PLANAR, [0.3, 1.5708, 0.7])
+    rounded = r1.singularities.singularity_within_rounding(arm("prr"), PLANAR, [0.3, 1.5708, 0.7])
     there = rounded.at_singularity
     assert outside(there.null, cf.prr_null(1, 0.6)) == pytest.approx(np.zeros(3), abs=1e-9)
     assert outside(there.left_null, cf.prr_left_null(1, 0.7, 0.4)) == pytest.approx(np.zeros(3), abs=1e-9)
@@ -87,7 +87,7 @@ def test_a_velocity_in_the_range_at_the_singularity_is_realised_there():
     robot, q = arm("planar_2r", l1=1.0, l2=0.5), [0.0, 3.1416]
     found = r1.joint_velocity(robot, XY, [0.0, 0.4], q)
     assert found.status is NEARLY
-    assert found.at_singularity.status is r1.RateStatus.REALISED_ALL_THE_SAME
+    assert found.at_singularity.status is r1.trajectories.RateStatus.REALISED_ALL_THE_SAME
     J = XY.jacobian(robot, [0.0, pi])
     assert J @ found.at_singularity.qdot == pytest.approx([0, 0.4], abs=1e-9)
 
@@ -114,17 +114,17 @@ NEAR_MISSES = [
 @pytest.mark.parametrize(("name", "q"), NEAR_MISSES)
 def test_a_singularity_beyond_half_a_unit_of_the_last_digit_is_not_within_rounding(name, q):
     robot, task = ROBOTS[name](), TASKS[name]
-    assert r1.singularity_within_rounding(robot, task, q).status is r1.RankStatus.FULL_RANK
+    assert r1.singularities.singularity_within_rounding(robot, task, q).status is r1.singularities.RankStatus.FULL_RANK
     found = r1.joint_velocity(robot, task, np.ones(task.rows), q)
-    assert found.status is r1.RateStatus.REALISED
+    assert found.status is r1.trajectories.RateStatus.REALISED
     assert found.at_singularity is None
 
 
 @pytest.mark.parametrize(("name", "q"), [("2r", [0.5, 0.0]), ("2r", [0.5, pi]), ("prr", [0.2, pi / 2, 1.0])])
 def test_a_configuration_that_is_singular_itself_is_no_near_miss(name, q):
     robot, task = ROBOTS[name](), TASKS[name]
-    rounded = r1.singularity_within_rounding(robot, task, q)
-    assert rounded.status is r1.RankStatus.RANK_DEFICIENT
+    rounded = r1.singularities.singularity_within_rounding(robot, task, q)
+    assert rounded.status is r1.singularities.RankStatus.RANK_DEFICIENT
     assert rounded.at_singularity is None
 
 
@@ -136,7 +136,7 @@ def test_random_configurations_away_from_singularities_are_not_nearly_singular(s
     q = q if decimals is None else q.round(decimals)
     away = np.abs(np.cos(q[1]) if name == "prr" else np.sin(q[1]))
     assume(decimals is None or away > 0.6 * 10.0**-decimals)
-    assert r1.singularity_within_rounding(robot, task, q).status is r1.RankStatus.FULL_RANK
+    assert r1.singularities.singularity_within_rounding(robot, task, q).status is r1.singularities.RankStatus.FULL_RANK
 
 
 @given(st.integers(0, 10**6), st.integers(2, 9), st.sampled_from([-pi, 0.0, pi, 2 * pi]))
@@ -146,8 +146,8 @@ def test_any_rounding_of_a_singular_configuration_is_nearly_singular_or_singular
     q = np.random.default_rng(seed).uniform(-2.5, 2.5, 6)
     assume(min(abs(np.sin(q[2])), abs(np.cos(q[1] + q[2] + q[3]))) > 0.2)
     q[4] = value
-    rounded = r1.singularity_within_rounding(robot, POSE, q.round(decimals))
-    assert rounded.status is not r1.RankStatus.FULL_RANK
+    rounded = r1.singularities.singularity_within_rounding(robot, POSE, q.round(decimals))
+    assert rounded.status is not r1.singularities.RankStatus.FULL_RANK
 
 
 @pytest.mark.parametrize("q", [np.float32([0.2, 1.5708, 1.0]), (0.2, 1.5708, 1), np.array([0.2, 1.5708, 1.0])])
@@ -157,7 +157,7 @@ def test_the_digits_of_any_kind_of_number_count(q):
 
 def test_with_an_input_matrix_the_rank_of_j_times_g_counts():
     robot = arm("planar_2r", l1=1.0, l2=1.0)
-    coupled = r1.Resolution(input_matrix=[[1, 0], [-1, 1]])
+    coupled = r1.trajectories.Resolution(input_matrix=[[1, 0], [-1, 1]])
     found = r1.joint_velocity(robot, XY, [1, 1], [0.4, 3.1416], resolution=coupled)
     assert found.status is NEARLY
     assert np.abs(found.at_singularity.inputs).max() < 10
@@ -167,7 +167,10 @@ def test_a_redundant_arm_is_nearly_singular_where_all_its_minors_vanish():
     found = r1.joint_velocity(planar_3r(), XY, [0.1, 0.1], [0.2, 3.1416, 3.1416])
     assert found.status is NEARLY
     assert found.rounded.singular_q == pytest.approx([0.2, pi, pi])
-    assert r1.joint_velocity(planar_3r(), XY, [0.1, 0.1], [0.25, 3.1416, 0.41]).status is r1.RateStatus.REALISED
+    assert (
+        r1.joint_velocity(planar_3r(), XY, [0.1, 0.1], [0.25, 3.1416, 0.41]).status
+        is r1.trajectories.RateStatus.REALISED
+    )
 
 
 def test_half_units_are_those_of_the_last_digit():
@@ -185,7 +188,7 @@ def test_half_units_are_those_of_the_last_digit():
 def test_a_printed_matrix_is_nearly_singular_where_a_singular_one_rounds_to_it():
     J = np.array([[0.7071, 0.7071], [0.5, 0.5001]])
     s = r1.subspaces(J)
-    assert (s.rank, s.status, s.nearly_singular) == (2, r1.RankStatus.NEARLY_SINGULAR, True)
+    assert (s.rank, s.status, s.nearly_singular) == (2, r1.singularities.RankStatus.NEARLY_SINGULAR, True)
     assert s.rounding == pytest.approx(1e-4)
     there = s.at_singularity
     assert (there.rank, there.null.shape, there.left_null.shape) == (1, (2, 1), (2, 1))
@@ -210,17 +213,17 @@ def test_a_printed_matrix_is_nearly_singular_where_a_singular_one_rounds_to_it()
 )
 def test_a_matrix_away_from_singular_ones_has_a_certain_rank(J):
     s = r1.subspaces(J)
-    assert s.status is r1.RankStatus.FULL_RANK
+    assert s.status is r1.singularities.RankStatus.FULL_RANK
     assert s.at_singularity is s
 
 
 def test_a_jacobian_at_a_printed_configuration_is_nearly_singular_and_its_rank_stays():
     s = r1.subspaces(PLANAR.jacobian(arm("prr"), [0.2, 1.5708, 1.0]))
-    assert (s.rank, s.status, s.at_singularity.rank) == (3, r1.RankStatus.NEARLY_SINGULAR, 2)
+    assert (s.rank, s.status, s.at_singularity.rank) == (3, r1.singularities.RankStatus.NEARLY_SINGULAR, 2)
     assert outside(s.at_singularity.null, cf.prr_null(1, 0.6)) == pytest.approx(np.zeros(3), abs=1e-4)
-    assert r1.subspaces(s.J, rounding=0).status is r1.RankStatus.FULL_RANK
+    assert r1.subspaces(s.J, rounding=0).status is r1.singularities.RankStatus.FULL_RANK
     assert r1.subspaces(np.diag([1, 0.1, 0]), rounding=0.2).at_singularity.rank == 1
-    assert r1.subspaces(np.diag([1, 0.1, 0])).status is r1.RankStatus.RANK_DEFICIENT
+    assert r1.subspaces(np.diag([1, 0.1, 0])).status is r1.singularities.RankStatus.RANK_DEFICIENT
     with pytest.raises(r1.InputError, match="rounding"):
         r1.subspaces(np.eye(2), rounding=-1)
 

@@ -150,7 +150,7 @@ def test_public_functions_go_to_workers_by_their_names(pool):
     robot, q = arm("planar_2r"), np.array(Q)
     motion = r1.cubic([0, 0], Q, 2.0)
     solver = r1.IKSolver(robot, PLANE, seed=2)
-    path = r1.formula_path(["cos(s)", "sin(s)"], "s", 2.0)
+    path = r1.curves.formula_path(["cos(s)", "sin(s)"], "s", 2.0)
     calls = [
         (r1.forward_kinematics, robot, q),
         (r1.frame_jacobian, robot, q),
@@ -161,13 +161,13 @@ def test_public_functions_go_to_workers_by_their_names(pool):
         (r1.joint_velocity, robot, PLANE, [1, 0], q),
         (r1.find_singularities, robot, PLANE),
         (r1.scan_singularities, robot, r1.PlanarPoseTask()),
-        (r1.urdf_to_dh, robot),
+        (r1.dh.urdf_to_dh, robot),
         (r1.subspaces, r1.frame_jacobian(robot, q)),
-        (r1.limit_violations, robot, motion, r1.MotionLimits(0.1)),
+        (r1.trajectories.limit_violations, robot, motion, r1.MotionLimits(0.1)),
         (r1.simulate_tracking, motion, [0.1, 0], 2.0),
         (r1.minimum_time, [0, 0], Q, r1.MotionLimits(1.0, 2.0)),
-        (r1.by_arc_length, path),
-        (r1.frenet_frame, path, 0.3),
+        (r1.curves.by_arc_length, path),
+        (r1.curves.frenet_frame, path, 0.3),
         (r1.robot_from_dh, [("R", 1, 0, 0, 0)]),
         (r1.load_robot, "prr"),
         (r1.check_robot, "prr"),

@@ -6,10 +6,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from public_names import NAMESPACES, PUBLIC
 
 import robotics1
 
 MODULES = [module.name for module in pkgutil.walk_packages(robotics1.__path__, "robotics1.")]
+NAMES = sorted(set(NAMESPACES) - {"robotics1"})
+SPACES = ["robotics1", *(f"robotics1.{name}" for name in NAMES)]
 HEAVY = ("pinocchio", "scipy", "sympy", "matplotlib", "meshcat", "xacro", "typer", "rich", "numpy")
 
 
@@ -27,15 +30,18 @@ def test_import_loads_no_heavy_library():
 def test_every_public_name_is_the_same_object_before_and_after_importing_every_submodule():
     code = f"""
 import importlib, json, robotics1
-first = {{name: getattr(robotics1, name) for name in robotics1.__all__}}
+spaces = [importlib.import_module(name) for name in {SPACES!r}]
+def found():
+    return {{(space.__name__, name): getattr(space, name) for space in spaces for name in space.__all__}}
+first = found()
 for module in {MODULES!r}:
     importlib.import_module(module)
-second = {{name: getattr(robotics1, name) for name in robotics1.__all__}}
-third = {{name: getattr(robotics1, name) for name in robotics1.__all__}}
-bad = [n for n in first if not (first[n] is second[n] is third[n]) or type(first[n]).__name__ == "module"]
+second, third = found(), found()
+modules = {{name for name in first if type(first[name]).__name__ == "module"}} - {{("robotics1", n) for n in {NAMES!r}}}
+bad = sorted(map(str, modules | {{n for n in first if not (first[n] is second[n] is third[n])}}))
 print(json.dumps([len(first), bad]))
 """
-    assert fresh(code) == [len(robotics1.__all__), []]
+    assert fresh(code) == [sum(len(space.__all__) for space in NAMESPACES.values()), []]
 
 
 def test_every_public_name_resolves_after_importing_every_submodule_first():
@@ -43,21 +49,25 @@ def test_every_public_name_resolves_after_importing_every_submodule_first():
 import importlib, json, robotics1
 for module in {MODULES!r}:
     importlib.import_module(module)
-bad = [n for n in robotics1.__all__ for _ in range(2) if type(getattr(robotics1, n)).__name__ == "module"]
+spaces = [importlib.import_module(name) for name in {SPACES!r}]
+found = [(n, getattr(space, n)) for space in spaces for n in space.__all__ for _ in range(2)]
+bad = [n for n, value in found if type(value).__name__ == "module" and n not in {NAMES!r}]
 print(json.dumps(bad))
 """
     assert fresh(code) == []
 
 
 def test_no_public_name_is_a_module_name():
-    assert not set(robotics1.__all__) & {part for module in MODULES for part in module.split(".")}
+    assert not set(PUBLIC) & {part for module in MODULES for part in module.split(".")}
 
 
-def test_all_equals_the_names_of_the_stub():
-    tree = ast.parse(Path(robotics1.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
+@pytest.mark.parametrize("space", [name for name, module in NAMESPACES.items() if hasattr(module, "__path__")])
+def test_all_equals_the_names_of_the_stub(space):
+    module = NAMESPACES[space]
+    tree = ast.parse(Path(module.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
     imported = [a.name for node in tree.body if isinstance(node, ast.ImportFrom) for a in node.names]
     listed = next(ast.literal_eval(node.value) for node in tree.body if isinstance(node, ast.Assign))
-    assert sorted(imported) == sorted(listed) == sorted(robotics1.__all__)
+    assert sorted(imported) == sorted(listed) == sorted(module.__all__)
     assert len(set(listed)) == len(listed)
 
 
@@ -70,7 +80,7 @@ def test_an_unknown_attribute_is_an_attribute_error():
         robotics1.find_singularity  # noqa: B018
 
 
-@pytest.mark.parametrize("name", sorted(robotics1.__all__))
+@pytest.mark.parametrize("name", sorted(PUBLIC))
 def test_every_public_name_has_a_docstring(name):
-    value = getattr(robotics1, name)
+    value = PUBLIC[name]
     assert name == "RANK_TOLERANCE" or value.__doc__

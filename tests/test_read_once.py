@@ -41,7 +41,7 @@ QUESTIONS = {
     "formulas": lambda robot: r1.formulas(robot, r1.PositionTask("xy")).jacobian,
     "a point": lambda robot: r1.formulas(robot, r1.PositionTask("xy"), point=("d", 0, 0.1)).value,
     "a joint's frame": lambda robot: r1.formulas(robot, r1.PositionTask("xy", frame=robot.joint_names[-1])).value,
-    "a DH table": r1.urdf_to_dh,
+    "a DH table": r1.dh.urdf_to_dh,
     "inverse kinematics": lambda robot: r1.solve_ik(robot, r1.PositionTask("x"), [0.3], time_limit=0.1),
 }
 
@@ -125,7 +125,7 @@ def test_what_a_robot_was_loaded_with_is_copied(tmp_path):
 
 def test_a_table_is_copied_and_cannot_be_written():
     lower, T = np.array([-1.0]), np.eye(4)
-    table = r1.DHTable([["R", 1, 0, 0, 0]], lower=lower, base_placement=T)
+    table = r1.dh.DHTable([["R", 1, 0, 0, 0]], lower=lower, base_placement=T)
     lower[0], T[0, 3] = 5.0, 5.0
     assert (table.lower.tolist(), table.base_placement.translation.tolist()) == ([-1], [0, 0, 0])
     for copied in (table, copy.deepcopy(table), pickle.loads(pickle.dumps(table))):

@@ -122,7 +122,7 @@ def test_second_order_of_a_task_with_followers_is_the_difference_of_the_first(fo
     J = task.jacobian(robot, q)
     expected = along(lambda x: task.jacobian(robot, x), q, qdot)
     scale = 1 + np.abs(expected).max()
-    assert r1.jacobian_rate(robot, task, q, qdot) == pytest.approx(expected, abs=1e-7 * scale)
+    assert r1.trajectories.jacobian_rate(robot, task, q, qdot) == pytest.approx(expected, abs=1e-7 * scale)
     qddot = np.linspace(-1, 1, robot.nv)
     asked = J @ qddot + expected @ qdot
     found = r1.joint_acceleration(robot, task, asked, q, qdot)
@@ -134,7 +134,7 @@ def test_second_order_of_a_task_with_followers_is_the_difference_of_the_first(fo
 def test_a_task_trajectory_of_an_arm_with_followers_is_differentiated(folder):
     robot = following_2r(folder)
     motion, h, t = r1.cubic([0.1, 0.2], [0.9, -0.7], 2.0), 1e-3, 0.7
-    seen = r1.TaskTrajectory(robot, r1.PositionTask("xy"), motion)
+    seen = r1.trajectories.TaskTrajectory(robot, r1.PositionTask("xy"), motion)
     for f, g in ((seen, seen.velocity), (seen.velocity, seen.acceleration)):
         expected = (8 * (f(t + h) - f(t - h)) - (f(t + 2 * h) - f(t - 2 * h))) / (12 * h)
         assert g(t) == pytest.approx(expected, abs=1e-8)
@@ -144,11 +144,11 @@ def test_an_arm_with_followers_follows_by_accelerations_as_by_velocities(folder)
     robot, task, q0 = following_2r(folder), r1.PositionTask("xy"), np.array([0.3, 0.8])
     start = task.value(robot, q0)
     path = r1.line_path(start, start + np.array([-0.3, 0.1]))
-    motion = r1.PathTrajectory(path, r1.cubic(0, path.end, 1.0).joint())
+    motion = r1.curves.PathTrajectory(path, r1.cubic(0, path.end, 1.0).joint())
     by_velocity = r1.follow_trajectory(robot, task, motion, q0)
-    by_acceleration = r1.follow_trajectory_by_acceleration(robot, task, motion, (q0, np.zeros(2)))
+    by_acceleration = r1.trajectories.follow_trajectory_by_acceleration(robot, task, motion, (q0, np.zeros(2)))
     assert by_acceleration(0.8) == pytest.approx(by_velocity(0.8), abs=1e-6)
-    assert by_acceleration.status is r1.FollowingStatus.FOLLOWS
+    assert by_acceleration.status is r1.trajectories.FollowingStatus.FOLLOWS
 
 
 @given(trees(most=3, chain=True), st.integers(0, 99))

@@ -18,12 +18,11 @@ from robotics1 import (
     OrientationTask,
     PositionTask,
     TaskError,
-    find_intersections,
     find_singularities,
     load_robot,
-    parameter_conditions,
     robot_from_dh,
 )
+from robotics1.singularities import find_intersections, parameter_conditions
 
 WIDE = ("3R xy", "spatial 4R xyz", "7R wrist centre", "SCARA twist", "2R, l2 = 0, xy")
 q1, q3 = sympy.symbols("q1 q3", real=True)

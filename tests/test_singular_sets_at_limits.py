@@ -15,14 +15,13 @@ from robotics1 import (
     PoseTask,
     PositionTask,
     TaskError,
-    find_intersections,
     find_singularities,
     formulas,
     load_robot,
-    parameter_conditions,
     robot_from_dh,
     scan_singularities,
 )
+from robotics1.singularities import find_intersections, parameter_conditions
 
 METHODS = ("symbolic", "numeric")
 

@@ -8,7 +8,6 @@ from differences import same_rows
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
-    IKStatus,
     InputError,
     NotConverged,
     OrientationTask,
@@ -19,6 +18,7 @@ from robotics1 import (
     UnknownNameError,
     ik_solutions,
 )
+from robotics1.ik import IKStatus
 
 SPACE, POINT, POSE = PositionTask("xyz"), PositionTask("xy"), PlanarPoseTask("xy")
 

@@ -12,7 +12,6 @@ from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
     FunctionTask,
-    IKStatus,
     InputError,
     PlanarPoseTask,
     PoseTask,
@@ -22,6 +21,7 @@ from robotics1 import (
     robot_from_dh,
     solve_ik,
 )
+from robotics1.ik import IKStatus
 
 H = pi / 2
 XYZ, XY = PositionTask(), PositionTask("xy")

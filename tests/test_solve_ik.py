@@ -13,7 +13,6 @@ from scipy.optimize import brentq
 from robotics1 import (
     FunctionTask,
     IKSolver,
-    IKStatus,
     NotConverged,
     PoseTask,
     PositionTask,
@@ -23,6 +22,7 @@ from robotics1 import (
     robot_from_dh,
     solve_ik,
 )
+from robotics1.ik import IKStatus
 from robotics1.ik.pose_problem import pose_problem
 from robotics1.ik.proof import reach_bound
 

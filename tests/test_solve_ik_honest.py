@@ -9,16 +9,8 @@ from arms import arm, configurations
 from dh_arms import P, R, dh
 from hypothesis import given, strategies as st
 
-from robotics1 import (
-    IKSolver,
-    IKStatus,
-    OrientationTask,
-    PlanarPoseTask,
-    PointingTask,
-    PoseTask,
-    PositionTask,
-    load_robot,
-)
+from robotics1 import IKSolver, OrientationTask, PlanarPoseTask, PointingTask, PoseTask, PositionTask, load_robot
+from robotics1.ik import IKStatus
 
 REACHABLE = 720  # targets of each case
 ANYWHERE = 30  # of each case, most of them out of reach

@@ -5,7 +5,8 @@ import pinocchio as pin
 import pytest
 from arms import arm
 
-from robotics1 import IKSolver, IKStatus, PoseTask, PositionTask
+from robotics1 import IKSolver, PoseTask, PositionTask
+from robotics1.ik import IKStatus
 
 
 @pytest.mark.parametrize("beyond", [2e-6, 5e-6, 2e-5, 1e-4])

@@ -10,7 +10,6 @@ from arms import arm
 from robotics1 import (
     FunctionTask,
     IKSolver,
-    IKStatus,
     NotConverged,
     PoseTask,
     PositionTask,
@@ -18,6 +17,7 @@ from robotics1 import (
     frame_jacobian,
     load_robot,
 )
+from robotics1.ik import IKStatus
 
 XY = PositionTask("xy")
 

@@ -36,7 +36,7 @@ def test_cubic_spline_is_the_dense_linear_system_of_its_conditions(points, steps
     times = np.concatenate([[0], np.cumsum(steps[: len(points) - 1])])
     spline = r1.cubic_spline(times, points, v0=v0, a1=a1)
     assert_smooth_through(spline, points, times)
-    dense = r1.polynomial_spline(times, points, [3] * (len(points) - 1), [(0, 1, v0), (-1, 2, a1)])
+    dense = r1.trajectories.polynomial_spline(times, points, [3] * (len(points) - 1), [(0, 1, v0), (-1, 2, a1)])
     t = np.linspace(0, times[-1], 23)
     assert spline(t) == pytest.approx(dense(t), abs=1e-9)
     assert spline.velocity(0) == pytest.approx([v0, v0], abs=1e-9)
@@ -100,9 +100,9 @@ def test_the_clamped_spline_bends_least_of_all_motions_through_the_points():
     spline = r1.cubic_spline(TIMES, POINTS)
     t = np.linspace(0, 4.7, 20001)
     bend = np.trapezoid(spline.acceleration(t) ** 2, t, axis=0)
-    other = r1.cubic_hermite_spline(TIMES, POINTS)
+    other = r1.trajectories.cubic_hermite_spline(TIMES, POINTS)
     assert (bend < np.trapezoid(other.acceleration(t) ** 2, t, axis=0)).all()
-    quartics = r1.polynomial_spline(TIMES, POINTS, (4, 3, 3, 4))
+    quartics = r1.trajectories.polynomial_spline(TIMES, POINTS, (4, 3, 3, 4))
     assert (bend < np.trapezoid(quartics.acceleration(t) ** 2, t, axis=0)).all()
 
 
@@ -121,7 +121,7 @@ def test_two_points_are_a_cubic():
 def test_published_mixed_degrees_are_at_rest_at_both_ends(degrees, points):
     rng = np.random.default_rng(points)
     q, t = rng.uniform(-2, 2, (points, 3)), np.cumsum([0, *rng.uniform(0.5, 2, points - 1)])
-    spline = r1.polynomial_spline(t, q, degrees)
+    spline = r1.trajectories.polynomial_spline(t, q, degrees)
     assert_smooth_through(spline, q, t)
     assert spline.velocity([0, t[-1]]) == pytest.approx(np.zeros((2, 3)), abs=1e-9)
     assert spline.acceleration([0, t[-1]]) == pytest.approx(np.zeros((2, 3)), abs=1e-9)
@@ -131,30 +131,30 @@ def test_published_mixed_degrees_are_at_rest_at_both_ends(degrees, points):
 
 def test_mixed_spline_with_given_velocities_and_accelerations():
     ends = [(0, 1, [1, 2]), (0, 2, -1), (-1, 1, 0.5), (-1, 2, [3, 0])]
-    spline = r1.polynomial_spline(TIMES[:4], POINTS[:4], (4, 3, 4), ends)
+    spline = r1.trajectories.polynomial_spline(TIMES[:4], POINTS[:4], (4, 3, 4), ends)
     assert_smooth_through(spline, POINTS[:4], TIMES[:4])
     assert spline.velocity([0, 4]) == pytest.approx(np.array([[1, 2], [0.5, 0.5]]))
     assert spline.acceleration([0, 4]) == pytest.approx(np.array([[-1, -1], [3, 0]]))
 
 
 def test_mixed_spline_of_one_piece_is_the_quintic():
-    spline = r1.polynomial_spline([0, 3], [[0], [2]], [5], [(0, 1, 1), (0, 2, 2), (1, 1, -1), (1, 2, 0.5)])
+    spline = r1.trajectories.polynomial_spline([0, 3], [[0], [2]], [5], [(0, 1, 1), (0, 2, 2), (1, 1, -1), (1, 2, 0.5)])
     assert spline.pieces[0].coefficients == pytest.approx(r1.quintic(0, 2, 3, 1, -1, 2, 0.5).coefficients)
 
 
 def test_a_velocity_at_an_inner_point_takes_the_place_of_a_continuous_acceleration():
-    spline = r1.polynomial_spline(
+    spline = r1.trajectories.polynomial_spline(
         TIMES[:3], POINTS[:3], (3, 3), [(0, 1, 0), (1, 1, [0.7, -0.1]), (2, 1, 0)], continuity=1
     )
     assert spline.velocity(1.0) == pytest.approx([0.7, -0.1])
-    wanted = r1.cubic_hermite_spline(TIMES[:3], POINTS[:3], [[0, 0], [0.7, -0.1], [0, 0]])
+    wanted = r1.trajectories.cubic_hermite_spline(TIMES[:3], POINTS[:3], [[0, 0], [0.7, -0.1], [0, 0]])
     t = np.linspace(0, 2.5, 9)
     assert spline(t) == pytest.approx(wanted(t))
 
 
 def test_virtual_points_give_a_cubic_spline_velocity_and_acceleration_at_both_ends():
     for points, times in ((POINTS, TIMES), (POINTS[:2], TIMES[:2])):
-        spline = r1.virtual_point_spline(times, points, [1, 0], -1, 2, [0, -3])
+        spline = r1.trajectories.virtual_point_spline(times, points, [1, 0], -1, 2, [0, -3])
         assert_smooth_through(spline, points, times)
         T = times[-1]
         assert spline.velocity([0, T]) == pytest.approx(np.array([[1, 0], [-1, -1]]))
@@ -168,7 +168,7 @@ def test_virtual_points_give_a_cubic_spline_velocity_and_acceleration_at_both_en
 
 def test_cubics_through_points_with_given_velocities_are_hermites():
     v = np.array([[0, 1], [1, 0.3], [-1, 0], [0.2, 0], [0, 0]])
-    motion = r1.cubic_hermite_spline(TIMES, POINTS, v)
+    motion = r1.trajectories.cubic_hermite_spline(TIMES, POINTS, v)
     hermite = CubicHermiteSpline(TIMES, POINTS, v)
     t = np.linspace(0, 4.7, 31)
     assert motion(t) == pytest.approx(hermite(t))
@@ -177,7 +177,7 @@ def test_cubics_through_points_with_given_velocities_are_hermites():
 
 
 def test_velocities_left_out_are_mean_slopes_or_zero_at_a_turn():
-    motion = r1.cubic_hermite_spline([0, 1, 2, 3, 5], [0, 1, 3, 2, 1.5])
+    motion = r1.trajectories.cubic_hermite_spline([0, 1, 2, 3, 5], [0, 1, 3, 2, 1.5])
     assert motion.velocity([0, 1, 2, 3, 5])[:, 0] == pytest.approx([0, 1.5, 0, -0.625, 0])
 
 
@@ -186,10 +186,10 @@ def test_velocities_left_out_are_mean_slopes_or_zero_at_a_turn():
 
 def test_times_of_points_are_in_proportion_to_powers_of_the_chords():
     points = [[0, 0], [3, 4], [3, 5], [12, 5]]  # chords 5, 1, 9
-    assert r1.knot_times(points, 3, "chord") == pytest.approx([0, 1, 1.2, 3])
-    assert r1.knot_times(points, 3, "uniform") == pytest.approx([0, 1, 2, 3])
-    assert r1.knot_times([0, 4, 5], 3, "centripetal") == pytest.approx([0, 2, 3])
-    assert r1.knot_times([[1], [1], [2]], 4, "uniform") == pytest.approx([0, 2, 4])
+    assert r1.trajectories.knot_times(points, 3, "chord") == pytest.approx([0, 1, 1.2, 3])
+    assert r1.trajectories.knot_times(points, 3, "uniform") == pytest.approx([0, 1, 2, 3])
+    assert r1.trajectories.knot_times([0, 4, 5], 3, "centripetal") == pytest.approx([0, 2, 3])
+    assert r1.trajectories.knot_times([[1], [1], [2]], 4, "uniform") == pytest.approx([0, 2, 4])
 
 
 # --- extremes and bounds
@@ -208,13 +208,13 @@ def test_no_sample_passes_the_extremes_of_a_spline(points, steps):
 
 def test_a_spline_is_scaled_to_its_bounds_and_no_further():
     spline = r1.cubic_spline(TIMES, POINTS)
-    scaled = r1.scale_to_limits(spline, r1.MotionLimits([1.5, 2], [4, 3]))
+    scaled = r1.trajectories.scale_to_limits(spline, r1.MotionLimits([1.5, 2], [4, 3]))
     assert scaled.duration == pytest.approx(scaled.factor * 4.7)
     used = [np.abs(scaled.trajectory.extremes(k)[1]).max(axis=0) / b for k, b in ((1, [1.5, 2]), (2, [4, 3]))]
     assert np.max(used) == pytest.approx(1)
     (active,) = scaled.active
     assert abs(active.value) == pytest.approx(active.limit)
-    assert isinstance(scaled.trajectory, r1.PiecewisePolynomial)
+    assert isinstance(scaled.trajectory, r1.curves.PiecewisePolynomial)
     assert scaled.trajectory.x == pytest.approx(scaled.factor * TIMES)
 
 
@@ -224,7 +224,7 @@ def test_the_shortest_duration_of_a_spline_keeps_its_velocities_at_the_ends():
     def spline(T):
         return r1.cubic_spline(T * shares, POINTS, v0=[1, -2], v1=0.5)
 
-    T = r1.minimum_duration(spline, limits)
+    T = r1.trajectories.minimum_duration(spline, limits)
 
     def used(T):
         return max(np.abs(spline(T).extremes(k)[1]).max() / bound for k, bound in ((1, 2.5), (2, 6)))
@@ -235,8 +235,8 @@ def test_the_shortest_duration_of_a_spline_keeps_its_velocities_at_the_ends():
 
 
 def test_a_path_of_a_spline_takes_a_timing_law():
-    spline = r1.polynomial_spline(TIMES, POINTS, (4, 3, 3, 4))
-    motion = r1.PathTrajectory(spline, r1.quintic(0, 4.7, 6).joint())
+    spline = r1.trajectories.polynomial_spline(TIMES, POINTS, (4, 3, 3, 4))
+    motion = r1.curves.PathTrajectory(spline, r1.quintic(0, 4.7, 6).joint())
     law = r1.quintic(0, 4.7, 6).joint()
     assert motion(2.2) == pytest.approx(spline(law(2.2)))
     assert motion.velocity(2.2) == pytest.approx(spline.velocity(law(2.2)) * law.velocity(2.2))
@@ -263,17 +263,29 @@ def test_a_path_of_a_spline_takes_a_timing_law():
         (lambda: r1.cubic_spline([0, 1], [[], []]), "two at least"),
         (lambda: r1.cubic_spline([0, 1, 2], "abc"), "array of real numbers"),
         (lambda: r1.cubic_spline([0, 1], [[0], [inf]]), "finite"),
-        (lambda: r1.polynomial_spline(TIMES, POINTS, (3, 3, 3, 3)), "leave 2 conditions to be given; there are 4"),
-        (lambda: r1.polynomial_spline(TIMES, POINTS, (3, 3)), "there are 4 pieces"),
-        (lambda: r1.polynomial_spline(TIMES, POINTS, (3, 3, 3, 0)), "at least 1"),
-        (lambda: r1.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), [(0, 1, 0), (0, 1, 0)]), "contradict or repeat"),
-        (lambda: r1.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), [(0, 1, 0), (5, 1, 0)]), "one of the 3 points"),
-        (lambda: r1.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), [(0, 1, 0), (2, 0, 0)]), "at least 1"),
-        (lambda: r1.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), 5), r"\(point, order, value\)"),
-        (lambda: r1.cubic_hermite_spline(TIMES, POINTS, POINTS[:4]), "one velocity for each point"),
-        (lambda: r1.knot_times([[0], [0], [1]], 3), "points 0 and 1 are the same"),
-        (lambda: r1.knot_times(POINTS, 0), "positive"),
-        (lambda: r1.knot_times(POINTS, 1, "even"), "one of 'uniform'"),
+        (
+            lambda: r1.trajectories.polynomial_spline(TIMES, POINTS, (3, 3, 3, 3)),
+            "leave 2 conditions to be given; there are 4",
+        ),
+        (lambda: r1.trajectories.polynomial_spline(TIMES, POINTS, (3, 3)), "there are 4 pieces"),
+        (lambda: r1.trajectories.polynomial_spline(TIMES, POINTS, (3, 3, 3, 0)), "at least 1"),
+        (
+            lambda: r1.trajectories.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), [(0, 1, 0), (0, 1, 0)]),
+            "contradict or repeat",
+        ),
+        (
+            lambda: r1.trajectories.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), [(0, 1, 0), (5, 1, 0)]),
+            "one of the 3 points",
+        ),
+        (
+            lambda: r1.trajectories.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), [(0, 1, 0), (2, 0, 0)]),
+            "at least 1",
+        ),
+        (lambda: r1.trajectories.polynomial_spline(TIMES[:3], POINTS[:3], (3, 3), 5), r"\(point, order, value\)"),
+        (lambda: r1.trajectories.cubic_hermite_spline(TIMES, POINTS, POINTS[:4]), "one velocity for each point"),
+        (lambda: r1.trajectories.knot_times([[0], [0], [1]], 3), "points 0 and 1 are the same"),
+        (lambda: r1.trajectories.knot_times(POINTS, 0), "positive"),
+        (lambda: r1.trajectories.knot_times(POINTS, 1, "even"), "one of 'uniform'"),
         (lambda: r1.cubic_spline(TIMES, POINTS)(4.8), r"\[0, 4.7\]"),
         (lambda: r1.cubic_spline(TIMES, POINTS).velocity(-0.1), r"\[0, 4.7\]"),
     ],

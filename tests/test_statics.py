@@ -8,15 +8,8 @@ from arms import arm, random_q
 from differences import derivative
 from hypothesis import given, strategies as st
 
-from robotics1 import (
-    InputError,
-    PositionTask,
-    balancing_torque,
-    exerting_torque,
-    forward_kinematics,
-    frame_jacobian,
-    subspaces,
-)
+from robotics1 import InputError, PositionTask, balancing_torque, forward_kinematics, frame_jacobian, subspaces
+from robotics1.singularities import exerting_torque
 
 force = st.floats(-100, 100)
 length = st.floats(0.05, 3)

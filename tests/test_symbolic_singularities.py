@@ -22,7 +22,8 @@ from singular_checks import (
 )
 from sweeps import core_first
 
-from robotics1 import FormulaError, find_intersections
+from robotics1 import FormulaError
+from robotics1.singularities import find_intersections
 
 BASES_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited"}  # a second or two for each branch
 INTERSECTIONS_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited", "cable arm with names xyz"}

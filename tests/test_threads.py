@@ -56,7 +56,7 @@ def test_planar_tasks_and_functions_of_a_shared_robot():
         tasks = [task, function, r1.FunctionTask(squared_distance, 1)]
         return [
             *(partial(t.jacobian, robot, q) for q in qs for t in tasks),
-            *(partial(r1.jacobian_rate, robot, PLANE, q, [1, 2]) for q in qs),
+            *(partial(r1.trajectories.jacobian_rate, robot, PLANE, q, [1, 2]) for q in qs),
             *(partial(r1.joint_velocity, robot, PLANE, [1, 2], q) for q in qs[:5]),
             *(partial(r1.joint_acceleration, robot, PLANE, [0, 1], q, [1, 2]) for q in qs[:5]),
         ]
@@ -96,7 +96,7 @@ def test_formulas_of_a_shared_robot_and_of_shared_formulas():
             lambda: r1.formulas(robot, PLANE).minors,
             lambda: (f.determinant, f.jacobian_rate),
             lambda: f.python("jacobian"),
-            lambda: r1.euler_formulas("ZYZ").determinant,
+            lambda: r1.orientation.euler_formulas("ZYZ").determinant,
         ]
 
     assert_as_in_one_thread(calls, threads=3)
@@ -115,8 +115,8 @@ def test_singularities_and_scans_of_a_shared_robot():
             lambda: summary(r1.find_singularities(robot, PLANE)),
             lambda: summary(r1.find_singularities(planar, PLANE, method="numeric", samples=4, time_limit=900)),
             lambda: (
-                r1.parameter_conditions(singular),
-                r1.find_intersections(singular).branches,
+                r1.singularities.parameter_conditions(singular),
+                r1.singularities.find_intersections(singular).branches,
                 singular.branches[0].formulas.null,
             ),
             lambda: singular.branches[0].sample(np.random.default_rng(3)),
@@ -132,16 +132,16 @@ def test_shared_trajectories_and_paths():
         motion = copy.deepcopy(followed()[0])
         t = np.linspace(0, motion.duration, 5)
         limits = r1.MotionLimits(1.0, 3.0)
-        path = r1.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})
-        blend = r1.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
-        stacked = r1.stacked_path([blend, r1.by_arc_length(blend)])
+        path = r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})
+        blend = r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
+        stacked = r1.curves.stacked_path([blend, r1.curves.by_arc_length(blend)])
         return [
             lambda: (motion(t), motion.velocity(t)),
             lambda: r1.minimum_time([0, 0], [1, 2], limits).trajectory.breakpoints,
             lambda: (path(0.3), path.derivative(0.3), path.derivative(1.1, 2)),
             lambda: (stacked(0.5), stacked.derivative(0.2), stacked.breakpoints),
-            lambda: r1.by_arc_length(path)(0.4),
-            lambda: r1.time_optimal(blend, limits, grid=30).duration,
+            lambda: r1.curves.by_arc_length(path)(0.4),
+            lambda: r1.trajectories.time_optimal(blend, limits, grid=30).duration,
         ]
 
     assert_as_in_one_thread(calls)
@@ -197,7 +197,7 @@ class WaitingLaw:
 
     def __init__(self, begun, other_done):
         self.begun, self.other_done = begun, other_done
-        self.law = r1.cosine(0, 1, 1.0).joint()
+        self.law = r1.trajectories.cosine(0, 1, 1.0).joint()
         self.switching_calls = 0
 
     def __getattr__(self, name):
@@ -217,11 +217,11 @@ class WaitingLaw:
 def test_a_thread_that_finds_a_property_lets_others_find_theirs():
     """One motion waits for its law while the same property of another motion is found."""
     begun, done = Event(), Event()
-    slow = r1.JointTrajectory((WaitingLaw(begun, done),))
+    slow = r1.curves.JointTrajectory((WaitingLaw(begun, done),))
     thread = Thread(target=lambda: slow.breakpoints, daemon=True)
     thread.start()
     assert begun.wait(60)
-    other = Thread(target=lambda: (r1.cosine(0, 1, 2.0).breakpoints, done.set()), daemon=True)
+    other = Thread(target=lambda: (r1.trajectories.cosine(0, 1, 2.0).breakpoints, done.set()), daemon=True)
     other.start()
     other.join(60)
     assert done.is_set()

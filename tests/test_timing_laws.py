@@ -10,7 +10,13 @@ from scipy.interpolate import BPoly
 
 import robotics1 as r1
 
-LAWS = {"cubic": r1.cubic, "quintic": r1.quintic, "septic": r1.septic, "cosine": r1.cosine, "cycloidal": r1.cycloidal}
+LAWS = {
+    "cubic": r1.cubic,
+    "quintic": r1.quintic,
+    "septic": r1.trajectories.septic,
+    "cosine": r1.trajectories.cosine,
+    "cycloidal": r1.trajectories.cycloidal,
+}
 number = st.floats(-5, 5)
 pair = st.tuples(number, number).map(np.array)
 duration = st.floats(0.2, 5)
@@ -42,7 +48,7 @@ def test_rest_to_rest_peaks_are_c_delta_over_T_to_the_order(name, delta, T):
 
 def test_rest_to_rest_coefficients_are_those_of_every_book():
     assert r1.quintic(0, 1, 3).coefficients[:, 0].tolist() == [0, 0, 0, 10, -15, 6]
-    assert r1.septic(0, 1, 3).coefficients[:, 0].tolist() == [0, 0, 0, 0, 35, -84, 70, -20]
+    assert r1.trajectories.septic(0, 1, 3).coefficients[:, 0].tolist() == [0, 0, 0, 0, 35, -84, 70, -20]
     t = r1.quintic(0, 2, 0.5).coefficients_t[:, 0]
     assert t == pytest.approx([0, 0, 0, 20 / 0.5**3, -30 / 0.5**4, 12 / 0.5**5])
 
@@ -53,7 +59,7 @@ def test_quintic_and_septic_are_scipys_bernstein_polynomials_of_the_same_derivat
     for motion, ends in (
         (r1.cubic(q0, q1, T, v0, v1), [[q0, v0], [q1, v1]]),
         (r1.quintic(q0, q1, T, v0, v1, a0, a1), [[q0, v0, a0], [q1, v1, a1]]),
-        (r1.septic(q0, q1, T, v0, v1, a0, a1), [[q0, v0, a0, 0 * a0], [q1, v1, a1, 0 * a1]]),
+        (r1.trajectories.septic(q0, q1, T, v0, v1, a0, a1), [[q0, v0, a0, 0 * a0], [q1, v1, a1, 0 * a1]]),
     ):
         bernstein = BPoly.from_derivatives([0, T], ends)
         for order, f in enumerate((motion, motion.velocity, motion.acceleration, motion.jerk)):
@@ -64,12 +70,14 @@ def test_quintic_and_septic_are_scipys_bernstein_polynomials_of_the_same_derivat
 def test_cosine_and_cycloidal_are_their_formulas():
     t = np.linspace(0, 3, 11)
     tau = t / 3
-    assert r1.cosine([1], [3], 3)(t)[:, 0] == pytest.approx(1 + (1 - np.cos(pi * tau)), abs=1e-15)
-    assert r1.cycloidal([1], [3], 3)(t)[:, 0] == pytest.approx(
+    assert r1.trajectories.cosine([1], [3], 3)(t)[:, 0] == pytest.approx(1 + (1 - np.cos(pi * tau)), abs=1e-15)
+    assert r1.trajectories.cycloidal([1], [3], 3)(t)[:, 0] == pytest.approx(
         1 + 2 * (tau - np.sin(2 * pi * tau) / (2 * pi)), abs=1e-15
     )
-    assert r1.cycloidal([1], [3], 3).acceleration([0, 3])[:, 0] == pytest.approx([0, 0], abs=1e-14)
-    assert r1.cosine([1], [3], 3).acceleration([0, 3])[:, 0] == pytest.approx([pi**2 / 9, -(pi**2) / 9], abs=1e-14)
+    assert r1.trajectories.cycloidal([1], [3], 3).acceleration([0, 3])[:, 0] == pytest.approx([0, 0], abs=1e-14)
+    assert r1.trajectories.cosine([1], [3], 3).acceleration([0, 3])[:, 0] == pytest.approx(
+        [pi**2 / 9, -(pi**2) / 9], abs=1e-14
+    )
 
 
 @pytest.mark.parametrize("name", sorted(LAWS))
@@ -89,7 +97,7 @@ def test_velocity_acceleration_and_jerk_are_the_derivatives(name):
 
 @given(pair, pair, duration, pair, pair, pair)
 def test_no_sample_passes_the_extremes_of_any_order(q0, q1, T, v0, v1, a0):
-    for motion in (r1.quintic(q0, q1, T, v0, v1, a0, -a0), r1.septic(q0, q1, T, v0, v1, a0, -a0)):
+    for motion in (r1.quintic(q0, q1, T, v0, v1, a0, -a0), r1.trajectories.septic(q0, q1, T, v0, v1, a0, -a0)):
         for order in (1, 2, 3):
             _, values = motion.extremes(order)
             largest, dense = np.abs(values).max(), dense_peak(motion, order)
@@ -116,7 +124,7 @@ def test_equal_peaks_are_told_at_the_earlier_instant():
 
 
 def test_polynomial_through_five_conditions_has_degree_four():
-    quartic = r1.polynomial_through([(0, 0, [0, 1]), (0, 1, 0), (1, 0, 2), (2, 0, [1, 3]), (2, 1, 0)])
+    quartic = r1.trajectories.polynomial_through([(0, 0, [0, 1]), (0, 1, 0), (1, 0, 2), (2, 0, [1, 3]), (2, 1, 0)])
     assert quartic.coefficients_t == pytest.approx(np.array([[0, 1], [0, 0], [6.75, 1.5], [-6.25, -0.5], [1.5, 0]]))
     assert quartic.duration == 2
 
@@ -125,12 +133,12 @@ def test_polynomial_through_five_conditions_has_degree_four():
 def test_polynomial_through_the_ends_derivatives_is_the_quintic(q0, q1, T, v0, a1):
     conditions = [(0, 0, q0), (T, 0, q1), (0, 1, v0), (T, 1, 0), (0, 2, 0), (T, 2, a1)]
     wanted = r1.quintic(q0, q1, T, v0, 0, 0, a1)
-    assert r1.polynomial_through(conditions).coefficients == pytest.approx(wanted.coefficients, abs=1e-9)
+    assert r1.trajectories.polynomial_through(conditions).coefficients == pytest.approx(wanted.coefficients, abs=1e-9)
 
 
 def test_polynomial_through_meets_derivatives_of_every_order_at_inner_instants():
     conditions = [(0, 0, 1.0), (0.5, 1, -2.0), (0.5, 2, 3.0), (1.25, 0, 0.4), (2, 3, 7.0)]
-    q = r1.polynomial_through(conditions)
+    q = r1.trajectories.polynomial_through(conditions)
     for t, order, value in conditions:
         assert (q, q.velocity, q.acceleration, q.jerk)[order](t) == pytest.approx([value], abs=1e-12)
 
@@ -154,7 +162,7 @@ def test_polynomial_through_meets_derivatives_of_every_order_at_inner_instants()
 )
 def test_contradictory_conditions_are_input_errors(conditions, message):
     with pytest.raises(r1.InputError, match=message):
-        r1.polynomial_through(conditions)
+        r1.trajectories.polynomial_through(conditions)
 
 
 # --- shapes and sides
@@ -222,14 +230,14 @@ def test_numbers_that_leave_the_range_of_floats_are_input_errors():
 @pytest.mark.parametrize("name", sorted(LAWS))
 def test_stretched_by_k_divides_the_derivatives_by_powers_of_k(name):
     motion = LAWS[name]([0, 5], [1, 3], 2)
-    slow = r1.stretched(motion, 3)
+    slow = r1.curves.stretched(motion, 3)
     t = np.linspace(0, 2, 9)
     assert slow.duration == pytest.approx(6)
     assert slow(3 * t) == pytest.approx(motion(t), abs=1e-14)
     for order, rate in enumerate(RATES, start=1):
         assert getattr(slow, rate)(3 * t) == pytest.approx(getattr(motion, rate)(t) / 3**order, abs=1e-12)
-    law = r1.stretched(motion.joint(1), 3)
+    law = r1.curves.stretched(motion.joint(1), 3)
     assert law(3 * t) == pytest.approx(motion(t)[:, 1], abs=1e-14)
     for factor in (0, -1, inf, "k"):
         with pytest.raises(r1.InputError):
-            r1.stretched(motion, factor)
+            r1.curves.stretched(motion, factor)

@@ -42,7 +42,7 @@ def test_trapezoid_of_least_acceleration_and_greatest_velocity_is_the_triangle()
     for law in (
         r1.trapezoidal(0, 2, 3, acceleration=8 / 9).joint(),
         r1.trapezoidal(0, 2, 3, velocity=4 / 3).joint(),
-        r1.bang_bang(0, 2, 3).joint(),
+        r1.trajectories.bang_bang(0, 2, 3).joint(),
     ):
         t = np.linspace(0, 3, 13)
         assert law(t) == pytest.approx(np.where(t < 1.5, 4 / 9 * t**2, 2 - 4 / 9 * (3 - t) ** 2), abs=1e-9)
@@ -92,7 +92,7 @@ def test_trapezoids_that_cannot_be_are_input_errors_that_say_what_can(arguments,
 
 @given(st.floats(-5, 5), st.floats(0.2, 5), st.floats(-3, 3), st.floats(-3, 3))
 def test_bang_bang_switches_between_two_parabolas_of_opposite_acceleration(delta, T, v0, v1):
-    law = r1.bang_bang(0.5, 0.5 + delta, T, v0, v1).joint()
+    law = r1.trajectories.bang_bang(0.5, 0.5 + delta, T, v0, v1).joint()
     assert law(law.end) == pytest.approx(0.5 + delta, abs=1e-9)
     assert law.velocity([0, T]) == pytest.approx([v0, v1], abs=1e-9)
     assert law.duration == pytest.approx(T, rel=1e-9)
@@ -101,14 +101,14 @@ def test_bang_bang_switches_between_two_parabolas_of_opposite_acceleration(delta
 
 
 def test_bang_bang_from_rest_to_rest_has_acceleration_4_delta_over_t2():
-    law = r1.bang_bang(1, -2, 1.5).joint()
+    law = r1.trajectories.bang_bang(1, -2, 1.5).joint()
     assert law.peak(2).value == pytest.approx(-4 * 3 / 1.5**2)
     assert (law.peak(1).value, law.peak(1).time) == pytest.approx((-2 * 3 / 1.5, 0.75))
 
 
 def test_bang_bang_at_the_mean_velocity_needs_no_switch():
-    assert r1.bang_bang(0, 2, 2, 1, 1).joint().peak(2).value == 0
-    law = r1.bang_bang(0, 2, 2, 0.5, 1.5).joint()
+    assert r1.trajectories.bang_bang(0, 2, 2, 1, 1).joint().peak(2).value == 0
+    law = r1.trajectories.bang_bang(0, 2, 2, 0.5, 1.5).joint()
     assert law.acceleration([0, 1, 2]) == pytest.approx([0.5] * 3)
 
 
@@ -121,7 +121,7 @@ def test_double_s_of_seven_phases_is_the_integral_of_its_jerk(delta, V, A, J, ex
     Tv = extra + abs(delta)
     T = 2 * (V / A + A / J) + Tv
     delta = np.sign(delta) * V * (Tv + V / A + A / J)
-    law = r1.double_s(0, delta, T, acceleration=A, jerk=J).joint()
+    law = r1.trajectories.double_s(0, delta, T, acceleration=A, jerk=J).joint()
     durations = [A / J, V / A - A / J, A / J, Tv, A / J, V / A - A / J, A / J]
     assert [phase.duration for phase in law.phases] == pytest.approx(durations, abs=1e-6 * T)
     assert law.cruise_velocity == pytest.approx(np.sign(delta) * V, rel=1e-9)
@@ -132,14 +132,14 @@ def test_double_s_of_seven_phases_is_the_integral_of_its_jerk(delta, V, A, J, ex
 
 def test_double_s_with_a_jerk_alone_has_ramps_of_two_phases():
     """V = J Tj², with Tj = (T − Tv)/4: here Tj = 0.5, Tv = 1."""
-    law = r1.double_s(0, 2 * (2 * 0.5 + 1), 3, jerk=8).joint()
+    law = r1.trajectories.double_s(0, 2 * (2 * 0.5 + 1), 3, jerk=8).joint()
     assert law.breakpoints == pytest.approx([0.5, 1, 2, 2.5], abs=1e-9)
     assert law.peak(1).value == pytest.approx(2)
     assert law.peak(2).value == pytest.approx(4)
 
 
 def test_double_s_is_smooth_where_the_trapezoid_jumps():
-    motion = r1.double_s([0, 1], [1, 0.5], 3, acceleration=1, jerk=4)
+    motion = r1.trajectories.double_s([0, 1], [1, 0.5], 3, acceleration=1, jerk=4)
     assert_derivatives(motion)
     for t in motion.breakpoints:
         assert motion.acceleration(t) == pytest.approx(motion.acceleration(t, side="left"), abs=1e-9)
@@ -149,7 +149,7 @@ def test_double_s_is_smooth_where_the_trapezoid_jumps():
 @given(distance, bound, bound)
 def test_the_least_duration_itself_serves_and_no_phase_is_negative(delta, A, J):
     fastest = r1.minimum_time(0, delta, r1.MotionLimits(acceleration=A, jerk=J), "double_s").duration
-    law = r1.double_s(0, delta, fastest, acceleration=A, jerk=J).joint()
+    law = r1.trajectories.double_s(0, delta, fastest, acceleration=A, jerk=J).joint()
     assert law(law.end) == pytest.approx(delta, rel=1e-9)
     assert min(phase.duration for phase in law.phases) >= 0
 
@@ -157,7 +157,7 @@ def test_the_least_duration_itself_serves_and_no_phase_is_negative(delta, A, J):
 @given(distance, bound, bound, st.floats(1.01, 3))
 def test_the_peak_velocity_is_told_where_the_cruise_begins(delta, A, J, slack):
     fastest = r1.minimum_time(0, delta, r1.MotionLimits(acceleration=A, jerk=J), "double_s").duration
-    law = r1.double_s(0, delta, slack * fastest, acceleration=A, jerk=J).joint()
+    law = r1.trajectories.double_s(0, delta, slack * fastest, acceleration=A, jerk=J).joint()
     ramp = sum(phase.duration for phase in law.phases[:3])
     assert law.peak(1).time == pytest.approx(ramp, rel=1e-9)
     assert law.peak(1).value == pytest.approx(law.cruise_velocity, rel=1e-9)
@@ -165,13 +165,13 @@ def test_the_peak_velocity_is_told_where_the_cruise_begins(delta, A, J, slack):
 
 def test_double_s_errors_say_which_durations_serve():
     with pytest.raises(r1.InputError, match=r"the next duration that serves is 2\.51984"):
-        r1.double_s(0, 1, 1, jerk=2)  # the fastest has T³ = 32 Δ/J
+        r1.trajectories.double_s(0, 1, 1, jerk=2)  # the fastest has T³ = 32 Δ/J
     with pytest.raises(r1.InputError, match="positive"):
-        r1.double_s(0, 1, 3, jerk=-2)
+        r1.trajectories.double_s(0, 1, 3, jerk=-2)
 
 
 def test_stretched_phases_are_those_of_the_stretched_law():
-    law = r1.stretched(r1.double_s(0, 2, 3, acceleration=2, jerk=8).joint(), 3)
+    law = r1.curves.stretched(r1.trajectories.double_s(0, 2, 3, acceleration=2, jerk=8).joint(), 3)
     starts = np.cumsum([0, *(phase.duration for phase in law.phases)])
     assert starts[-1] == pytest.approx(9) == law.duration
     for phase, start in zip(law.phases, starts, strict=False):
@@ -185,16 +185,16 @@ def test_stretched_phases_are_those_of_the_stretched_law():
 
 
 def test_cruise_profile_goes_v_times_cruise_and_ramp_time():
-    law = r1.cruise_profile(3, 2, acceleration=5, jerk=12, start=1)
+    law = r1.trajectories.cruise_profile(3, 2, acceleration=5, jerk=12, start=1)
     assert law(law.end) - law(0) == pytest.approx(3 * (2 + 3 / 5 + 5 / 12))
     assert law.duration == pytest.approx(2 + 2 * (3 / 5 + 5 / 12))
-    back = r1.cruise_profile(-3, 2, acceleration=5)
+    back = r1.trajectories.cruise_profile(-3, 2, acceleration=5)
     assert back(back.end) == pytest.approx(-3 * (2 + 3 / 5))
     for arguments in ({"acceleration": inf}, {"acceleration": 0}, {"acceleration": 1, "jerk": -1}):
         with pytest.raises(r1.InputError):
-            r1.cruise_profile(1, 1, **arguments)
+            r1.trajectories.cruise_profile(1, 1, **arguments)
     with pytest.raises(r1.InputError):
-        r1.cruise_profile(1, -1, acceleration=1)
+        r1.trajectories.cruise_profile(1, -1, acceleration=1)
 
 
 # --- sides
@@ -217,8 +217,8 @@ def test_values_at_switching_times_are_those_of_the_side():
     [
         r1.trapezoidal([0, 1], [1, 0.5], 3, acceleration=[1, 2]),
         r1.trapezoidal([0, 1], [1, 0.5], 3, [0.1, -0.2], [0.3, 0], acceleration=[1, 2]),
-        r1.bang_bang([0, 1], [1, 0.5], 3, [0.1, -0.2], [0.3, 0]),
-        r1.double_s([0, 1], [1, 0.5], 3, [0.1, -0.2], [0.3, 0], acceleration=[1, 2], jerk=9),
+        r1.trajectories.bang_bang([0, 1], [1, 0.5], 3, [0.1, -0.2], [0.3, 0]),
+        r1.trajectories.double_s([0, 1], [1, 0.5], 3, [0.1, -0.2], [0.3, 0], acceleration=[1, 2], jerk=9),
     ],
 )
 def test_derivatives_between_the_switching_times(motion):
@@ -240,7 +240,7 @@ def test_pieces_have_coefficients_in_tau_and_in_t():
 
 
 def test_a_joint_that_arrives_first_stays():
-    motion = r1.JointTrajectory((r1.cubic(0, 1, 1).joint(), r1.bang_bang(2, 0, 3).joint()))
+    motion = r1.curves.JointTrajectory((r1.cubic(0, 1, 1).joint(), r1.trajectories.bang_bang(2, 0, 3).joint()))
     assert motion([0.5, 1, 2, 3])[:, 0] == pytest.approx([0.5, 1, 1, 1])
     assert motion.velocity([0.5, 1, 2])[:, 0] == pytest.approx([1.5, 0, 0])
     assert motion.acceleration(1, side="left") == pytest.approx([-6, -8 / 9])
@@ -249,17 +249,17 @@ def test_a_joint_that_arrives_first_stays():
     times, values = motion.extremes(2)
     assert values == pytest.approx(np.array([[-6, -8 / 9], [6, 8 / 9]]))
     assert times == pytest.approx(np.array([[1, 0], [0, 1.5]]), abs=1e-12)
-    braking = r1.JointTrajectory((r1.bang_bang(0, -1, 2, -1).joint(), r1.cubic(0, 1, 3).joint()))
+    braking = r1.curves.JointTrajectory((r1.trajectories.bang_bang(0, -1, 2, -1).joint(), r1.cubic(0, 1, 3).joint()))
     times, values = braking.extremes(2)  # −1 m/s comes to rest in 2 s with 0.5 m/s², and stays
     assert (times[:, 0], values[:, 0]) == (pytest.approx([2, 0]), pytest.approx([0, 0.5]))
-    held = r1.JointTrajectory((r1.bang_bang(0, 1, 1, 0, 2).joint(), r1.cubic(0, 1, 1).joint()))
+    held = r1.curves.JointTrajectory((r1.trajectories.bang_bang(0, 1, 1, 0, 2).joint(), r1.cubic(0, 1, 1).joint()))
     assert held.extremes(2)[1][0, 0] == pytest.approx(2)  # no end before the others, so no zero
 
 
 def test_laws_that_cannot_go_together_are_input_errors():
     with pytest.raises(r1.InputError, match="joint 0 arrives at 1 s with the velocity 1"):
-        r1.JointTrajectory((r1.cubic(0, 1, 1, v1=1).joint(), r1.cubic(0, 1, 2).joint()))
+        r1.curves.JointTrajectory((r1.cubic(0, 1, 1, v1=1).joint(), r1.cubic(0, 1, 2).joint()))
     with pytest.raises(r1.InputError, match="one timing law for each"):
-        r1.JointTrajectory(())
+        r1.curves.JointTrajectory(())
     with pytest.raises(r1.InputError, match="below 1"):
-        r1.JointTrajectory((r1.cubic(0, 1, 1).joint(),)).joint(1)
+        r1.curves.JointTrajectory((r1.cubic(0, 1, 1).joint(),)).joint(1)

@@ -37,7 +37,7 @@ def motion(m):
     readings = {"duration": (T, 0, 1), "switching": (np.asarray(m.breakpoints), 0, 1)}
     for order, f in enumerate((m, m.velocity, m.acceleration, m.jerk)):
         readings[f"order {order}"] = (f(MOMENTS * T), 1, -order)
-        if type(m).extremes is not r1.Curve.extremes:  # closed forms; interpolants take long
+        if type(m).extremes is not r1.curves.Curve.extremes:  # closed forms; interpolants take long
             times, values = m.extremes(order)
             readings[f"extremes {order}"] = (values, 1, -order)
             if order and hasattr(m, "rate"):  # at rest the position is stationary, so that its instants are rounding
@@ -101,25 +101,31 @@ LAWS = MINIMUM | {
     "cubic": lambda k, c: motion(r1.cubic(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4])),
     "cubic law": lambda k, c: law(r1.cubic(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4]).joint(1)),
     "quintic": lambda k, c: motion(r1.quintic(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:])),
-    "septic": lambda k, c: motion(r1.septic(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:])),
-    "cosine": lambda k, c: motion(r1.cosine(k * Q0, k * Q1, 1.7 * c)),
-    "cycloidal": lambda k, c: law(r1.cycloidal(k * Q0, k * Q1, 1.7 * c).joint(2)),
+    "septic": lambda k, c: motion(r1.trajectories.septic(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:])),
+    "cosine": lambda k, c: motion(r1.trajectories.cosine(k * Q0, k * Q1, 1.7 * c)),
+    "cycloidal": lambda k, c: law(r1.trajectories.cycloidal(k * Q0, k * Q1, 1.7 * c).joint(2)),
     "trapezoidal, A": lambda k, c: motion(
         r1.trapezoidal(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4], acceleration=k / c**2 * 9)
     ),
     "trapezoidal, V": lambda k, c: motion(r1.trapezoidal(k * Q0, k * Q1, 1.7 * c, velocity=k / c * abs(Q1 - Q0))),
-    "bang_bang": lambda k, c: motion(r1.bang_bang(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4])),
+    "bang_bang": lambda k, c: motion(r1.trajectories.bang_bang(*states(k, c)[:2], 1.7 * c, *states(k, c)[2:4])),
     "double_s": lambda k, c: motion(
-        r1.double_s(*states(k, c)[:2], 2.7 * c, *states(k, c)[2:4], acceleration=k / c**2 * 5, jerk=k / c**3 * 30)
+        r1.trajectories.double_s(
+            *states(k, c)[:2], 2.7 * c, *states(k, c)[2:4], acceleration=k / c**2 * 5, jerk=k / c**3 * 30
+        )
     ),
     "cruise_profile": lambda k, c: law(
-        r1.cruise_profile(-1.3 * k / c, 0.4 * c, acceleration=2 * k / c**2, jerk=7 * k / c**3, start=0.2 * k)
+        r1.trajectories.cruise_profile(
+            -1.3 * k / c, 0.4 * c, acceleration=2 * k / c**2, jerk=7 * k / c**3, start=0.2 * k
+        )
     ),
     "polynomial_through": lambda k, c: motion(
-        r1.polynomial_through([(0, 0, k * Q0), (0, 1, k / c * V0), (0.8 * c, 0, k * Q1), (2 * c, 0, k * Q0)])
+        r1.trajectories.polynomial_through(
+            [(0, 0, k * Q0), (0, 1, k / c * V0), (0.8 * c, 0, k * Q1), (2 * c, 0, k * Q0)]
+        )
     ),
     "polynomial_formula": lambda k, c: numbers(
-        c=(list(map(float, r1.polynomial_formula((0.3 * k, k / c), (k, 0), 1.7 * c).coefficients)), 1, 0)
+        c=(list(map(float, r1.trajectories.polynomial_formula((0.3 * k, k / c), (k, 0), 1.7 * c).coefficients)), 1, 0)
     ),
     **{
         f"cubic_spline, {ends}": lambda k, c, ends=ends: motion(r1.cubic_spline(c * TIMES, k * POINTS, bc_type=ends))
@@ -131,78 +137,106 @@ LAWS = MINIMUM | {
     "cubic_spline with velocities": lambda k, c: motion(
         r1.cubic_spline(c * TIMES, k * POINTS, v0=k / c * V0, a1=k / c**2 * A1)
     ),
-    "cubic_hermite_spline": lambda k, c: motion(r1.cubic_hermite_spline(c * TIMES, k * POINTS)),
-    "polynomial_spline": lambda k, c: motion(r1.polynomial_spline(c * TIMES, k * POINTS, (4, 3, 4))),
-    "virtual_point_spline": lambda k, c: motion(r1.virtual_point_spline(c * TIMES, k * POINTS, *states(k, c)[2:])),
+    "cubic_hermite_spline": lambda k, c: motion(r1.trajectories.cubic_hermite_spline(c * TIMES, k * POINTS)),
+    "polynomial_spline": lambda k, c: motion(r1.trajectories.polynomial_spline(c * TIMES, k * POINTS, (4, 3, 4))),
+    "virtual_point_spline": lambda k, c: motion(
+        r1.trajectories.virtual_point_spline(c * TIMES, k * POINTS, *states(k, c)[2:])
+    ),
     "knot_times": lambda k, c: numbers(
-        chord=(r1.knot_times(k * POINTS, 2.9 * c), 0, 1),
-        centripetal=(r1.knot_times(k * POINTS, 2.9 * c, "centripetal"), 0, 1),
+        chord=(r1.trajectories.knot_times(k * POINTS, 2.9 * c), 0, 1),
+        centripetal=(r1.trajectories.knot_times(k * POINTS, 2.9 * c, "centripetal"), 0, 1),
     ),
     "parabolic_blends": lambda k, c: motion(
-        r1.parabolic_blends(k * POINTS, k / c * np.array([1.0, 0.7, 1.2]), 0.3 * c)
+        r1.curves.parabolic_blends(k * POINTS, k / c * np.array([1.0, 0.7, 1.2]), 0.3 * c)
     ),
-    "stretched": lambda k, c: motion(r1.stretched(r1.parabolic_blends(k * POINTS, k / c, 0.3 * c), 1.7)),
+    "stretched": lambda k, c: motion(r1.curves.stretched(r1.curves.parabolic_blends(k * POINTS, k / c, 0.3 * c), 1.7)),
     "line": lambda k, c: path(r1.line_path(k * Q0, k * Q1)),
-    "arc": lambda k, c: path(r1.arc_through(*(k * POINTS[:3]))),
-    "arc about a centre": lambda k, c: path(r1.arc_path(k * Q0[:2], k * Q1[:2], -2.1)),
-    "circle": lambda k, c: path(r1.circle_path(k * Q0, 0.7 * k, normal=[1, 2, 3])),
-    "helix": lambda k, c: path(r1.helix_path([0, 0, 0.1 * k], [0.5 * k, 0, 0.1 * k], 0.2 * k, 1.5)),
-    "polyline, circular": lambda k, c: path(r1.polyline_path(k * POINTS, blend=0.2 * k)),
-    "polyline, radius": lambda k, c: path(r1.polyline_path(k * POINTS, radius=0.1 * k)),
-    "polyline, parabolic": lambda k, c: path(r1.polyline_path(k * POINTS, blend=0.2 * k, kind="parabolic")),
+    "arc": lambda k, c: path(r1.curves.arc_through(*(k * POINTS[:3]))),
+    "arc about a centre": lambda k, c: path(r1.curves.arc_path(k * Q0[:2], k * Q1[:2], -2.1)),
+    "circle": lambda k, c: path(r1.curves.circle_path(k * Q0, 0.7 * k, normal=[1, 2, 3])),
+    "helix": lambda k, c: path(r1.curves.helix_path([0, 0, 0.1 * k], [0.5 * k, 0, 0.1 * k], 0.2 * k, 1.5)),
+    "polyline, circular": lambda k, c: path(r1.curves.polyline_path(k * POINTS, blend=0.2 * k)),
+    "polyline, radius": lambda k, c: path(r1.curves.polyline_path(k * POINTS, radius=0.1 * k)),
+    "polyline, parabolic": lambda k, c: path(r1.curves.polyline_path(k * POINTS, blend=0.2 * k, kind="parabolic")),
     **{
-        f"spline_path, {ends}": lambda k, c, ends=ends: path(r1.spline_path(k * CLOSED, bc_type=ends))
+        f"spline_path, {ends}": lambda k, c, ends=ends: path(r1.trajectories.spline_path(k * CLOSED, bc_type=ends))
         for ends in ("natural", "not-a-knot", "periodic")
     },
-    "by_arc_length": lambda k, c: path(r1.by_arc_length(r1.spline_path(k * POINTS, knots=k * np.array([0, 1, 3, 4])))),
+    "by_arc_length": lambda k, c: path(
+        r1.curves.by_arc_length(r1.trajectories.spline_path(k * POINTS, knots=k * np.array([0, 1, 3, 4])))
+    ),
     "ellipse by arc length": lambda k, c: path(
-        r1.by_arc_length(r1.ellipse_path(k * Q0[:2], [0.9 * k, 0], [0, 0.2 * k]))
+        r1.curves.by_arc_length(r1.curves.ellipse_path(k * Q0[:2], [0.9 * k, 0], [0, 0.2 * k]))
     ),
     "formula_path": lambda k, c: path(
-        r1.formula_path(["R*cos(s/R)", "s + s**2/R"], "s", 2.1 * k, values={"R": 0.7 * k})
+        r1.curves.formula_path(["R*cos(s/R)", "s + s**2/R"], "s", 2.1 * k, values={"R": 0.7 * k})
     ),
     "paths in a row": lambda k, c: path(
-        r1.CurveSequence((r1.line_path(k * Q0, k * Q1), r1.arc_through(k * Q1, k * POINTS[0], k * POINTS[3])))
+        r1.curves.CurveSequence(
+            (r1.line_path(k * Q0, k * Q1), r1.curves.arc_through(k * Q1, k * POINTS[0], k * POINTS[3]))
+        )
     ),
-    "frenet_frame": lambda k, c: frenet(r1.frenet_frame(r1.spline_path(k * POINTS), 1.7 * k)),
-    "frenet_path": lambda k, c: turning(r1.frenet_path(r1.helix_path([0, 0, 0], [0.5 * k, 0, 0], 0.2 * k, 1.5))),
+    "frenet_frame": lambda k, c: frenet(r1.curves.frenet_frame(r1.trajectories.spline_path(k * POINTS), 1.7 * k)),
+    "frenet_path": lambda k, c: turning(
+        r1.curves.frenet_path(r1.curves.helix_path([0, 0, 0], [0.5 * k, 0, 0], 0.2 * k, 1.5))
+    ),
     "path and law": lambda k, c: motion(timed(k, c)),
     "path by arc length and law": lambda k, c: motion(
-        r1.PathTrajectory(p := r1.by_arc_length(r1.spline_path(k * POINTS)), r1.quintic(0, p.end, 2 * c).joint())
+        r1.curves.PathTrajectory(
+            p := r1.curves.by_arc_length(r1.trajectories.spline_path(k * POINTS)), r1.quintic(0, p.end, 2 * c).joint()
+        )
     ),
     "polyline and law": lambda k, c: motion(blended(k, c)),
     "peak_norm": lambda k, c: {
         name: reading
         for quantity, order in (("velocity", 1), ("acceleration", 2), ("jerk", 3), ("normal acceleration", 2))
-        for peak in [r1.peak_norm(timed(k, c), quantity)]
+        for peak in [r1.trajectories.peak_norm(timed(k, c), quantity)]
         for name, reading in ((quantity, (peak.value, 1, -order)), (quantity + " time", (peak.time, 0, 1)))
     },
     "acceleration_split": lambda k, c: numbers(
-        tangential=(r1.acceleration_split(timed(k, c), 0.7 * c).tangential, 1, -2),
-        normal=(r1.acceleration_split(timed(k, c), 0.7 * c).normal, 1, -2),
+        tangential=(r1.trajectories.acceleration_split(timed(k, c), 0.7 * c).tangential, 1, -2),
+        normal=(r1.trajectories.acceleration_split(timed(k, c), 0.7 * c).normal, 1, -2),
     ),
-    "timing_bounds": lambda k, c: bounds(r1.timing_bounds(r1.spline_path(k * POINTS), 0.5 * k / c, 3 * k / c**2)),
-    "scale_to_limits": lambda k, c: scaled(r1.scale_to_limits(r1.quintic(k * Q0, k * Q1, 1.7 * c), limits(k, c))),
+    "timing_bounds": lambda k, c: bounds(
+        r1.trajectories.timing_bounds(r1.trajectories.spline_path(k * POINTS), 0.5 * k / c, 3 * k / c**2)
+    ),
+    "scale_to_limits": lambda k, c: scaled(
+        r1.trajectories.scale_to_limits(r1.quintic(k * Q0, k * Q1, 1.7 * c), limits(k, c))
+    ),
     "scale_to_limits of a norm": lambda k, c: scaled(
-        r1.scale_to_limits(timed(k, c), r1.NormLimits(k / c, 2 * k / c**2, 9 * k / c**3, 1.5 * k / c**2))
+        r1.trajectories.scale_to_limits(
+            timed(k, c), r1.trajectories.NormLimits(k / c, 2 * k / c**2, 9 * k / c**3, 1.5 * k / c**2)
+        )
     ),
     "minimum_duration": lambda k, c: numbers(
-        T=(r1.minimum_duration(
-            lambda T: r1.quintic(k * Q0, k * Q1, T, k / c * V0, k / c * V1), limits(k, c)), 0, 1)
+        T=(
+            r1.trajectories.minimum_duration(
+                lambda T: r1.quintic(k * Q0, k * Q1, T, k / c * V0, k / c * V1), limits(k, c)
+            ),
+            0,
+            1,
+        )
     ),
     "minimum_duration of a spline": lambda k, c: numbers(
-        T=(r1.minimum_duration(
-            lambda T: r1.cubic_spline(T * TIMES / 2.9, k * POINTS, v0=k / c * V0), limits(k, c)), 0, 1)
+        T=(
+            r1.trajectories.minimum_duration(
+                lambda T: r1.cubic_spline(T * TIMES / 2.9, k * POINTS, v0=k / c * V0), limits(k, c)
+            ),
+            0,
+            1,
+        )
     ),
-    "time_optimal": lambda k, c: quickest(k, c, r1.spline_path(k * P)),
-    "time_optimal by arc length": lambda k, c: quickest(k, c, r1.by_arc_length(r1.spline_path(k * P))),
+    "time_optimal": lambda k, c: quickest(k, c, r1.trajectories.spline_path(k * P)),
+    "time_optimal by arc length": lambda k, c: quickest(
+        k, c, r1.curves.by_arc_length(r1.trajectories.spline_path(k * P))
+    ),
     "time_optimal blends": lambda k, c: quickest(
-        k, c, r1.polyline_path(k * P[:3], blend=0.3 * k, kind="parabolic")
+        k, c, r1.curves.polyline_path(k * P[:3], blend=0.3 * k, kind="parabolic")
     ),
     "time_optimal a spline of time": lambda k, c: quickest(
         k, c, r1.cubic_spline(c * TIMES, k * P, v0=k / c, v1=-k / c)
     ),
-}  # fmt: skip
+}
 
 
 def frenet(f):
@@ -221,13 +255,13 @@ def turning(rotation):
 
 
 def timed(k, c):
-    curve = r1.spline_path(k * POINTS)
-    return r1.PathTrajectory(curve, r1.trapezoidal(0, curve.end, 2 * c, velocity=0.8 * curve.end / c).joint())
+    curve = r1.trajectories.spline_path(k * POINTS)
+    return r1.curves.PathTrajectory(curve, r1.trapezoidal(0, curve.end, 2 * c, velocity=0.8 * curve.end / c).joint())
 
 
 def blended(k, c):
-    line = r1.polyline_path(k * POINTS, blend=0.2 * k)
-    return r1.PathTrajectory(line, r1.minimum_time(0, line.end, r1.MotionLimits(k / c, 2 * k / c**2)).laws[0])
+    line = r1.curves.polyline_path(k * POINTS, blend=0.2 * k)
+    return r1.curves.PathTrajectory(line, r1.minimum_time(0, line.end, r1.MotionLimits(k / c, 2 * k / c**2)).laws[0])
 
 
 def bounds(b):
@@ -243,7 +277,7 @@ def scaled(found):
 
 def scaled_by_nature(k, c):
     """A motion of one unit of time, scaled to bounds in another: only the factor takes up the difference."""
-    found = r1.scale_to_limits(r1.quintic(k * Q0, k * Q1, 1.7), limits(k, c))
+    found = r1.trajectories.scale_to_limits(r1.quintic(k * Q0, k * Q1, 1.7), limits(k, c))
     return motion(found.trajectory)
 
 
@@ -252,7 +286,7 @@ def joins(k, c):
     first = r1.cubic(k * Q0, k * Q1, 1.1 * c, 0, k / c * V1)
     second = r1.cubic(k * Q1, k * POINTS[0], 0.9 * c, k / c * V1, 0)
     third = r1.quintic(k * POINTS[0], k * Q0, 1.3 * c, 0, 0, second.acceleration(0.9 * c, side="left"))
-    row = r1.CurveSequence((first, second, third))
+    row = r1.curves.CurveSequence((first, second, third))
     found = motion(row) | {"continuity": ([join.continuity for join in row.joins], 0, 0)}
     for i, join in enumerate(row.joins):
         found[f"join {i}"] = (join.time, 0, 1)
@@ -262,7 +296,7 @@ def joins(k, c):
 
 def quickest(k, c, curve):
     pytest.importorskip("toppra")
-    found = r1.time_optimal(curve, r1.MotionLimits([2 * k / c] * 2, [5 * k / c**2] * 2), grid=100)
+    found = r1.trajectories.time_optimal(curve, r1.MotionLimits([2 * k / c] * 2, [5 * k / c**2] * 2), grid=100)
     T = found.duration
     return numbers(
         T=(T, 0, 1), q=(found.trajectory(MOMENTS * T), 1, 0), v=(found.trajectory.velocity(MOMENTS * T), 1, -1)
@@ -285,7 +319,7 @@ def beyond(k, c):
     robot, start = arm(k), units(k) * [0, 0.3]
     found = {}
     for name, end in (("beyond", 0.9009), ("touching", 0.9)):
-        violations = r1.limit_violations(robot, r1.quintic(start, units(k) * [1, end], c))
+        violations = r1.trajectories.limit_violations(robot, r1.quintic(start, units(k) * [1, end], c))
         found[name] = (len(violations), 0, 0)
         found |= {f"{name} {v.quantity}": ([v.value, v.limit], 1, 0) for v in violations}
     return found
@@ -297,7 +331,7 @@ def following(k, c):
     task = r1.PositionTask("xy")
     start = task.value(robot, q0)
     line = r1.line_path(start, start + k * np.array([0.05, 0.1]))
-    motion = r1.PathTrajectory(line, r1.quintic(0, line.end, 2 * c).joint())
+    motion = r1.curves.PathTrajectory(line, r1.quintic(0, line.end, 2 * c).joint())
     found = r1.follow_trajectory(robot, task, motion, q0, gain=3 / c)
     t = MOMENTS * 2 * c
     return {
@@ -324,7 +358,7 @@ def meeting(k, c):
 def tracking(k, c):
     wanted = r1.quintic(k * Q0, k * Q1, 1.7 * c)
     run = r1.simulate_tracking(wanted, k * (Q0 + 0.1), 2 / c, rate_limits=1.2 * k / c, samples=31)
-    choice = r1.smallest_gain(wanted, k * (Q0 + 0.1), 1e-3 * k)
+    choice = r1.control.smallest_gain(wanted, k * (Q0 + 0.1), 1e-3 * k)
     return {
         "t": (run.t, 0, 1),
         "q": (run.q, 1, 0),
@@ -375,7 +409,9 @@ def test_answers_scale_with_any_units(name, k, c):
 @pytest.mark.parametrize("k", [1e-6, 1e-5, 1e-3, 1e-2, 1.0, 1e4, 1e6])
 def test_the_least_time_along_a_spline_does_not_depend_on_the_unit_of_length(k):
     pytest.importorskip("toppra")
-    found = r1.time_optimal(r1.spline_path(P * k), r1.MotionLimits(velocity=[2 * k] * 2, acceleration=[5 * k] * 2))
+    found = r1.trajectories.time_optimal(
+        r1.trajectories.spline_path(P * k), r1.MotionLimits(velocity=[2 * k] * 2, acceleration=[5 * k] * 2)
+    )
     assert found.duration == pytest.approx(2.7330, abs=5e-5)
 
 
@@ -384,7 +420,7 @@ def test_a_line_takes_two_roots_of_its_length_over_the_acceleration(length):
     """2 √(L/A), where the velocity is hardly bounded."""
     pytest.importorskip("toppra")
     limits = r1.MotionLimits(velocity=[1e3 * length] * 2, acceleration=[length] * 2)
-    found = r1.time_optimal(r1.line_path([0, 0], [length, 0]), limits)
+    found = r1.trajectories.time_optimal(r1.line_path([0, 0], [length, 0]), limits)
     assert found.duration == pytest.approx(2.0, rel=1e-4)
 
 
@@ -393,7 +429,9 @@ def test_the_least_time_along_a_path_does_not_depend_on_the_units_of_single_join
     pytest.importorskip("toppra")
     k = np.array([1e-6, 1e3])
     found = [
-        r1.time_optimal(r1.spline_path(P * unit, knots="uniform"), r1.MotionLimits(2 * unit, 5 * unit)).duration
+        r1.trajectories.time_optimal(
+            r1.trajectories.spline_path(P * unit, knots="uniform"), r1.MotionLimits(2 * unit, 5 * unit)
+        ).duration
         for unit in (np.ones(2), k)
     ]
     assert found[1] == pytest.approx(found[0], rel=1e-9)
@@ -425,7 +463,7 @@ def test_a_motion_elsewhere_is_the_same_motion_moved(b):
         (r1.minimum_time(Q0 + b, Q1 + b, limits(1, 1), "double_s"), r1.minimum_time(Q0, Q1, limits(1, 1), "double_s")),
         (r1.quintic(Q0 + b, Q1 + b, 1.7, V0, V1), r1.quintic(Q0, Q1, 1.7, V0, V1)),
         (r1.cubic_spline(TIMES, POINTS + b), r1.cubic_spline(TIMES, POINTS)),
-        (r1.parabolic_blends(POINTS + b, 1.0, 0.3), r1.parabolic_blends(POINTS, 1.0, 0.3)),
+        (r1.curves.parabolic_blends(POINTS + b, 1.0, 0.3), r1.curves.parabolic_blends(POINTS, 1.0, 0.3)),
     ):
         m, p = (getattr(found, "trajectory", found) for found in (moved, plain))
         rounding = 1e-13 * (1 + abs(b))

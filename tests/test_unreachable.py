@@ -13,9 +13,7 @@ from scipy.optimize import least_squares
 from robotics1 import (
     FunctionTask,
     IKSolver,
-    IKStatus,
     LinearMotion,
-    MeetingStatus,
     OrientationTask,
     PointingTask,
     PoseTask,
@@ -26,8 +24,10 @@ from robotics1 import (
     robot_from_dh,
     solve_ik,
 )
+from robotics1.ik import IKStatus
 from robotics1.ik.pose_problem import pose_problem
 from robotics1.ik.proof import UnreachableProof
+from robotics1.trajectories import MeetingStatus
 
 XY, XYZ = PositionTask("xy"), PositionTask()
 TASKS = (XYZ, XY, PositionTask("z"), PoseTask(), OrientationTask(), PointingTask())

@@ -6,6 +6,7 @@ from math import sqrt
 import numpy as np
 import pytest
 import sympy
+from public_names import PUBLIC
 from typer.testing import CliRunner
 
 import robotics1 as r1
@@ -58,7 +59,7 @@ def test_jacobian_and_its_rate_are_6_by_0(still, reference):
 @pytest.mark.parametrize("task", TASKS.values(), ids=TASKS)
 def test_a_task_has_no_columns_no_range_and_no_torque(still, task):
     m, J = task.rows, task.jacobian(still, [])
-    assert J.shape == r1.jacobian_rate(still, task, [], []).shape == (m, 0)
+    assert J.shape == r1.trajectories.jacobian_rate(still, task, [], []).shape == (m, 0)
     assert task.error(still, [], task.value(still, [])) == pytest.approx(np.zeros(m))
     s = r1.subspaces(J)
     assert s.rank == 0
@@ -68,34 +69,39 @@ def test_a_task_has_no_columns_no_range_and_no_torque(still, task):
     assert not s.contains(np.ones(m))
     assert s.unrealisable(np.ones(m)) == pytest.approx(np.ones(m))
     assert (s.nearly_singular, s.at_singularity) == (False, s)
-    assert r1.balancing_torque(J, np.ones(m)).shape == r1.exerting_torque(J, np.ones(m)).shape == (0,)
-    assert r1.singularity_within_rounding(still, task, []).singular_q is None
+    assert r1.balancing_torque(J, np.ones(m)).shape == r1.singularities.exerting_torque(J, np.ones(m)).shape == (0,)
+    assert r1.singularities.singularity_within_rounding(still, task, []).singular_q is None
 
 
 @pytest.mark.parametrize("task", TASKS.values(), ids=TASKS)
-@pytest.mark.parametrize("resolution", [None, r1.Resolution(damping=0.1, region=0.2), r1.Resolution(weights=[])])
+@pytest.mark.parametrize(
+    "resolution", [None, r1.trajectories.Resolution(damping=0.1, region=0.2), r1.trajectories.Resolution(weights=[])]
+)
 def test_no_velocity_but_zero_is_realised(still, task, resolution):
     m = task.rows
     moved = r1.joint_velocity(still, task, np.ones(m), [], resolution=resolution)
     assert moved.qdot.shape == (0,)
-    assert moved.status is r1.RateStatus.OUT_OF_RANGE
+    assert moved.status is r1.trajectories.RateStatus.OUT_OF_RANGE
     assert moved.residual == pytest.approx(np.ones(m))
     assert "rank 0 of 0" in moved.explain()
-    assert r1.joint_velocity(still, task, np.zeros(m), [], resolution=resolution).status is r1.RateStatus.REALISED
+    assert (
+        r1.joint_velocity(still, task, np.zeros(m), [], resolution=resolution).status
+        is r1.trajectories.RateStatus.REALISED
+    )
     second = r1.joint_acceleration(still, task, np.ones(m), [], [], resolution=resolution)
     assert second.qddot.shape == (0,)
     assert second.drift == pytest.approx(np.zeros(m))
-    assert second.status is r1.RateStatus.OUT_OF_RANGE
+    assert second.status is r1.trajectories.RateStatus.OUT_OF_RANGE
 
 
 @pytest.mark.parametrize("task", [task for name, task in TASKS.items() if name != "tool axes"])
 @pytest.mark.parametrize("method", ["pseudoinverse", "gradient", "damped"])
 def test_an_iteration_has_converged_or_stands_still(still, task, method):
     value = task.value(still, [])
-    assert r1.iterate_ik(still, task, value, [], method=method).status is r1.IKStatus.CONVERGED
+    assert r1.iterate_ik(still, task, value, [], method=method).status is r1.ik.IKStatus.CONVERGED
     if task.row_names[0] == "x":
         away = value * value if hasattr(value, "rotation") else value + 0.1
-        assert r1.iterate_ik(still, task, away, [], method=method).status is r1.IKStatus.STALLED
+        assert r1.iterate_ik(still, task, away, [], method=method).status is r1.ik.IKStatus.STALLED
 
 
 @pytest.mark.parametrize("task", TASKS.values(), ids=TASKS)
@@ -119,16 +125,16 @@ def nothing_moves(still, task, folder):
     """Each call that takes a robot: what it answers, or the error that nothing moves."""
     value = task.value(still, [])
     line = r1.line_path(P, P + 0.1)
-    motion = r1.PathTrajectory(line, r1.cubic(0, line.end, 1.0).joint())
+    motion = r1.curves.PathTrajectory(line, r1.cubic(0, line.end, 1.0).joint())
     joints = r1.cubic([], [], 1.0)
     return {
         "forward_kinematics": lambda: r1.forward_kinematics(still, []),
         "frame_jacobian": lambda: r1.frame_jacobian(still, []),
         "frame_jacobian_rate": lambda: r1.frame_jacobian_rate(still, [], []),
-        "jacobian_rate": lambda: r1.jacobian_rate(still, task, [], []),
+        "jacobian_rate": lambda: r1.trajectories.jacobian_rate(still, task, [], []),
         "joint_velocity": lambda: r1.joint_velocity(still, task, np.zeros(3), []),
         "joint_acceleration": lambda: r1.joint_acceleration(still, task, np.zeros(3), [], []),
-        "singularity_within_rounding": lambda: r1.singularity_within_rounding(still, task, []),
+        "singularity_within_rounding": lambda: r1.singularities.singularity_within_rounding(still, task, []),
         "formulas": lambda: r1.formulas(still, task),
         "find_singularities": lambda: r1.find_singularities(still, task),
         "scan_singularities": lambda: r1.scan_singularities(still, task, samples=10),
@@ -138,17 +144,17 @@ def nothing_moves(still, task, folder):
         "ik_solutions": lambda: r1.ik_solutions(still, task, value),
         "rendezvous": lambda: r1.rendezvous(still, task, r1.LinearMotion(P, [0, 0, 0]), [], meet=1.0),
         "follow_trajectory": lambda: r1.follow_trajectory(still, task, motion, []),
-        "follow_trajectory_by_acceleration": lambda: r1.follow_trajectory_by_acceleration(
+        "follow_trajectory_by_acceleration": lambda: r1.trajectories.follow_trajectory_by_acceleration(
             still, task, motion, ([], [])
         ),
-        "TaskTrajectory": lambda: r1.TaskTrajectory(still, task, joints).velocity(0.5),
-        "limit_violations": lambda: r1.limit_violations(still, joints),
-        "urdf_to_dh": lambda: r1.urdf_to_dh(still),
+        "TaskTrajectory": lambda: r1.trajectories.TaskTrajectory(still, task, joints).velocity(0.5),
+        "limit_violations": lambda: r1.trajectories.limit_violations(still, joints),
+        "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
         "view": lambda: r1.view(still, [], folder / "still.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
         "plot_path": lambda: r1.plot_path(
-            r1.TaskTrajectory(still, r1.PositionTask("xy"), joints), file=folder / "c.svg"
+            r1.trajectories.TaskTrajectory(still, r1.PositionTask("xy"), joints), file=folder / "c.svg"
         ),
     }
 
@@ -156,11 +162,11 @@ def nothing_moves(still, task, folder):
 RESULTS = {"RobotReport", "Formulas", "SingularBranch", "SingularSet", "SingularityScan"}
 CALLS = sorted(
     name
-    for name in r1.__all__
+    for name, value in PUBLIC.items()
     if name not in RESULTS
-    and callable(getattr(r1, name))
-    and not (inspect.isclass(getattr(r1, name)) and issubclass(getattr(r1, name), BaseException))
-    and "robot" in inspect.signature(getattr(r1, name)).parameters
+    and callable(value)
+    and not (inspect.isclass(value) and issubclass(value, BaseException))
+    and "robot" in inspect.signature(value).parameters
 )
 
 

@@ -1,1 +1,5 @@
 """Curves of one variable: paths, orientations, poses, laws and motions."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -5,3 +5,7 @@
 of a law. `least_time_of_joints` (by `law_kinds` and `shortest`) and `least_time_along_path` find fastest motions,
 `scaling` slows one down. `following` turns a motion of a task into one of the joints; `meeting` meets a target.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -7,24 +7,21 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1 import (
-    GainChoice,
-    IKIteration,
     LinearMotion,
-    MeetingBranch,
     PlanarPoseTask,
     PositionTask,
-    Rendezvous,
     Robot,
-    SingularSet,
-    Subspaces,
     balancing_torque,
     find_singularities,
     iterate_ik,
     load_robot,
     rendezvous,
-    smallest_gain,
     subspaces,
 )
+from robotics1.control import GainChoice, smallest_gain
+from robotics1.ik import IKIteration
+from robotics1.singularities import SingularSet, Subspaces
+from robotics1.trajectories import MeetingBranch, Rendezvous
 
 POSE, POINT, SPACE = PlanarPoseTask("xy"), PositionTask("xy"), PositionTask("xyz")
 FORCE = (3, 1)

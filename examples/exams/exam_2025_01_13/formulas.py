@@ -4,10 +4,12 @@ from math import degrees
 
 import sympy
 
-from robotics1 import MeetingBranch, SingularSet, formulas, polynomial_formula
+from robotics1 import formulas
 from robotics1.notation import vector
 from robotics1.report.tables import polynomial_text
+from robotics1.singularities import SingularSet
 from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
+from robotics1.trajectories import MeetingBranch, polynomial_formula
 
 from ..formula_table import FormulaRow, FormulaTable
 from .answers import ANGLE, FORCE, GOAL, P0, POINT, POSE, SPACE, SPEED, Exercise1, Exercise2, Exercise3

@@ -4,7 +4,8 @@ from collections.abc import Iterable
 
 import numpy.typing as npt
 
-from robotics1 import IKIteration, MeetingBranch
+from robotics1.ik import IKIteration
+from robotics1.trajectories import MeetingBranch
 
 from ..comparison import Comparison
 from ..formula_table import FormulaTable

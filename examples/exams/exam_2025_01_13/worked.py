@@ -7,12 +7,13 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from robotics1 import PositionTask, TaskTrajectory, animate, plot_path, plot_trajectory
+from robotics1 import PositionTask, animate, plot_path, plot_trajectory
 from robotics1.files import make_folder
 from robotics1.notation import count, vector
 from robotics1.report.formula_page import write_formula_page
 from robotics1.report.tables import iteration_table, polynomial_table
 from robotics1.singularities.explain import directions
+from robotics1.trajectories import TaskTrajectory
 
 from ..comparison import Comparison
 from ..formula_table import FormulaTable

@@ -1,0 +1,50 @@
+"""The public names of `robotics1.curves`, and where they are."""
+
+from .arcs import arc_path, arc_through, circle_path, ellipse_path, helix_path, line_path
+from .composition import PathTrajectory, by_arc_length, stretched
+from .curve import Curve
+from .frenet import FrenetFrame, frenet_frame, frenet_path
+from .harmonic import HarmonicCurve
+from .interpolants import Extreme
+from .piecewise_polynomial import PiecewisePolynomial
+from .polyline import parabolic_blends, polyline_path
+from .pose_path import PosePath, pose_line
+from .rotations import euler_path, slerp_path, turn_path
+from .sequence import CurveSequence, Join
+from .stack import JointTrajectory, StackedCurve, stacked_path
+from .symbolic_path import FormulaPath, FrenetFormulas, formula_path, frenet_formulas
+
+__all__ = [
+    "Curve",
+    "CurveSequence",
+    "Extreme",
+    "FormulaPath",
+    "FrenetFormulas",
+    "FrenetFrame",
+    "HarmonicCurve",
+    "Join",
+    "JointTrajectory",
+    "PathTrajectory",
+    "PiecewisePolynomial",
+    "PosePath",
+    "StackedCurve",
+    "arc_path",
+    "arc_through",
+    "by_arc_length",
+    "circle_path",
+    "ellipse_path",
+    "euler_path",
+    "formula_path",
+    "frenet_formulas",
+    "frenet_frame",
+    "frenet_path",
+    "helix_path",
+    "line_path",
+    "parabolic_blends",
+    "polyline_path",
+    "pose_line",
+    "slerp_path",
+    "stacked_path",
+    "stretched",
+    "turn_path",
+]

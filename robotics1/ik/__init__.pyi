@@ -1,0 +1,19 @@
+"""The public names of `robotics1.ik`, and where they are."""
+
+from .iterate import IKIterate, IKIteration, iterate_ik
+from .result import IKBatch, IKResult, IKStatus
+from .solutions import IKSolutions, ik_solutions
+from .solver import IKSolver, solve_ik
+
+__all__ = [
+    "IKBatch",
+    "IKIterate",
+    "IKIteration",
+    "IKResult",
+    "IKSolutions",
+    "IKSolver",
+    "IKStatus",
+    "ik_solutions",
+    "iterate_ik",
+    "solve_ik",
+]

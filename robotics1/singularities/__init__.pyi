@@ -1,0 +1,33 @@
+"""The public names of `robotics1.singularities`, and where they are."""
+
+from .find import find_singularities
+from .intersections import find_intersections
+from .other_lengths import parameter_conditions
+from .reduction import MeasureDistribution
+from .result import Intersections, SingularBranch, SingularSet
+from .rounding import RoundedConfiguration, singularity_within_rounding
+from .scan import scan_singularities
+from .scan_result import RefinedGroup, Refinement, SingularityScan
+from .spaces import RankStatus, Subspaces, subspaces
+from .statics import balancing_torque, exerting_torque
+
+__all__ = [
+    "Intersections",
+    "MeasureDistribution",
+    "RankStatus",
+    "RefinedGroup",
+    "Refinement",
+    "RoundedConfiguration",
+    "SingularBranch",
+    "SingularSet",
+    "SingularityScan",
+    "Subspaces",
+    "balancing_torque",
+    "exerting_torque",
+    "find_intersections",
+    "find_singularities",
+    "parameter_conditions",
+    "scan_singularities",
+    "singularity_within_rounding",
+    "subspaces",
+]

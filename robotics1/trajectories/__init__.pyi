@@ -1,0 +1,79 @@
+"""The public names of `robotics1.trajectories`, and where they are."""
+
+from .bounds_along_path import TimingBounds, timing_bounds
+from .following.followed_trajectory import FollowedTrajectory, FollowingStatus
+from .following.joint_rates import JointAcceleration, JointVelocity, RateStatus, joint_acceleration, joint_velocity
+from .following.path_following import follow_trajectory, follow_trajectory_by_acceleration
+from .following.resolution import Resolution
+from .following.task_rates import TaskTrajectory, jacobian_rate
+from .least_time_along_path import PathTiming, time_optimal
+from .least_time_of_joints import MinimumTime, minimum_time
+from .limits import LimitUse, MotionLimits, NormLimits, limit_violations
+from .meeting import MeetingBranch, MeetingStatus, Rendezvous, rendezvous
+from .norms import AccelerationSplit, acceleration_split, peak_norm
+from .polynomial_splines import polynomial_spline, polynomial_through, virtual_point_spline
+from .polynomials import cubic, quintic, septic
+from .profiles import VelocityProfile, bang_bang, cruise_profile, double_s, trapezoidal
+from .scaling import TimeScaling, scale_to_limits
+from .shortest import minimum_duration
+from .sines import cosine, cycloidal
+from .splines import cubic_hermite_spline, cubic_spline, knot_times, spline_path
+from .symbolic_polynomial import PolynomialFormula, polynomial_formula
+from .target_motion import FunctionMotion, LinearMotion, TargetMotion
+
+__all__ = [
+    "AccelerationSplit",
+    "FollowedTrajectory",
+    "FollowingStatus",
+    "FunctionMotion",
+    "JointAcceleration",
+    "JointVelocity",
+    "LimitUse",
+    "LinearMotion",
+    "MeetingBranch",
+    "MeetingStatus",
+    "MinimumTime",
+    "MotionLimits",
+    "NormLimits",
+    "PathTiming",
+    "PolynomialFormula",
+    "RateStatus",
+    "Rendezvous",
+    "Resolution",
+    "TargetMotion",
+    "TaskTrajectory",
+    "TimeScaling",
+    "TimingBounds",
+    "VelocityProfile",
+    "acceleration_split",
+    "bang_bang",
+    "cosine",
+    "cruise_profile",
+    "cubic",
+    "cubic_hermite_spline",
+    "cubic_spline",
+    "cycloidal",
+    "double_s",
+    "follow_trajectory",
+    "follow_trajectory_by_acceleration",
+    "jacobian_rate",
+    "joint_acceleration",
+    "joint_velocity",
+    "knot_times",
+    "limit_violations",
+    "minimum_duration",
+    "minimum_time",
+    "peak_norm",
+    "polynomial_formula",
+    "polynomial_spline",
+    "polynomial_through",
+    "quintic",
+    "rendezvous",
+    "scale_to_limits",
+    "septic",
+    "spline_path",
+    "time_optimal",
+    "timing_bounds",
+    "trapezoidal",
+    "virtual_point_spline",
+]
