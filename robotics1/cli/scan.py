@@ -31,7 +31,7 @@ def scan(
     task: TaskName = "pose",
     samples: Annotated[str, typer.Option(help="How many configurations, as 1e6; of a grid at most so many.")] = "1e6",
     measure: Annotated[
-        list[str] | None, typer.Option(help="sigma_min, condition or manipulability; the first tells what is worst.")
+        list[str] | None, typer.Option(help="sigma_min, condition or manipulability; the first decides what is worst.")
     ] = None,
     method: Annotated[str, typer.Option(help="random, sobol or grid.")] = "random",
     seed: Annotated[int, typer.Option(help="Of the random numbers.")] = 0,

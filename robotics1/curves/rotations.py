@@ -69,7 +69,7 @@ class FixedAxisRotation(RotationPath):
 def slerp_path(R0: npt.ArrayLike, R1: npt.ArrayLike, *, long_way: bool = False) -> FixedAxisRotation:
     """Return the turn from R₀ to R₁ about one axis, R(s) = R(r, s) R₀, 0 ≤ s ≤ θ, with θ r = log(R₁ R₀ᵀ), θ ∈ [0, π].
 
-    It is the spherical interpolation of quaternions. At θ = π both ways are equally long; `long_way` tells the other.
+    It is the spherical interpolation of quaternions. At θ = π both ways are equally long; `long_way` takes the other.
 
     Args:
         R0, R1: (3, 3) the orientations.
@@ -112,7 +112,7 @@ def turn_path(R0: npt.ArrayLike, axis: npt.ArrayLike, angle: float) -> FixedAxis
 class EulerRotation(RotationPath):
     """R(s) = R(φ(s)): the angles of a sequence go along a path, and the axis is not fixed.
 
-    w = Σⱼ aⱼ φⱼ' with the axes aⱼ of the three turns, of which each is carried along by those before it.
+    w = Σⱼ aⱼ φⱼ' with the axes aⱼ of the three turns; each axis is carried along by the turns before it.
 
     Attributes:
         sequence: the axes.

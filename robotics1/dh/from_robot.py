@@ -27,7 +27,7 @@ def urdf_to_dh(
 ) -> DHTable:
     """Return a DH table of the chain from the world to the tool, in the robot's own joint values.
 
-    T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, as told at `DHTable`; `robot_from_dh(table.rows,
+    T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, as in `DHTable`; `robot_from_dh(table.rows,
     **table.options)` has the robot's forward kinematics. Where the robot's frames are those of a table already, as
     in a robot of `robot_from_dh`, it is that table. Else, of the choices that a table leaves, it takes
     |θ_i| ≤ π/2, so that a_i may be negative; d_i = 0 between parallel axes, and x_i = x_{i−1} between coincident

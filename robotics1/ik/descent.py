@@ -28,7 +28,7 @@ PATIENCE = 8  # steps without progress, after which a descent is given up
 REMEMBERED = 100  # errors
 GRACE, LONGER = 0.05, 0.1  # seconds, or of the time limit, that the nearest miss may take longer ...
 QUICK = 1e-3  # ... where an evaluation takes less than that [s]
-GROUP = 8  # random starts of which the one with the least error is taken
+GROUP = 8  # random starts; the one with the least error is taken
 PREPARING = 0.2  # of the time limit, that a look at the task may take
 End = tuple[Array, float]
 

@@ -26,7 +26,7 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 CONVERGED = IKStatus.CONVERGED
-GROUP = 64  # starts of which the one nearest to the target is taken
+GROUP = 64  # starts; the one nearest to the target is taken
 FIRST_STARTS = 128 * GROUP  # of the table that every target begins with
 LATER_STARTS = 256  # of each table after that, all of them tried
 FINER = 1e-3  # tolerance on the turn where the task's error holds angles in its place

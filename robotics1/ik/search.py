@@ -185,7 +185,7 @@ class Search:
         return spent
 
     def _not_proven(self, found: Found, left: Indices, *, seconds: float) -> Indices:
-        """Return the targets of which it cannot be proven in the time that they are out of reach."""
+        """Return the targets that are not proven, in the time, to be out of reach."""
         proven = self.descent.unreachable(found.goals[left], seconds)
         found.proven[left[proven]] = True
         return left[~proven]

@@ -15,7 +15,7 @@ from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 
 BLOCK = 64  # with 16 and 32, LLVM unrolls the loops, and the rate is 0.6 of this; with 128 it is 1.05 times this
-LARGEST = 1e5  # [rad]; beyond, the reduction loses digits and the C library serves
+LARGEST = 1e5  # [rad]; beyond, the reduction loses digits and the C library is used
 TWO_BY_PI = 2 / math.pi
 # π/2 in three parts; the first two have 33 bits, so that a multiple of them below 2²⁰ is exact.
 HALF_PI = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
@@ -70,7 +70,7 @@ def place_block(
     T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
 
     Args:
-        placements, prismatic, coordinate, ratio: as of `ChainArrays`.
+        placements, prismatic, coordinate, ratio: as in `ChainArrays`.
         q: (n, BLOCK) configurations.
         T: (3, 4, BLOCK), to be written.
         joint_axes: (k, 6, BLOCK), to be written.

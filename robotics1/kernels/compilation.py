@@ -34,7 +34,7 @@ def compiled(*, contract: bool = False, inline: bool = False) -> Callable[[Funct
         _announce_the_first()
     options: dict[str, Any] = {"nogil": True, "forceinline": inline}
     options |= {"error_model": "numpy", "no_cfunc_wrapper": True}  # NaN for 0/0; a wrapper that nobody calls
-    # False is said, since a function without the option would take that of the caller that compiles it first
+    # False is written, since a function without the option takes that of the caller that compiles it first
     options["fastmath"] = {"contract", "reassoc", "nsz", "arcp"} if contract else False
 
     def compile_later(function: Function) -> Function:
@@ -77,12 +77,12 @@ def _announce_the_first() -> None:
     from numba.core.event import Listener, register
 
     class Announcement(Listener):  # type: ignore[misc]
-        said = False
+        announced = False
 
         def on_start(self, event: Any) -> None:
-            if not self.said and event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
+            if not self.announced and event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
                 log.warning("compiling the kernels: some seconds, once; the machine code is kept for the next time")
-                self.said = True
+                self.announced = True
 
         def on_end(self, event: Any) -> None:
             pass

@@ -72,7 +72,7 @@ class CheckedFile(IndexDataCacheFile):  # type: ignore[misc]
 
 @cache
 def _sources() -> tuple[tuple[str, float, int], ...]:
-    """Return what tells whether a kernel on disk is that of these files.
+    """Return the sum by which a kernel on disk is known to be that of these files.
 
     Numba looks at the file of the function alone; but the machine code holds that of all functions it calls.
     """

@@ -14,7 +14,8 @@ from robotics1.robot.model import Robot
 
 @dataclass(frozen=True, eq=False)
 class JointBox:
-    """lower ≤ q ≤ upper; a revolute joint that can turn by a whole period is a circle, told by the one below upper.
+    """lower ≤ q ≤ upper. A revolute joint that can turn by a whole period is a circle: its value is in the period below
+    upper.
 
     Attributes:
         lower, upper: (n,) [rad or m]; of circles −π and π, or half a period, or what is next to it inside the limits.

@@ -25,8 +25,8 @@ def check_joint(findings: Findings, joint: Element, types: Mapping[str | None, s
     """Check the type, placement, axis, limits and mimicry of a joint; `types` are those of all joints, by name."""
     kind = joint.get("type")
     if kind not in JOINT_TYPES:
-        said = "has no type" if kind is None else f"has the unknown type {kind!r}"
-        findings.error(joint, f"{said}; it can be {', '.join(JOINT_TYPES)}")
+        fault = "has no type" if kind is None else f"has the unknown type {kind!r}"
+        findings.error(joint, f"{fault}; it can be {', '.join(JOINT_TYPES)}")
     _check_origin(findings, joint, joint)
     if kind in ON_AN_AXIS:
         _check_axis(findings, joint)
@@ -98,8 +98,8 @@ def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
         findings.warn(joint, "has a <limit> without lower and upper, which means [0, 0]: it cannot move", limit)
     low = 0.0 if lower is None else lower[0]
     high = 0.0 if upper is None else upper[0]
-    said = (lower is not None or limit.get("lower") is None) and (upper is not None or limit.get("upper") is None)
-    if said and low > high:
+    both = (lower is not None or limit.get("lower") is None) and (upper is not None or limit.get("upper") is None)
+    if both and low > high:
         findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}", limit)
 
 

@@ -76,7 +76,7 @@ def children(parent: ET.Element, tag: str) -> list[Element]:
 
 
 def linked(joint: ET.Element, end: str) -> str | None:
-    """Return the link at an end of a joint, "parent" or "child", or None when it is not said."""
+    """Return the link at an end of a joint, "parent" or "child", or None when the joint names none."""
     element = joint.find(end)
     return None if element is None else element.get("link")
 
@@ -151,7 +151,7 @@ def undeclared(text: str) -> str:
 def _declared(beginning: str, path: Path) -> str:
     """Return Python's name of the declared encoding, or "".
 
-    Python knows more encodings than files have, some of which are slow or read escapes.
+    Python knows more encodings than files have; some of them are slow or read escapes.
     """
     declaration = DECLARATION.match(beginning)
     if declaration is None:

@@ -142,7 +142,7 @@ class Robot:
 
     @cached_property
     def frame_names(self) -> tuple[str, ...]:
-        """The links of the robot, each of which is a frame."""
+        """The links of the robot; each is a frame."""
         return tuple(frame.name for frame in self.model.frames if frame.type == pin.FrameType.BODY)
 
     @cached_property
@@ -232,7 +232,7 @@ class Robot:
         return joints_to(self.joints, self.link_of(frame))
 
     def require_single_coordinates(self, purpose: str) -> None:
-        """Refuse a robot of which a joint has several degrees of freedom.
+        """Refuse a robot with a joint of several degrees of freedom.
 
         Args:
             purpose: what only revolute and prismatic joints can be used for, such as "can be searched".

@@ -60,7 +60,7 @@ class Findings:
     def numbers(
         self, owner: Element, element: Element, attribute: str, count: int = 1, largest: float = LARGEST
     ) -> list[float] | None:
-        """Return the numbers of an attribute, or None when it is absent or wrong, which is then said."""
+        """Return the numbers of an attribute, or None when it is absent or wrong; then the report has a finding."""
         text = element.get(attribute)
         if text is None:
             return None

@@ -59,7 +59,7 @@ def scan_singularities(
             configurations a second; others are asked for J one configuration at a time, in this process.
         samples: how many configurations, 1e6 or 1_000_000; of a grid at most so many, with the same number of values
             for each joint, or that number for each joint.
-        measures: some of "sigma_min", "condition", "manipulability"; the first tells which configurations are the
+        measures: some of "sigma_min", "condition", "manipulability"; the first decides which configurations are the
             worst.
         method: "random": uniform; "sobol": Sobol's sequence, scrambled, which is more even; "grid": limits included.
         seed: of the random numbers.

@@ -102,7 +102,7 @@ class SingularityScan(Frozen):
 
     @property
     def measures(self) -> tuple[str, ...]:
-        """The measures, the one that tells what is worst first."""
+        """The measures; the first decides what is worst."""
         return tuple(self.distributions)
 
     def distribution(self, measure: str | None = None) -> MeasureDistribution:

@@ -70,7 +70,7 @@ class PointingTask(FrameTask):
         return target - value
 
     def pose_error(self) -> PoseError:
-        """Return the rows of the rotation, of which the turn about the axis does not count."""
+        """Return the rows of the rotation; the turn about the axis does not count."""
         return PoseError((3, 4, 5), self._goal, axis=np.array(self._a, dtype=float))
 
     def _goal(self, robot: Robot, target: Any) -> Array:

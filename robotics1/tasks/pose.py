@@ -223,7 +223,7 @@ class PoseTask(_WithOrientation):
         return np.vstack([np.eye(6, dtype=int)[:3], angular])
 
     def target(self, target: Any) -> Any:
-        """Return the target as a `pin.SE3`; a homogeneous (4, 4) matrix serves too. With angles= as (p, φ), (6,)."""
+        """Return the target as a `pin.SE3`; a homogeneous (4, 4) matrix is one too. With angles= it is (p, φ), (6,)."""
         if self.angles is not None:
             r = real_array("the target", target, (6,), "a position [m] and three angles [rad]")
             return np.concatenate([r[:3], self.representation.target(r[3:])])

@@ -32,7 +32,7 @@ def minimum_duration(motion: Motion, limits: MotionLimits, *, at_least: float = 
     velocities, accelerations and jerks is, τ = t/T. At a T where the bound B on the k-th derivative is passed, let it
     be most so at τ*. There h(T') = |∂ᵏq/∂τᵏ (τ*; T')| − B T'ᵏ is a cubic in T': until its next zero the bound is passed
     at τ*, so that no duration before that zero will do. The steps from zero to zero, upwards from a T that is too
-    short, converge quadratically to the least T and jump over nothing. A T below 1e-30 s is told as 1e-30 s.
+    short, converge quadratically to the least T and jump over nothing. A T below 1e-30 s is given as 1e-30 s.
 
     As in `minimum_duration(lambda T: quintic(q0, q1, T, v0=v0), MotionLimits(velocity=2, acceleration=5))`.
 

@@ -125,7 +125,7 @@ def spline_path(
     Args:
         points: (m, n) in order, Cartesian [m] or joint values; no two consecutive ones are the same.
         knots: "chord" (sᵢ₊₁ − sᵢ = |pᵢ₊₁ − pᵢ|), "centripetal" (its root), "uniform" (1), or (m,) numbers from 0.
-        bc_type: as of `cubic_spline`, but "natural" (p'' = 0) by default: where p' = 0 a path has no tangent.
+        bc_type: as in `cubic_spline`, but "natural" (p'' = 0) by default: where p' = 0 a path has no tangent.
         v0, v1: (n,) p' at the start and at the end instead.
         a0, a1: (n,) p'' there instead.
 

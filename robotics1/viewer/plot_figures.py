@@ -17,7 +17,7 @@ from robotics1.names import printable
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-STYLES = ("-", "--", "-.", ":")  # so that lines can be told apart without colour
+STYLES = ("-", "--", "-.", ":")  # so that lines differ without colour
 MARKERS = ("", "o", "s", "^", "x")  # of the fifth line, the ninth, ...
 SAMPLES = 201  # on each smooth piece
 
@@ -47,7 +47,7 @@ def panels_of(ax: Any, count: int) -> Any:
         return _figure((6.4, 2.2 + 1.7 * count)).subplots(count, 1, sharex=True)
     panels = np.ravel(np.asarray(ax, dtype=object))
     if len(panels) != count or not all(hasattr(panel, "plot") for panel in panels):
-        raise InputError(f"ax must be {count} Matplotlib axes, as of plt.subplots({count}); it is {ax!r}")
+        raise InputError(f"ax must be {count} Matplotlib axes, as from plt.subplots({count}); it is {ax!r}")
     return panels
 
 
@@ -83,7 +83,7 @@ def legend_text(name: str) -> str:
 
 
 def line_style(i: int) -> dict[str, Any]:
-    """Return how the i-th line of a plot is drawn: twenty that can be told apart without colour."""
+    """Return how the i-th line of a plot is drawn: twenty ways that differ without colour."""
     marker = MARKERS[i // 4 % len(MARKERS)]
     return {"linestyle": STYLES[i % 4], "marker": marker, "markevery": (10 * (i % 4) + 5, 40), "markersize": 4}
 

@@ -182,7 +182,7 @@ def chain_to(robot: Robot, frame: str, *, beside: str | None = None) -> Chain:
 
     Raises:
         FormulaError: a joint on the way has several degrees of freedom, there are too many, its numbers depend on the
-            parameters in no way that can be told, or it follows another by no fraction of its angle.
+            parameters in no way that can be found, or it follows another by no fraction of its angle.
     """
     joints = robot.joints_to(frame)
     moving = [joint for joint in joints if joint.kind != "fixed"]

@@ -55,7 +55,7 @@ class TimeLimit:
     def kept(self) -> Iterator[None]:
         """Let `check_time` raise OutOfTime, inside the block and in this thread, when the time is over.
 
-        Long computations consist of short steps, each of which calls `check_time`. Of two limits, one inside the
+        Long computations consist of short steps; each step calls `check_time`. Of two limits, one inside the
         other, the earlier counts.
         """
         token = _deadline.set(min(self.deadline, _deadline.get()))

@@ -30,7 +30,7 @@ NEAR = 1e-6  # of an equation, beside the sum of its terms, for the same reason
 DEEPEST = 4  # times that derivatives are added
 ROUNDED = 1e-14  # of an equation, beside the sum of its terms: zero but for √2 and √3, which are fractions to 1e-16
 MOST_JOINTS = 3  # that the equations tie together
-DRAWN = 12  # configurations, none of which may be elsewhere
+DRAWN = 12  # configurations; none of them may be elsewhere
 BESIDE = 0.02  # from a zero, where σ is rounding already, in rad and reaches
 
 Drawn = tuple[LocusSampler, list[Array]]

@@ -35,7 +35,7 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         InputError: the point or the rows are none.
         UnknownNameError: the task has no row, or the robot no frame, of that name.
         FormulaError: the task's function cannot be read, the file's numbers depend on the parameters in a way that
-            cannot be told, or a formula does not agree with Pinocchio to 1e-9.
+            cannot be found, or a formula does not agree with Pinocchio to 1e-9.
     """
     form, given = _on_a_frame(task), set(robot.parameters)
     if point is not None:

@@ -164,7 +164,7 @@ class Formulas:
 
     @property
     def rows(self) -> Matrix:
-        """J as trigonometric polynomials; of a task with quotients, those of which the rows of J are combined."""
+        """J as trigonometric polynomials; of a task with quotients, those that are combined to the rows of J."""
         return self.symbolic_task.rows
 
     def python(self, name: str = "jacobian") -> str:

@@ -108,7 +108,7 @@ def with_decimals(e: sympy.Expr) -> sympy.Expr:
 
 
 def recognised(expressions: Sequence[sympy.Expr]) -> list[sympy.Expr]:
-    """Return the expressions, of which only the ratios count, with their long rationals as square roots or decimals.
+    """Return the expressions, whose ratios alone count, with their long rationals as square roots or decimals.
 
     All are divided by the largest long one.
     """

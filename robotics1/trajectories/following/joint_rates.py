@@ -137,7 +137,7 @@ def joint_velocity(
         rdot: (m,) ṙ, one number for each row of J.
         q: (nq,) configuration [rad or m].
         resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
-        null_velocity: (nv,) q̇₀, or (k,) of inputs, of which the part that does not move the task is added.
+        null_velocity: (nv,) q̇₀, or (k,) of inputs; its part that does not move the task is added.
 
     Raises:
         InputError: a shape is wrong.
@@ -181,7 +181,7 @@ def joint_acceleration(
         q: (nq,) configuration [rad or m].
         qdot: (nv,) q̇ [rad/s or m/s]; with an input matrix (k,), the inputs u.
         resolution: which inverse J# is taken, and what the inputs are; by default the pseudoinverse.
-        null_acceleration: (nv,) q̈₀, or (k,) of inputs, of which the part that does not accelerate the task is added.
+        null_acceleration: (nv,) q̈₀, or (k,) of inputs; its part that does not accelerate the task is added.
 
     Raises:
         InputError: a shape is wrong.
