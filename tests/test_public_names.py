@@ -71,6 +71,10 @@ def test_all_equals_the_names_of_the_stub(space):
     assert len(set(listed)) == len(listed)
 
 
+def test_the_top_has_at_most_sixty_names():
+    assert len(robotics1.__all__) <= 60
+
+
 def test_dir_lists_the_public_names():
     assert set(robotics1.__all__) <= set(dir(robotics1))
 
