@@ -8,3 +8,6 @@ used, so that `import robotics1` is quick.
 import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+# The namespaces read their lists of names here, in one thread: see `syntax`.
+from robotics1 import curves, dh, ik, orientation, singularities, trajectories  # noqa: E402, F401

@@ -11,6 +11,7 @@ import re
 from typing import Any
 
 from robotics1.errors import InputError
+from robotics1.syntax import syntax_tree
 
 OPERATIONS: dict[type, Any] = {
     ast.Add: operator.add,
@@ -43,7 +44,7 @@ def expression_of(formula: str) -> Any:
     try:
         if not CHARACTERS.fullmatch(formula) or NOT_A_NUMBER.search(formula):
             raise ValueError("a character that no formula has")
-        tree = ast.parse(formula.strip(), mode="eval").body
+        tree = syntax_tree(formula.strip())
         return _read(tree, DEEPEST, INNERMOST)
     except InputError:
         raise

@@ -14,6 +14,7 @@ from typing import Any
 
 from robotics1.robot.xacro.budget import DATA, Budget, Refused, check_elements, shortened, too_large
 from robotics1.robot.xacro.functions import METHODS, modulo, power, times
+from robotics1.syntax import syntax_tree
 
 LONGEST = 5000  # characters of an expression
 OPERATORS: dict[type[ast.AST], Callable[..., Any]] = {
@@ -67,7 +68,7 @@ def evaluate(expression: str, names: Mapping[str, Any], budget: Budget) -> Any:
 def _syntax_tree(expression: str) -> ast.AST:
     if len(expression) > LONGEST:
         raise too_large(f"an expression of {len(expression)} characters")
-    return ast.parse(expression, mode="eval").body
+    return syntax_tree(expression)
 
 
 class Evaluation:
