@@ -120,8 +120,9 @@ def test_the_two_shoulder_loops_are_apart_from_each_other(a2, a3):
 
 
 @pytest.mark.sweep
-def test_six_r_singularities_are_shoulder_elbow_and_wrist():
-    found = numeric(arm("six_r"), PoseTask())
+@pytest.mark.parametrize("seed", range(3))
+def test_six_r_singularities_are_shoulder_elbow_and_wrist(seed):
+    found = numeric(arm("six_r"), PoseTask(), seed=seed)
     constant = sorted(key(branch.values) for branch in found.branches if branch.values)
     assert constant == sorted(key({name: value}) for name in ("q3", "q5") for value in (0.0, pi))
     loops = [branch for branch in found.branches if not branch.values]

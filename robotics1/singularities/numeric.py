@@ -15,6 +15,7 @@ AT_ONCE = 1000  # starts that are drawn together
 ENOUGH = 50  # samples of a branch
 SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one
 STRIDE = 0.1  # of a walk on the set, in units
+FAR, CLOSE = 3e-3, 3e-4  # from a point, in units: the two radii in which its sheet is measured
 
 
 @dataclass
@@ -70,19 +71,19 @@ def _add_start(points: SingularPoints, start: Array, sheets: list[Sheet], rng: n
     if q is None:
         return
     known = next((sheet for sheet in sheets if not sheet.tied and _lies_on(points, q, sheet)), None)
+    for radius in (FAR, CLOSE):  # what looks new may be close to a crossing of two known sheets
+        if known is None:
+            here = _sheet_at(points, q, rng, radius)
+            known = next((sheet for sheet in sheets if sheet.tied and _alike(points, sheet, here)), None)
     if known is None:
-        known = _sheet_at(points, q, rng)
-        sheet = next((s for s in sheets if s.tied and _alike(points, s, known)), None)
-        if sheet is None:
-            sheets.append(known)
-            return
-        known = sheet
-    known.points.append(q)
+        sheets.append(here)
+    else:
+        known.points.append(q)
 
 
-def _sheet_at(points: SingularPoints, q: Array, rng: np.random.Generator) -> Sheet:
-    """Measure the set at q: its dimension, the joints that stand still on it, and those that do not matter."""
-    tangent = points.tangent(q, rng)
+def _sheet_at(points: SingularPoints, q: Array, rng: np.random.Generator, radius: float) -> Sheet:
+    """Measure the set around q: its dimension, the joints that stand still on it, and those that do not matter."""
+    tangent = points.tangent(q, rng, radius)
     still = np.linalg.norm(tangent, axis=1) < 1e-2
     free = [int(i) for i in np.flatnonzero(~still) if _never_matters(points, q, int(i), rng)]
     if len(free) < np.count_nonzero(~still):
@@ -115,6 +116,12 @@ def _lies_on(points: SingularPoints, q: Array, sheet: Sheet) -> bool:
     return bool(np.abs(apart[list(sheet.constant)]).max(initial=0.0) < SAME_VALUE)
 
 
+def _distance(points: SingularPoints, q: Array, sheets: list[Sheet]) -> float:
+    """Return how far q is from the nearest of the flat sheets, in the box's units."""
+    apart = (points.box.difference(q, sheet.points[0])[list(sheet.constant)] for sheet in sheets)
+    return min((float(np.linalg.norm(d)) for d in apart), default=np.inf)
+
+
 def _alike(points: SingularPoints, sheet: Sheet, other: Sheet) -> bool:
     same_kind = (sheet.dimension, sheet.constant, sheet.free) == (other.dimension, other.constant, other.free)
     return same_kind and _lies_on(points, other.points[0], sheet)
@@ -129,8 +136,10 @@ def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet]) -
     over, it stays whole.
     """
     members = sheet.points[:200]
+    free = list(sheet.free)
+    aside = max(members, key=lambda q: _distance(points, q, flat))[free].copy()  # else a walk changes to a flat sheet
     for q in members:
-        q[list(sheet.free)] = members[0][list(sheet.free)]
+        q[free] = aside
     apart = np.array([np.linalg.norm(points.box.difference(np.array(members), b), axis=1) for b in members])
     piece = list(range(len(members)))
     near = np.sort(apart, axis=1)[:, min(8, len(members) - 1)]
