@@ -1,5 +1,6 @@
 """From points on the singular set to its pieces: their dimension, constant and free joints, and what hangs together."""
 
+from collections import Counter
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit, chec
 AT_ONCE = 1000  # starts that are drawn together
 ENOUGH = 50  # samples of a branch
 SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one
+WALKS = 8  # that fail before two pieces are taken as apart
 STRIDE = 0.1  # of a walk on the set, in units
 FAR, CLOSE = 3e-3, 3e-4  # from a point, in units: the two radii in which its sheet is measured
 
@@ -132,8 +134,8 @@ def _is_part_of(points: SingularPoints, sheet: Sheet, larger: Sheet) -> bool:
 
 
 def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet]) -> list[Sheet]:
-    """Split a curved sheet into what a walk on the set connects: union-find over the nearest pairs. When the time is
-    over, it stays whole.
+    """Split a curved sheet into what walks on the set connect: union-find over the pairs, the nearest first. When the
+    time is over, it stays whole.
     """
     members = sheet.points[:200]
     free = list(sheet.free)
@@ -142,18 +144,19 @@ def _connected_pieces(points: SingularPoints, sheet: Sheet, flat: list[Sheet]) -
         q[free] = aside
     apart = np.array([np.linalg.norm(points.box.difference(np.array(members), b), axis=1) for b in members])
     piece = list(range(len(members)))
-    near = np.sort(apart, axis=1)[:, min(8, len(members) - 1)]
-    pairs = sorted(
-        (apart[i, j], i, j) for i in range(len(members)) for j in range(i) if apart[i, j] <= max(near[i], near[j])
-    )
-    for _, i, j in pairs:
+    failures: Counter[tuple[int, int]] = Counter()
+    for _, i, j in sorted((apart[a, b], a, b) for a in range(len(members)) for b in range(a)):
+        old, new = piece[i], piece[j]
+        if old == new or failures[old, new] + failures[new, old] == WALKS:
+            continue
         try:
-            connected = piece[i] != piece[j] and _walk(points, members[i], members[j], flat)
+            connected = _walk(points, members[i], members[j], flat)
         except OutOfTime:
             return [sheet]
         if connected:
-            old, new = piece[i], piece[j]
             piece = [new if label == old else label for label in piece]
+        else:
+            failures[old, new] += 1
     groups = [[q for q, label in zip(members, piece, strict=True) if label == name] for name in sorted(set(piece))]
     return [Sheet(sheet.dimension, sheet.constant, sheet.free, group) for group in groups]
 
