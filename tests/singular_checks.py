@@ -55,9 +55,13 @@ def spans_range(basis, J, tol=1e-8):
 
 
 def numbers(robot, expressions):
-    """A matrix in q1, q2, ... and the robot's lengths as a function of q; any other symbol in it is an error."""
+    """A matrix in q1, q2, ... and the robot's lengths as a function of q; any other symbol in it is an error.
+
+    The lengths are the decimal fractions that they are written as: acos(−a1/(a2 − a3)) is π where a1 = a2 − a3, and not
+    the 3e-8 less that rounding makes of it.
+    """
     q = sympy.symbols(f"q1:{robot.nq + 1}", real=True)
-    values = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
+    values = {sympy.Symbol(name, real=True): sympy.Rational(str(value)) for name, value in robot.parameters.items()}
     M = sympy.Matrix(expressions).xreplace(values)
     assert M.free_symbols <= set(q)
     f = sympy.lambdify(q, M, modules="numpy", cse=True)

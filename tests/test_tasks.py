@@ -9,7 +9,7 @@ import pinocchio as pin
 import pytest
 from arms import arm, configurations, random_q
 from differences import derivative
-from hypothesis import given
+from hypothesis import example, given
 
 from robotics1 import (
     FormulaError,
@@ -41,6 +41,8 @@ def squares(p, R, q):
 
 
 @given(configurations(arm("prr")))
+@example(np.array([0.0, 0.0, np.nextafter(-pi, 0.0)]))
+@example(np.array([0.0, 0.0, -pi]))
 def test_prr_planar_pose_is_the_exams_with_phi_wrapped(q):
     x, y, phi = PlanarPoseTask("xy").value(arm("prr"), q)
     wanted = cf.prr_pose(q, 0.6, 0.4)

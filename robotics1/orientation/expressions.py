@@ -106,10 +106,11 @@ def complement(cosine: Any) -> Any:
 def angle_of(sine: Any, cosine: Any) -> Any:
     """Return the angle of a sine and a cosine, in (−π, π]: a number of numbers, a formula of formulas.
 
-    Of −0 and −1, which rounding gives for half a turn, it is π as well.
+    Of half a turn, but for rounding, it is π from both sides.
     """
     if isinstance(sine, float):
-        return math.atan2(sine + 0.0, cosine)
+        angle = math.atan2(sine, cosine)
+        return math.pi if angle == -math.pi else angle
     import sympy
 
     is_pair = getattr(cosine, "func", None) is sympy.cos and sine == sympy.sin(*cosine.args)
