@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 import sympy
 from arms import one_joint_file
+from exams.formula_page import write_formula_page
+from exams.named_formulas import FormulaSection, NamedFormula
 from hostile_names import NAMES, arm_file
 from hypothesis import given, strategies as st
 
 import robotics1 as r1
-from robotics1.report.formula_page import write_formula_page
-from robotics1.report.named_formulas import FormulaSection, NamedFormula
 from robotics1.symbolic.writing.printing import latex_text, mathml_text, python_function
 
 XY = r1.PositionTask("xy")

@@ -5,18 +5,18 @@ from pathlib import Path
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
 
 from robotics1 import PositionTask, animate, plot_path, plot_trajectory
 from robotics1.files import make_folder
 from robotics1.notation import count, vector
-from robotics1.report.formula_page import write_formula_page
-from robotics1.report.tables import iteration_table, polynomial_table
+from robotics1.report.tables import iteration_table, table
 from robotics1.singularities.explain import directions
 from robotics1.trajectories import TaskTrajectory
 
 from ..comparison import Comparison
+from ..formula_page import write_formula_page
 from ..formula_table import FormulaTable
+from ..polynomials import polynomial_table
 from .answers import (
     TARGET,
     Exercise1,
@@ -158,14 +158,13 @@ def _print_exercise_3(console: Console, three: Exercise3) -> None:
 def _print_checks(console: Console, comparison: Comparison) -> None:
     console.rule("Published values")
     kinds = [check.agreement for check in comparison.checks]
-    table = Table()
-    for heading in ("exercise", "formulas", "rounded", "truncated", "print errors", "not reproduced"):
-        table.add_column(heading, justify="right")
+    rows = []
     for exercise in sorted({check.exercise[0] for check in comparison.checks}):
         mine = [check.agreement for check in comparison.checks if check.exercise[0] == exercise]
         counts = [mine.count(kind) for kind in ("formula", "rounded", "truncated", "erratum", None)]
-        table.add_row(exercise, *map(str, counts))
-    console.print(table)
+        rows.append((exercise, *map(str, counts)))
+    headings = ("exercise", "formulas", "rounded", "truncated", "print errors", "not reproduced")
+    console.print(table(headings, rows))
     for check in comparison.checks:
         if check.agreement == "erratum":
             console.print(f"print error: {check.name} is printed {check.printed}, and is {check.computed:.4f}")
