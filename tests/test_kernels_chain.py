@@ -15,7 +15,7 @@ from kernel_poses import pose_and_jacobian
 
 from robotics1 import InputError, Robotics1Error, forward_kinematics, frame_jacobian, load_robot
 from robotics1.kernels.chain import chain_arrays
-from robotics1.robot.model import tips
+from robotics1.robot.joints import tips
 from robotics1.robot.sources import example_robots
 
 ONE_FREEDOM = tuple(name for name, (_, nq, nv) in KINDS.items() if nq == nv)
@@ -32,7 +32,7 @@ def largest_difference(robot, frame, q):
 @pytest.mark.parametrize("name", ARMS)
 def test_pose_and_jacobian_of_the_kernel_are_pinocchios_at_every_tip(name):
     robot = arm(name)
-    for frame in tips(robot.model):
+    for frame in tips(robot.frame_names, robot.joints):
         assert max(largest_difference(robot, frame, random_q(robot, seed)) for seed in range(20)) <= 1e-12
 
 
@@ -41,7 +41,7 @@ def test_pose_and_jacobian_of_every_kind_of_joint_are_pinocchios(name, tmp_path)
     path = tmp_path / "kinds.urdf"
     path.write_text(KINDS[name][0])
     robot = load_robot(path)
-    for frame in tips(robot.model):
+    for frame in tips(robot.frame_names, robot.joints):
         assert max(largest_difference(robot, frame, random_q(robot, seed)) for seed in range(20)) <= 1e-12
 
 
@@ -55,7 +55,7 @@ def test_pose_and_jacobian_of_every_serial_chain_of_example_robot_data_are_pinoc
             continue
         if robot.nq != robot.nv or robot.nq == 0:
             continue
-        for frame in tips(robot.model):
+        for frame in tips(robot.frame_names, robot.joints):
             assert largest_difference(robot, frame, random_q(robot, 1)) <= 1e-12, (name, frame)
             chains += 1
     assert chains > 100

@@ -20,7 +20,7 @@ def fk(
     from robotics1.kinematics import forward_kinematics
     from robotics1.report.tables import matrix_table
 
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool)
     values = arguments.configuration(arm, q, degrees)
     T = forward_kinematics(arm, values, frame=frame)
     if json:

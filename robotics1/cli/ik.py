@@ -77,7 +77,7 @@ def ik(
     question = SOLVE if method == "solve" or targets is not None else ALL if method is None else ITERATE
     given = {"prefer": prefer, "seed": seed, "time_limit": time_limit, "tolerance": tolerance}
     options = _used(question, given | {"q0": q0, "max_iterations": max_iterations})
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool)
     what = arguments.parse_task(task, frame)
     start = None if q0 is None else arguments.configuration(arm, q0, degrees)
     if targets is not None:

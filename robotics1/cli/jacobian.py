@@ -45,7 +45,7 @@ def jacobian(
     from robotics1.symbolic.kinematics.points import with_point
     from robotics1.symbolic.tasks.formula import formulas, row_places
 
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool)
     what = arguments.parse_task(task, frame, angles)
     chosen = None if rows is None else arguments.parse_names(rows)
     at = None if point is None else arguments.parse_point(point)

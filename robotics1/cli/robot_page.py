@@ -31,7 +31,7 @@ def view(
     """Write an offline page that shows the robot."""
     from robotics1.viewer.animation import view as write_view
 
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool)
     values = arguments.configuration(arm, q, degrees)
     caption = f"q = {vector(in_degrees(arm, values, degrees))}"
     written = write_view(arm, values, page or Path(f"{file_stem(arm.name)}.html"), caption=caption)

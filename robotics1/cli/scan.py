@@ -46,7 +46,7 @@ def scan(
     json: AsJson = False,
 ) -> None:
     """How near to singular a task is, over millions of configurations."""
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool)
     done = _run(
         workers,
         arm,

@@ -39,7 +39,7 @@ def singularities(
         raise InputError("choose one of --latex and --python")
     if intersections and (latex or python):
         raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
-    arm, out = arguments.parse_robot(robot, param or [], tool), PlainConsole()
+    arm, out = arguments.parse_robot(robot, param, tool), PlainConsole()
     with PlainConsole(stderr=True).status("searching"):
         found = find_singularities(arm, arguments.parse_task(task, frame), method=method, time_limit=time_limit)
         if latex or python:

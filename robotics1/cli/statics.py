@@ -29,7 +29,7 @@ def statics(
     from robotics1.singularities.rounding import singularity_within_rounding
     from robotics1.singularities.statics import balancing_torque
 
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool)
     values = arguments.configuration(arm, q, degrees)
     what = arguments.parse_task(task, frame)
     rounded = singularity_within_rounding(arm, what, values)

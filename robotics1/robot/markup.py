@@ -75,6 +75,11 @@ def children(parent: ET.Element, tag: str) -> list[Element]:
     return cast("list[Element]", parent.findall(tag))
 
 
+def child(parent: ET.Element, tag: str) -> Element | None:
+    """Return the first child of a tag, or None."""
+    return cast("Element | None", parent.find(tag))
+
+
 def linked(joint: ET.Element, end: str) -> str | None:
     """Return the link at an end of a joint, "parent" or "child", or None when the joint names none."""
     element = joint.find(end)

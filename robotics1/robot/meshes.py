@@ -57,7 +57,8 @@ class Packages:
         if not NAME.fullmatch(package):
             return None
         candidates = chain(self._given(package), self._around(package))
-        return next((c for c in candidates if _is_it(c, package) and exists(c / holding)), None)
+        named = (c for c in candidates if c.is_dir() and package in (c.name, _name(c)))
+        return next((c for c in named if exists(c / holding)), None)
 
     def _given(self, package: str) -> Iterator[Path]:
         for folder in self.folders:
@@ -160,10 +161,6 @@ def _inside(folder: Path) -> Iterator[Path]:
     for depth in range(1, DEEPEST + 1):
         for manifest in sorted(folder.glob("*/" * depth + MANIFEST)):
             yield manifest.parent
-
-
-def _is_it(folder: Path, package: str) -> bool:
-    return folder.is_dir() and package in (folder.name, _name(folder))
 
 
 def _name(folder: Path) -> str | None:
