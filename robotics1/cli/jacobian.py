@@ -1,6 +1,5 @@
 """The command `robotics1 jacobian`: numbers at a configuration, or formulas."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -21,8 +20,6 @@ if TYPE_CHECKING:
     import sympy
 
     from robotics1.symbolic.tasks.task_formulas import Formulas
-
-Point = Sequence[float | str]
 
 
 def jacobian(

@@ -198,8 +198,6 @@ def _ends(lower: float, upper: float) -> dict[str, str]:
     """Return the limits of a motion; where one is missing, far away."""
     low = lower if math.isfinite(lower) else min(-FAR, upper - FAR)
     high = upper if math.isfinite(upper) else max(FAR, lower + FAR)
-    if math.isinf(lower) and math.isinf(upper):
-        low, high = -FAR, FAR
     return {"lower": repr(low), "upper": repr(high)}
 
 

@@ -75,16 +75,7 @@ def animate(
         _show_target(scene, course, last, robot.reach)
         seen.append(course)
     scene.animate()
-    camera, look_at = point_of_view(np.vstack(seen))
-    return write_page(
-        path,
-        scene.window.commands,
-        title=title or robot.name,
-        caption=caption,
-        duration=T,
-        camera=camera,
-        look_at=look_at,
-    )
+    return write_page(path, scene.window.commands, np.vstack(seen), title or robot.name, caption, duration=T)
 
 
 def view(robot: Robot, q: npt.ArrayLike, path: str | Path, *, title: str | None = None, caption: str = "") -> Path:
@@ -100,29 +91,7 @@ def view(robot: Robot, q: npt.ArrayLike, path: str | Path, *, title: str | None 
     q = robot.configuration(q)
     scene = Scene(robot)
     scene.pose(q)
-    camera, look_at = point_of_view(scene.corners())
-    return write_page(
-        path,
-        scene.window.commands,
-        title=title or robot.name,
-        caption=caption,
-        duration=0.0,
-        camera=camera,
-        look_at=look_at,
-    )
-
-
-def point_of_view(seen: Array) -> tuple[Array, Array]:
-    """Return where to put the camera and what to look at, (3,) each [m], so that the points (k, 3) are seen.
-
-    What happens in a horizontal plane is seen from above, the rest from the side.
-    """
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    centre = (low + high) / 2
-    size = max(float(np.linalg.norm(high - low)), 0.5)
-    flat = high[2] - low[2] < 0.2 * size
-    direction = np.array([0.0, -0.35, 1.0]) if flat else np.array([0.75, -1.0, 0.45])
-    return centre + 0.66 * size * direction / np.linalg.norm(direction), centre
+    return write_page(path, scene.window.commands, scene.corners(), title or robot.name, caption, duration=0.0)
 
 
 def _show_target(scene: Scene, course: Array, last: int, reach: float) -> None:

@@ -16,24 +16,17 @@ from robotics1.names import printable
 
 
 def write_page(
-    path: str | Path,
-    commands: Sequence[bytes],
-    *,
-    title: str,
-    caption: str,
-    duration: float,
-    camera: Array,
-    look_at: Array,
+    path: str | Path, commands: Sequence[bytes], seen: Array, title: str, caption: str, *, duration: float
 ) -> Path:
     """Write the page that plays back Meshcat commands, and return its path.
 
     Args:
         path: the file to write.
         commands: the packed commands, in order.
+        seen: (k, 3) the points that the camera must see [m].
         title: shown in the corner.
         caption: the lines under it.
         duration: of the motion [s]; with 0 there are no controls.
-        camera, look_at: (3,) where the camera is and what it looks at, in world axes [m].
 
     Raises:
         InputError: the file cannot be written there.
@@ -41,6 +34,7 @@ def write_page(
     import meshcat
 
     library = Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js"
+    camera, look_at = point_of_view(seen)
     template = Template(files("robotics1.viewer").joinpath("page.html").read_text(encoding="utf-8"))
     text = template.substitute(
         title=html.escape(printable(title)),
@@ -53,6 +47,19 @@ def write_page(
         lookat=json.dumps(_three(look_at)),
     )
     return write_file(path, text)
+
+
+def point_of_view(seen: Array) -> tuple[Array, Array]:
+    """Return where to put the camera and what to look at, (3,) each [m], so that the points (k, 3) are seen.
+
+    What happens in a horizontal plane is seen from above, the rest from the side.
+    """
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    centre = (low + high) / 2
+    size = max(float(np.linalg.norm(high - low)), 0.5)
+    flat = high[2] - low[2] < 0.2 * size
+    direction = np.array([0.0, -0.35, 1.0]) if flat else np.array([0.75, -1.0, 0.45])
+    return centre + 0.66 * size * direction / np.linalg.norm(direction), centre
 
 
 def _three(p: Array) -> list[float]:
