@@ -54,13 +54,12 @@ class IKSolver:
     ) -> None:
         a_robot_and_a_task(robot, task)
         self.robot, self.task = robot, task
-        options: dict[str, Any] = {
+        self._options: dict[str, Any] = {
             "prefer": one_of("prefer", prefer, PREFERENCES),
             "seed": counting_number("seed", seed),
             "tolerance": real_number("tolerance", tolerance, positive=True),
             "time_limit": real_number("time_limit", time_limit, positive=True),
         }
-        self._options = options
         self._prepare()
 
     def _prepare(self) -> None:

@@ -32,7 +32,8 @@ class Robot:
     """A robot as Pinocchio sees it.
 
     Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. Its
-    limits are its own: they stay as they are when those of the model are changed.
+    limits are its own: they stay as they are when those of the model are changed. What else is written to the model
+    changes this robot, and a solver that is ready may not see it: change a copy, `robot.model.copy()`.
 
     Attributes:
         name: the robot's name in its file.
