@@ -7,8 +7,8 @@ from typing import Any
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.ik.descent import PythonDescent
 from robotics1.ik.kernel_descent import KernelDescent, PoseSolver
+from robotics1.ik.python_descent import PythonDescent
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.search import Search
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
