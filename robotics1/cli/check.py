@@ -43,13 +43,13 @@ def check(
     found = check_robot(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
     difference = None
     if dh is not None and found.robot is not None:
-        table = robot_from_dh(read_dh_table(dh), convention=convention)
-        difference = _difference_from(found.robot, table)
+        difference = _difference_from(found.robot, robot_from_dh(read_dh_table(dh), convention=convention))
+    sound = found.sound and (difference is None or difference <= AGREES)
     if json:
-        write_json(_as_json(found, difference))
+        write_json(_as_json(found, difference, sound))
     else:
         _print(PlainConsole(), found, difference)
-    raise typer.Exit(0 if found.sound and (difference is None or difference <= AGREES) else 1)
+    raise typer.Exit(0 if sound else 1)
 
 
 def read_dh_table(path: Path) -> list[tuple[str, float, float, float, float]]:
@@ -83,11 +83,11 @@ def _difference_from(robot: Robot, other: Robot) -> float:
     return worst
 
 
-def _as_json(found: RobotReport, dh_difference: float | None) -> dict[str, Any]:
+def _as_json(found: RobotReport, dh_difference: float | None, sound: bool) -> dict[str, Any]:
     """Return the report as plain data."""
     answer: dict[str, Any] = {
         "path": str(found.path),
-        "sound": found.sound and (dh_difference is None or dh_difference <= AGREES),
+        "sound": sound,
         "errors": [{"line": e.line, "element": e.element, "message": e.message} for e in found.errors],
         "warnings": [{"line": w.line, "element": w.element, "message": w.message} for w in found.warnings],
         "fk_difference": found.fk_difference,

@@ -83,7 +83,7 @@ def _parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, t
     return box
 
 
-def _run(workers: int, *arguments: Any, **options: Any) -> "SingularityScan":
+def _run(workers: int, *asked: Any, **options: Any) -> "SingularityScan":
     """Scan with a progress bar, in so many threads.
 
     Raises:
@@ -96,9 +96,9 @@ def _run(workers: int, *arguments: Any, **options: Any) -> "SingularityScan":
     counting_number("--workers", workers, least=1)
     with progress_bar("scanning", "summing up") as progress:
         if workers == 1:
-            return scan_singularities(*arguments, progress=progress, **options)
+            return scan_singularities(*asked, progress=progress, **options)
         with ThreadPoolExecutor(workers) as executor:  # the kernels leave the interpreter free; processes start slowly
-            return scan_singularities(*arguments, progress=progress, executor=executor, **options)
+            return scan_singularities(*asked, progress=progress, executor=executor, **options)
 
 
 def _print(scan: "SingularityScan", degrees: bool) -> None:
