@@ -66,6 +66,10 @@ class TaskDescent:
         """Return e(q), (m,), without units."""
         return self.problem.without_units(self.task_error(q))
 
+    def error_norm(self, q: Array) -> float:
+        """Return |r_d − f(q)| in the task's units, also when the time is over."""
+        return float(np.hypot.reduce(self.until(np.inf).task_error(q)))
+
     def relative_error(self, q: Array) -> float:
         """Return |e(q)| relative to the size of the arm at q."""
         return self.problem.relative_size(q, self.error(q))

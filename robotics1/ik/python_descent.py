@@ -71,7 +71,7 @@ class PythonDescent:
         around = None if found.starts is None else found.starts[left[0]]
         q, _ = descent.descend(self._best(descent, starts[0]))
         q = self._wound(descent, q, around)
-        return q[None], np.ones(1, dtype=np.int64), np.array([self._error(descent, q)])
+        return q[None], np.ones(1, dtype=np.int64), np.array([descent.error_norm(q)])
 
     def unreachable(self, goals: npt.NDArray[Any], seconds: float) -> npt.NDArray[np.bool_]:
         """Return that nothing is proven: of such a task nothing is known."""
@@ -83,7 +83,7 @@ class PythonDescent:
         for i in never:
             descent = found.goals[i].until(perf_counter() + seconds + grace)
             q = self._wound(descent, descent.nearest_miss(found.q[i]), None)
-            error = self._error(descent, q)
+            error = descent.error_norm(q)
             if error < found.error[i]:
                 found.q[i], found.error[i] = q, error
 
@@ -108,11 +108,4 @@ class PythonDescent:
         if around is None:
             return q
         near = turns.near(q, around, problem.lower, problem.upper)
-        return near if self._error(descent, near) <= max(self.tolerance, self._error(descent, q)) else q
-
-    def _error(self, descent: TaskDescent, q: Array) -> float:
-        """Return |r_d − f(q)|, whatever the clock says."""
-        error = descent.known.get(q.tobytes())
-        if error is None:
-            error = self.task.error(self.robot, q, descent.target)
-        return float(np.hypot.reduce(error))
+        return near if descent.error_norm(near) <= max(self.tolerance, descent.error_norm(q)) else q
