@@ -1,18 +1,16 @@
 """Configurations and matrices given with few digits: within their rounding of a singularity, or not."""
 
-import json
 from math import pi
 
 import closed_forms as cf
 import numpy as np
 import pytest
 from arms import arm
+from command import answer, run
 from differences import outside
 from hypothesis import assume, given, settings, strategies as st
-from typer.testing import CliRunner
 
 import robotics1 as r1
-from robotics1.cli.commands import app
 from robotics1.singularities.printed_digits import half_units
 
 PLANAR, XY, POSE = r1.PlanarPoseTask("xy"), r1.PositionTask("xy"), r1.PoseTask()
@@ -232,16 +230,15 @@ def test_a_jacobian_at_a_printed_configuration_is_nearly_singular_and_its_rank_s
 
 
 def test_the_commands_jacobian_and_statics_print_the_singularity_within_the_digits():
-    runner, at = CliRunner(), ["prr", "--q", "0.2,1.5708,1", "--task", "planar-pose"]
-    shown = runner.invoke(app, ["jacobian", *at]).stdout
+    at = ["prr", "--q", "0.2,1.5708,1", "--task", "planar-pose"]
+    shown = run("jacobian", *at).stdout
     assert "nearly singular" in shown
     assert "π/2" in shown
-    found = json.loads(runner.invoke(app, ["jacobian", *at, "--json"]).stdout)
+    found = answer("jacobian", *at)
     assert (found["rank"], found["status"], found["at_singularity"]["rank"]) == (3, "NEARLY_SINGULAR", 2)
     assert found["at_singularity"]["q"] == pytest.approx([0.2, pi / 2, 1])
-    assert "need no torque" in runner.invoke(app, ["statics", *at, "--force", "1,0,0"]).stdout
-    found = json.loads(runner.invoke(app, ["statics", *at, "--force", "1,0,0", "--json"]).stdout)
+    assert "need no torque" in run("statics", *at, "--force", "1,0,0").stdout
+    found = answer("statics", *at, "--force", "1,0,0")
     assert (found["status"], len(found["at_singularity"]["left_null"])) == ("NEARLY_SINGULAR", 1)
-    regular = ["prr", "--q", "0.2,1.5,1", "--task", "planar-pose", "--json"]
-    found = json.loads(runner.invoke(app, ["jacobian", *regular]).stdout)
+    found = answer("jacobian", "prr", "--q", "0.2,1.5,1", "--task", "planar-pose")
     assert (found["status"], found["at_singularity"]) == ("FULL_RANK", None)
