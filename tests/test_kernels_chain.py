@@ -11,14 +11,22 @@ import pytest
 from arms import ARMS, arm, random_q
 from closed_forms import SPATIAL_CHAIN, spatial_pose_and_jacobian
 from joint_kinds import KINDS
-from kernel_poses import pose_and_jacobian
 
 from robotics1 import InputError, Robotics1Error, forward_kinematics, frame_jacobian, load_robot
+from robotics1.kernels import forward
 from robotics1.kernels.chain import chain_arrays
 from robotics1.robot.model import tips
 from robotics1.robot.sources import example_robots
 
 ONE_FREEDOM = tuple(name for name, (_, nq, nv) in KINDS.items() if nq == nv)
+
+
+def pose_and_jacobian(chain, q, nv):
+    """The pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
+    T, joint_axes, J = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv))
+    forward.forward_kinematics(chain.links(), q, T, joint_axes)
+    forward.geometric_jacobian(chain.links(), T, joint_axes, J)
+    return T, J
 
 
 def largest_difference(robot, frame, q):
@@ -137,9 +145,10 @@ import json, sys
 sys.modules["numba"] = None
 import numpy as np
 from robotics1 import IKSolver, PoseTask, load_robot
+from robotics1.kernels import forward
 from robotics1.kernels.chain import chain_arrays
 from robotics1.kernels.compilation import COMPILED
-from kernel_poses import pose_and_jacobian
+from test_kernels_chain import pose_and_jacobian
 robot, q, q0 = load_robot("ur5", tool="tool0"), np.array(json.loads(sys.argv[1])), np.array(json.loads(sys.argv[2]))
 T, J = pose_and_jacobian(chain_arrays(robot), q, robot.nv)
 answer = IKSolver(robot, PoseTask())(np.vstack([T, [0, 0, 0, 1]]), q0)

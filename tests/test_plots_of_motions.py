@@ -9,9 +9,7 @@ from arms import arm, random_q
 from test_paths_in_time import law_to, trapezoid
 
 import robotics1 as r1
-from robotics1 import InputError
-from robotics1.trajectories.limits import MotionLimits
-from robotics1.viewer.plot_figures import line_style
+from robotics1 import InputError, MotionLimits
 
 CORNER = r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
 SPACE = r1.curves.polyline_path([[0, 0, 0], [1, 0, 0], [1, 1, 1]], blend=0.2)
@@ -67,12 +65,10 @@ def test_joints_have_the_robots_names_and_units_of_each_kind(tmp_path):
 
 
 def test_twenty_lines_differ_without_colour(tmp_path):
-    styles = [line_style(i) for i in range(20)]
-    assert len({(style["linestyle"], style["marker"]) for style in styles}) == 20
-    robot = arm("redundant")
-    drawn = r1.plot_trajectory(r1.cubic(random_q(robot, 1), random_q(robot, 2), 1.0), robot=robot)
-    lines = drawn[0].lines
-    assert len({(line.get_linestyle(), line.get_marker()) for line in lines}) == 7
+    for robot in (r1.robot_from_dh([("R", 1, 0, 0, 0)] * 20), arm("redundant")):
+        drawn = r1.plot_trajectory(r1.cubic(random_q(robot, 1), random_q(robot, 2), 1.0), robot=robot)
+        lines = drawn[0].lines
+        assert len({(line.get_linestyle(), line.get_marker()) for line in lines}) == robot.nq
 
 
 def test_poses_are_drawn_as_a_position_and_a_rotation_vector(tmp_path):
