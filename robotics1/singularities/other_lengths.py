@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy
 
+from robotics1.errors import InputError
 from robotics1.inputs import real_number
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated
@@ -41,8 +42,10 @@ def parameter_conditions(found: "SingularSet", *, time_limit: float | None = Non
         time_limit: [s], by default that of the set.
 
     Raises:
-        InputError: the time limit is not positive.
+        InputError: the set is none, or the time limit is not positive.
     """
+    if not hasattr(found, "without_solution") or isinstance(found, type):
+        raise InputError(f"parameter_conditions wants the answer of find_singularities, not {found!r}")
     seconds = found.time_limit if time_limit is None else real_number("time_limit", time_limit, positive=True)
     if found.jacobian is None:
         return ()

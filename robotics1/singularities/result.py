@@ -130,7 +130,7 @@ class SingularBranch(Frozen):
 
     def contains(self, q: Array) -> bool:
         """Return whether q (nq,) is on the branch; False of a branch that was found by numbers."""
-        return self.formulas is not None and self.formulas.contains(q)
+        return self.formulas is not None and self.formulas.contains(self.robot.configuration(q))
 
     def explain(self) -> str:
         """Return what the branch means for the robot, in sentences."""

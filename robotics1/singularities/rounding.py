@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import Robotics1Error
-from robotics1.inputs import Array
+from robotics1.inputs import Array, a_robot_and_a_task
 from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration, joint_value, pi_fraction
 from robotics1.results import Frozen
@@ -83,6 +83,7 @@ def singularity_within_rounding(robot: Robot, task: Task, q: npt.ArrayLike) -> R
         InputError: q has the wrong shape or is not finite.
         TaskError: the task does not fit the robot.
     """
+    a_robot_and_a_task(robot, task)
     return rounded_configuration(lambda x: task.jacobian(robot, x), robot, q)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, one_of, real_array
+from robotics1.inputs import Array, a_robot, one_of, real_array
 from robotics1.kinematics import frame_jacobian
 from robotics1.orientation.expressions import angle_of, wrapped
 from robotics1.robot.model import Robot
@@ -85,6 +85,7 @@ class PlanarPoseTask(FrameTask):
 
     def check(self, robot: Robot) -> None:
         """Raise TaskError if the frame leaves the plane, or its x axis stands on it."""
+        a_robot(robot)
         _check_planar(robot, self)
 
 

@@ -49,7 +49,7 @@ def scale_to_limits(trajectory: Any, limits: Limits, *, speed_up: bool = True) -
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 7.7.
     """
-    if not hasattr(limits, "uses"):
+    if isinstance(limits, type) or not callable(getattr(limits, "uses", None)):
         raise InputError(f"limits must be MotionLimits(...) or NormLimits(...); it is {limits!r}")
     motion = as_curve("trajectory", trajectory)
     uses = limits.uses(motion)

@@ -11,7 +11,7 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.frenet import frenet_frame
 from robotics1.curves.given import as_curve, as_law
 from robotics1.errors import InputError
-from robotics1.inputs import Array, counting_number, text
+from robotics1.inputs import Array, a_robot, counting_number, text
 from robotics1.robot.model import Robot
 from robotics1.trajectories.limits import MotionLimits
 from robotics1.trajectories.target_motion import TargetMotion
@@ -241,6 +241,7 @@ def _labels(start: Any, n: int, rates: int, robot: Robot | None) -> tuple[list[s
     if n != rates:
         raise InputError(f"the trajectory has {n} coordinates and {rates} velocities; both must be as many")
     if robot is not None:
+        a_robot(robot)
         if robot.nv != n:
             raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
         return list(map(legend_text, robot.joint_names)), ["rad" if angle else "m" for angle in robot.revolute]

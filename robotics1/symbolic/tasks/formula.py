@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 from robotics1.errors import FormulaError, InputError, UnknownNameError
-from robotics1.inputs import text
+from robotics1.inputs import a_robot, a_task, text
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain, chain_to
 from robotics1.symbolic.kinematics.exact import exact_robot
@@ -37,6 +37,9 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         FormulaError: the task's function cannot be read, the file's numbers depend on the parameters in a way that
             cannot be found, or a formula does not agree with Pinocchio to 1e-9.
     """
+    a_robot(robot)
+    if isinstance(task, type):
+        a_task(task)
     form, given = _on_a_frame(task), set(robot.parameters)
     if point is not None:
         robot, frame = with_point(robot, form.frame, point)
