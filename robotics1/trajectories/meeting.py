@@ -21,8 +21,8 @@ from robotics1.robot.box import nearest_turn
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
 from robotics1.tasks.task import Task
+from robotics1.trajectories.elementary import cubic
 from robotics1.trajectories.limits import LimitUse, limit_violations
-from robotics1.trajectories.polynomials import cubic
 from robotics1.trajectories.target_motion import TargetMotion
 
 INSTANTS = 4000  # at which an event is looked at before its zero is refined

@@ -46,7 +46,7 @@ class FollowedTrajectory(PiecewisePolynomial):
     singular_values: Array
 
     @property
-    def breakpoints(self) -> Array:  # type: ignore[override]
+    def breakpoints(self) -> Array:
         """The switching times."""
         return self.switching_times
 
