@@ -35,7 +35,7 @@ def turn(angle, k=0):
 
 
 def loci(*expressions, lengths=VALUES):
-    return list(CommonZeros(lengths, TimeLimit(20)).common_zeros([poly(e) for e in expressions], Locus(F)))
+    return list(CommonZeros(lengths).common_zeros([poly(e) for e in expressions], Locus(F)))
 
 
 def value_of(zero):
@@ -201,7 +201,7 @@ def test_every_zero_of_a_product_with_half_angles_is_real_in_whole_angles_and_va
 )
 def test_common_zeros_are_pieces_on_which_every_polynomial_vanishes(expressions, count, dimension):
     rng = np.random.default_rng(2)
-    pieces, _ = largest_pieces(loci(*expressions), CommonZeros(VALUES, TimeLimit(20)), BOX, rng)
+    pieces, _ = largest_pieces(loci(*expressions), CommonZeros(VALUES), BOX, rng)
     real = [(sampler.piece, sampler.draw(rng)) for sampler in pieces]
     assert len(real) == count
     for piece, q in real:
@@ -233,8 +233,8 @@ def test_common_zeros_hold_every_configuration_that_a_search_finds():
 
 
 def test_the_time_limit_is_kept():
-    with pytest.raises(OutOfTime):
-        list(CommonZeros(VALUES, TimeLimit(-1)).common_zeros([poly(sin(q1))], Locus(F)))
+    with TimeLimit(-1).kept(), pytest.raises(OutOfTime):
+        list(CommonZeros(VALUES).common_zeros([poly(sin(q1))], Locus(F)))
 
 
 @pytest.mark.parametrize(

@@ -62,7 +62,7 @@ def parameter_conditions(found: "SingularSet", *, time_limit: float | None = Non
         with limit.kept():
             for x, zero in list(unsigned.items())[:MOST]:
                 other = _lengths_with_a_solution(zero, J.parameters, J.box)
-                if other is not None and _adds_branches(J, found.generic_rank, *other, known, limit):
+                if other is not None and _adds_branches(J, found.generic_rank, *other, known):
                     more.append(sympy.Eq(x, 0))
     except OutOfTime:
         pass  # what has been tried stands
@@ -91,11 +91,11 @@ def _lengths_with_a_solution(zero: Zero, parameters: Parameters, box: JointBox) 
 
 
 def _adds_branches(
-    J: "SymbolicJacobian", rank: int, where: Locus, parameters: Parameters, known: Sequence[Piece], limit: TimeLimit
+    J: "SymbolicJacobian", rank: int, where: Locus, parameters: Parameters, known: Sequence[Piece]
 ) -> bool:
     """Whether there are branches at other lengths that are no part of the known ones."""
     rng = np.random.default_rng(0)
-    cases = CommonZeros(parameters, limit)
+    cases = CommonZeros(parameters)
     pieces, _ = largest_pieces(singular_loci(J.rows.M, rank, where, cases), cases, J.box, rng)
     there = [replace(piece, parameters=parameters) for piece in known]
     samples = [sampler.draw(rng) for sampler in pieces]

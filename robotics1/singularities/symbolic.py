@@ -69,7 +69,7 @@ def symbolic_branches(
     with exact.kept():
         found = _with_exact_jacobian(robot, task, box, rng)
     J = found.jacobian
-    cases = CommonZeros(J.parameters, exact, found.without_solution)
+    cases = CommonZeros(J.parameters, found.without_solution)
     loci: list[Locus] = []
     try:
         with exact.kept():
@@ -77,7 +77,7 @@ def symbolic_branches(
     except OutOfTime:
         found.complete = False
     with limit.kept():
-        pieces, all_drawn = largest_pieces(loci, replace(cases, limit=limit), J.box, rng)
+        pieces, all_drawn = largest_pieces(loci, cases, J.box, rng)
         try:
             for sampler in pieces:
                 _place(found, sampler, rng)

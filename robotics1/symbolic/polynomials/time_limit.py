@@ -27,7 +27,7 @@ class OutOfTime(Exception):  # noqa: N818
 
 @dataclass
 class TimeLimit:
-    """A number of seconds from now; `check` raises OutOfTime when they are over."""
+    """A number of seconds from now."""
 
     seconds: float
     started: float = field(default_factory=time.monotonic)
@@ -36,16 +36,6 @@ class TimeLimit:
     def deadline(self) -> float:
         """When the time is over, on the clock of `time.monotonic` [s]."""
         return self.started + self.seconds
-
-    @property
-    def is_over(self) -> bool:
-        """Whether the time is over."""
-        return time.monotonic() > self.deadline
-
-    def check(self) -> None:
-        """Raise OutOfTime when the time is over."""
-        if self.is_over:
-            raise OutOfTime
 
     def part(self, fraction: float) -> "TimeLimit":
         """Return the limit that ends after a part of the time."""
@@ -63,9 +53,6 @@ class TimeLimit:
             yield
         finally:
             _deadline.reset(token)
-
-
-UNLIMITED = TimeLimit(math.inf)
 
 
 def check_time() -> None:

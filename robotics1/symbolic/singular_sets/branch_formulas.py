@@ -138,10 +138,9 @@ class BranchFormulas:
         """
         vectors: list[BasisVector] = getattr(self, f"_{one_of('name', name, BASES)}")
         if name not in self._exceptions:
-            limit = TimeLimit(SECONDS)
             try:
-                with limit.kept():
-                    self._exceptions[name] = self._pieces_without_rank(vectors, limit)
+                with TimeLimit(SECONDS).kept():
+                    self._exceptions[name] = self._pieces_without_rank(vectors)
             except OutOfTime as error:
                 raise FormulaError(f"where the basis holds was not found in {SECONDS:g} s") from error
         return self._exceptions[name]
@@ -150,11 +149,11 @@ class BranchFormulas:
     def _exceptions(self) -> dict[str, tuple[tuple[sympy.Eq, ...], ...]]:
         return {}
 
-    def _pieces_without_rank(self, vectors: list[BasisVector], limit: TimeLimit) -> tuple[tuple[sympy.Eq, ...], ...]:
+    def _pieces_without_rank(self, vectors: list[BasisVector]) -> tuple[tuple[sympy.Eq, ...], ...]:
         if not vectors:
             return ()
         at = self.piece
-        cases = CommonZeros(at.parameters, limit)
+        cases = CommonZeros(at.parameters)
         loci = cases.common_zeros(vanishing_minors(vectors), at.locus)
         pieces, complete = largest_pieces(loci, cases, self.jacobian.box, np.random.default_rng(0))
         if not complete:
@@ -227,7 +226,7 @@ class BranchFormulas:
 
     def _eliminated(self, M: Matrix) -> Echelon:
         at = self.piece
-        return echelon_form(M, at.locus, at.parameters, TimeLimit(SECONDS))
+        return echelon_form(M, at.locus, at.parameters)
 
     def _vectors(
         self, vectors: Iterable[Matrix], lead_back: Callable[[Matrix], Iterable[TrigPolynomial]]

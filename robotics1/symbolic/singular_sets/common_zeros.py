@@ -7,7 +7,7 @@ import numpy as np
 import sympy
 
 from robotics1.symbolic.polynomials.determinants import minors_of_order
-from robotics1.symbolic.polynomials.time_limit import TimeLimit
+from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, coincidences, zeros
@@ -19,12 +19,10 @@ class CommonZeros:
 
     Attributes:
         parameters: the lengths.
-        limit: of the time.
         excluded: equations that were met and have no solution at these lengths, such as a2 − a3.
     """
 
     parameters: Mapping[sympy.Symbol, float]
-    limit: TimeLimit
     excluded: list[Zero] = field(default_factory=list)
 
     def common_zeros(self, polynomials: Iterable[TrigPolynomial], locus: Locus) -> Iterator[Locus]:
@@ -75,7 +73,7 @@ class CommonZeros:
         yield locus
 
     def _cases(self, f: TrigPolynomial) -> list[Zero]:
-        self.limit.check()
+        check_time()
         return zeros(f, self.parameters)
 
 
@@ -90,7 +88,7 @@ def singular_loci(M: Matrix, rank: int, where: Locus, cases: CommonZeros) -> Ite
     if len(M) < rank:
         return iter([where])  # J has fewer rows than the rank that is looked for: all of the locus
     M = M[:, [j for j in range(M.shape[1]) if any(M[:, j])]]
-    return cases.common_zeros(list(minors_of_order(M, rank, cases.limit)), where)
+    return cases.common_zeros(list(minors_of_order(M, rank)), where)
 
 
 def _distinct(polynomials: list[TrigPolynomial]) -> list[TrigPolynomial]:

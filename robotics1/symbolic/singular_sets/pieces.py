@@ -17,7 +17,7 @@ from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.determinants import minors_of_order
 from robotics1.symbolic.polynomials.evaluation import evaluated_factor
 from robotics1.symbolic.polynomials.substitution import Substitution
-from robotics1.symbolic.polynomials.time_limit import OutOfTime
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, check_time
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
 from robotics1.symbolic.singular_sets.locus import Locus, Piece, pieces_of
@@ -54,7 +54,7 @@ def largest_pieces(
     try:
         pieces = [piece for locus in loci for piece in pieces_of(locus, cases.parameters)]
         for piece in sorted(pieces, key=lambda piece: len(piece.locus.implicit)):
-            cases.limit.check()
+            check_time()
             if piece.key not in met:
                 met[piece.key] = _drawn(piece, box, rng)
             sampler, points = met[piece.key]

@@ -117,17 +117,17 @@ class SymbolicTask:
 
         Without columns there is one, that of no rows and no columns, which is 1.
         """
-        L, limit = self.factored, TimeLimit(PATIENCE)
+        L = self.factored
         m, n = len(L.weights), len(self.chain.q)
         every = tuple(range(m))
         if n == 0:
             return {every: ((sympy.S.One, ()),)}
         try:
-            with limit.kept():
+            with TimeLimit(PATIENCE).kept():
                 if m > n:
-                    return self._tall_minors({out: factors(f) for out, f in minors(self.rows, limit).items()})
+                    return self._tall_minors({out: factors(f) for out, f in minors(self.rows).items()})
                 left = self._normal.written(L.left_minor(every, every))
-                return {out: ((left, factors(f)),) for out, f in minors(self.mid_chain.M, limit).items()}
+                return {out: ((left, factors(f)),) for out, f in minors(self.mid_chain.M).items()}
         except OutOfTime as error:
             raise FormulaError(f"the minors of J were not found within {PATIENCE:g} s") from error
 
