@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from robotics1.kernels.forward import forward_kinematics, geometric_jacobian
+from robotics1.kernels.pose import forward_kinematics, geometric_jacobian
 
 
 def pose_and_jacobian(chain, q, nv):

@@ -13,13 +13,12 @@ from sympy import cos, pi, sin
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import irreducible_factors
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.polynomials.trig_polynomial import gaussian
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.pieces import largest_pieces
-from robotics1.symbolic.singular_sets.zeros import zeros
+from robotics1.symbolic.singular_sets.zeros import Substitution, zeros
 
 BOX = JointBox(
     lower=np.array([-np.pi, -np.pi, -np.pi, -1]),

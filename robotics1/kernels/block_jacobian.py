@@ -1,4 +1,4 @@
-"""Where the frame of a chain is, and its Jacobian, at a block of configurations; `forward` is the same at one.
+"""Where the frame of a chain is, and its Jacobian, at a block of configurations; `pose` is the same at one.
 
 What belongs to one configuration is spread: each number of it, such as an entry of J, stands in a row of its own, with
 one place for each configuration of the block. An operation is then a loop along a row, that LLVM turns into vector

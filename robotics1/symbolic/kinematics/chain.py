@@ -14,15 +14,18 @@ from robotics1.angles import twelfths_of_pi
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
+from robotics1.kinematics import frame_jacobian
 from robotics1.robot.joints import Joint
 from robotics1.robot.mimic import MOST_TURNS, fraction_of, turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placement, Polynomial
 from robotics1.symbolic.kinematics.exact import FINE, exact_axis, exact_length
 from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, Matrix, TrigPolynomial, TrigRing, gaussian, reduced
+from robotics1.symbolic.writing.sums_of_angles import Groups
 
 Pose = tuple[Matrix, Matrix]  # rotation (3, 3), position (3,)
 MOST_JOINTS = 12  # on the way to a frame
+PARALLEL = 1e-9  # |ω × ω'| of unit axes that counts as none
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +69,24 @@ class Chain:
             self.q,
             tuple(turns.get(angle, 1) for angle in angles),
         )
+
+    @cached_property
+    def groups(self) -> Groups:
+        """The places of the angles that are added up, as in cos(q2 + q3): of consecutive joints with parallel axes."""
+        robot = self.robot
+        own = [robot.joint_names.index(joint.leader) for joint in self.joints if joint.kind == "revolute"]
+        columns = [i for i in dict.fromkeys(own) if robot.revolute[i]]
+        places = {i: self.trig_ring.angles.index(self.q[i]) for i in columns}
+        rng = np.random.default_rng(0)
+        axes = [frame_jacobian(robot, rng.uniform(-2, 2, robot.nq), frame=self.frame)[3:] for _ in range(2)]
+        groups: list[list[int]] = []
+        for before, i in zip([None, *columns], columns, strict=False):
+            if before is not None and all(np.linalg.norm(np.cross(w[:, before], w[:, i])) < PARALLEL for w in axes):
+                groups[-1].append(places[i])
+            else:
+                groups.append([places[i]])
+        rest = [[j] for j in range(len(self.trig_ring.angles)) if j not in places.values()]
+        return tuple(map(tuple, groups + rest))
 
     @cached_property
     def still(self) -> Pose:

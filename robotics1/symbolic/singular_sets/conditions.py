@@ -8,9 +8,9 @@ import sympy
 from robotics1.angles import twelfths_of_pi
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, factors
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, polynomial
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
+from robotics1.symbolic.singular_sets.zeros import Substitution
 from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written, written_product
 
 ROUNDING = 1e-13  # of an angle [rad]

@@ -16,13 +16,12 @@ from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.determinants import minors_of_order
 from robotics1.symbolic.polynomials.evaluation import evaluated_factor
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, check_time
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
 from robotics1.symbolic.singular_sets.locus import Locus, Piece, pieces_of
 from robotics1.symbolic.singular_sets.locus_sampler import LocusSampler
-from robotics1.symbolic.singular_sets.zeros import Zero, angle_zero
+from robotics1.symbolic.singular_sets.zeros import Substitution, Zero, angle_zero
 
 POINTS = 4  # at which one piece is compared with another
 TOUCHES = 1e-3  # of a gradient, beside the sum of the terms: configurations are within 1e-4 of a zero of order three
