@@ -201,15 +201,11 @@ def _written(formulas: "BranchFormulas", name: str) -> str | None:
         basis = getattr(formulas, name)
     except FormulaError:
         return None
-    if _operations(basis) > LONGEST * max(basis.cols, 1):
+    if sum(entry.count_ops() for entry in basis) > LONGEST * max(basis.cols, 1):
         return None
     from robotics1.symbolic.writing.printing import line_text
 
     return " and ".join(line_text(basis.col(i)) for i in range(basis.cols))
-
-
-def _operations(basis: Any) -> int:
-    return int(sum(entry.count_ops() for entry in basis))
 
 
 def directions(basis: Array) -> str:

@@ -126,11 +126,15 @@ class Chain:
     def motion(self, joint: Joint) -> Pose:
         """Return the motion of a joint, about or along its axis."""
         R, p = self.still
+        if joint.kind == "fixed":
+            return R, p
+        F, axis = self.trig_ring, np.array(joint.axis)
+        q = self.q[self.robot.joint_names.index(joint.leader)]
         if joint.kind == "revolute":
-            return self._rotation(np.array(joint.axis), self._joint_turn(joint)), p
-        if joint.kind == "prismatic":
-            return R, self._vector(np.array(joint.axis)) * self._joint_length(joint)
-        return R, p
+            turn = F.exponential({q: round(joint.multiplier * F.turns_of(q))})
+            return self._rotation(axis, turn * self._constant_turn(joint.offset)), p
+        slope, offset = F.ring(_rational(joint.multiplier)), F.ring(_rational(joint.offset))
+        return R, self._vector(axis) * F.constant(slope * F.ring(q) + offset)
 
     def _vector(self, axis: Array) -> Matrix:
         return np.array([self.trig_ring.constant(n) for n in self._axis(axis)], dtype=object)
@@ -158,17 +162,6 @@ class Chain:
             raise FormulaError(f"rpy of joint {joint.name!r} is no sum of whole multiples of parameters")
         whole = {sympy.Symbol(m[0], real=True): round(c) for m, c in multiples.items()}
         return self.trig_ring.exponential(whole) * self._constant_turn(number.get((), 0.0))
-
-    def _joint_turn(self, joint: Joint) -> TrigPolynomial:
-        i = self.robot.joint_names.index(joint.leader)
-        multiple = round(joint.multiplier * self.trig_ring.turns_of(self.q[i]))
-        return self.trig_ring.exponential({self.q[i]: multiple}) * self._constant_turn(joint.offset)
-
-    def _joint_length(self, joint: Joint) -> TrigPolynomial:
-        i = self.robot.joint_names.index(joint.leader)
-        ring = self.trig_ring.ring
-        slope, offset = ring(_rational(joint.multiplier)), ring(_rational(joint.offset))
-        return self.trig_ring.constant(slope * ring(self.q[i]) + offset)
 
     def _constant_turn(self, angle: float) -> TrigPolynomial:
         """Return exp(i angle): exact for multiples of π/12, else a rational point of the circle next to it.

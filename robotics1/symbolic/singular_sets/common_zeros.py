@@ -38,20 +38,20 @@ class CommonZeros:
 
     def _common_zeros(self, polynomials: Iterable[TrigPolynomial], locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
         """Yield as `common_zeros`; what has been met, by setting the same factors to zero in another order, once."""
-        left = _distinct([f for f in map(locus.reduced, polynomials) if f])
-        case = locus.key, frozenset(frozenset(f.terms.items()) for f in left)
+        left = {frozenset(f.terms.items()): f for f in map(locus.reduced, polynomials) if f}
+        case = locus.key, frozenset(left)
         if case in met:
             return
         met.add(case)
         if not left:
             yield from self._at_equal_lengths(locus, met)
             return
-        for zero in min(map(self._cases, left), key=_cost):
+        for zero in min(map(self._cases, left.values()), key=_cost):
             if not zero.real:
                 self.excluded.append(zero)
                 continue
             part, reopened = locus.where(zero)
-            yield from self._common_zeros([*left, *reopened], part, met)
+            yield from self._common_zeros([*left.values(), *reopened], part, met)
 
     def _at_equal_lengths(self, locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
         """Yield the locus, in pieces if one of its equations falls into factors because two lengths are equal:
@@ -89,10 +89,6 @@ def singular_loci(M: Matrix, rank: int, where: Locus, cases: CommonZeros) -> Ite
         return iter([where])  # J has fewer rows than the rank that is looked for: all of the locus
     M = M[:, [j for j in range(M.shape[1]) if any(M[:, j])]]
     return cases.common_zeros(list(minors_of_order(M, rank)), where)
-
-
-def _distinct(polynomials: list[TrigPolynomial]) -> list[TrigPolynomial]:
-    return list({frozenset(f.terms.items()): f for f in polynomials}.values())
 
 
 def _cost(cases: list[Zero]) -> tuple[int, int, int]:

@@ -146,8 +146,10 @@ def _values(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -
         return []
     f = part.in_angles
     if len(f.symbols) == 1 and f.angles:
-        return _values_of_oneangle_zero(f)
-    return _value_of_length(part, parameters)
+        return _values_of_one_angle(f)
+    joints = any(symbol in f.symbols for symbol in f.trig_ring.q)
+    found = value_of_length(f) if joints or _can_vanish(part, parameters) else None
+    return [] if found is None else [Zero(f, found)]
 
 
 def _values_of_two_terms(half: TrigPolynomial) -> list[Zero]:
@@ -183,7 +185,7 @@ def _turns(c: TrigPolynomial, m: int) -> list[TrigPolynomial]:
     return found if len(found) == m else []
 
 
-def _values_of_oneangle_zero(f: TrigPolynomial) -> list[Zero]:
+def _values_of_one_angle(f: TrigPolynomial) -> list[Zero]:
     """Solve a polynomial in one joint's angle, without lengths, if all zeros are multiples of π/12."""
     F = f.trig_ring
     (symbol,) = f.symbols
@@ -199,16 +201,10 @@ def _values_of_oneangle_zero(f: TrigPolynomial) -> list[Zero]:
     return found if all(Evaluated(rest, {}).size <= rounding for rest in left) else []
 
 
-def _value_of_length(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
-    """Solve f = a ℓ + rest for a prismatic joint ℓ, a being a number; or for a length, if f has no joint in it."""
-    f = part.in_angles
-    joints = any(symbol in f.symbols for symbol in f.trig_ring.q)
-    found = value_of_length(f) if joints or _can_vanish(part, parameters) else None
-    return [] if found is None else [Zero(f, found)]
-
-
 def value_of_length(f: TrigPolynomial) -> Substitution | None:
-    """Return the value of a prismatic joint, or of a length if f has no joint, at which f = a ℓ + rest = 0."""
+    """Return the value of a prismatic joint ℓ, or of a length if f has no joint, at which f = a ℓ + rest = 0, a being
+    a number.
+    """
     F = f.trig_ring
     joints = [symbol for symbol in F.q if symbol in f.symbols]
     for symbol in joints or F.ring.symbols:

@@ -59,7 +59,9 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
 def _reading(robot: Robot, task: Task, places: tuple[int, ...]) -> SymbolicTask:
     """Return the task read in symbols."""
     form = _on_a_frame(task)
-    axes = _link_of_axes(robot, form.reference)
+    axes = None  # the link in whose axes the task is written
+    if form.reference != "world":
+        axes = robot.link_of(None if form.reference == "tool" else form.reference)
     chain = chain_to(robot, robot.link_of(form.frame), beside=axes)
     _check_names(robot, chain)
     joints = () if axes is None else robot.joints_to(axes)
@@ -87,11 +89,6 @@ def _on_a_frame(task: Task) -> FrameMap:
     if form is None:
         raise FormulaError(f"formulas are written for tasks on a frame and for FunctionTask, not for {task!r}")
     return form
-
-
-def _link_of_axes(robot: Robot, reference: str) -> str | None:
-    """Return the link in whose axes the task is written; None for the world."""
-    return None if reference == "world" else robot.link_of(None if reference == "tool" else reference)
 
 
 def _check_names(robot: Robot, chain: Chain) -> None:

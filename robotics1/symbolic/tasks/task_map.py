@@ -113,10 +113,7 @@ def _exact_entry(value: Any) -> sympy.Expr:
 
 def each(function: Callable[[Any], Any], values: Expressions) -> Expressions:
     """Return the function of each entry."""
-    found = np.empty(values.shape, dtype=object)
-    for index, value in np.ndenumerate(values):
-        found[index] = function(value)
-    return found
+    return np.asarray(np.frompyfunc(function, 1, 1)(values))
 
 
 class Tracer:
