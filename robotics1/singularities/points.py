@@ -18,7 +18,6 @@ from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.tasks.task import Task, unitless_jacobian
 
 ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
-NOTHING_MOVES = "no joint moves the task at all: its Jacobian is zero everywhere"
 MOVES = 1e-12  # σ₁ of a Jacobian without units that is not rounding
 LONGEST_STEP = 0.5  # of one iteration, in the box's units
 INDEPENDENT = 1e-10  # of a singular value of the linearised block, beside its largest; differences are exact to 1e-13
@@ -45,6 +44,16 @@ class SingularPoints:
     box: JointBox
     rank: int
     scale: float
+
+    def require_motion(self) -> "SingularPoints":
+        """Return self if a joint moves the task, or there is none.
+
+        Raises:
+            TaskError: J is zero everywhere.
+        """
+        if self.rank == 0 and self.robot.nv > 0:
+            raise TaskError("no joint moves the task at all: its Jacobian is zero everywhere")
+        return self
 
     def jacobian(self, q: Array) -> Array:
         """Return J(q), (m, n), without units."""

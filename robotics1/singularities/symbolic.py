@@ -7,11 +7,11 @@ import numpy as np
 import sympy
 
 from robotics1.angles import TURN
-from robotics1.errors import FormulaError, TaskError
+from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
-from robotics1.singularities.points import NEAR, NOTHING_MOVES, SingularPoints, singular_points
+from robotics1.singularities.points import NEAR, SingularPoints, singular_points
 from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import subspaces
 from robotics1.symbolic.kinematics.exact import exact_robot
@@ -94,9 +94,7 @@ def _with_exact_jacobian(robot: Robot, task: Task, box: JointBox, rng: np.random
     """Return what is known before the search: the Jacobian in exact form, verified, and ρ."""
     formula = formulas(robot, task)
     exact, _ = exact_robot(robot)
-    points = singular_points(exact, task, box, rng)
-    if points.rank == 0:
-        raise TaskError(NOTHING_MOVES)
+    points = singular_points(exact, task, box, rng).require_motion()
     in_world = isinstance(task, FrameTask) and task.reference == "world"
     rows = _rows(formula, in_world)
     parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}

@@ -158,14 +158,10 @@ class BranchFormulas:
         pieces, complete = largest_pieces(loci, cases, self.jacobian.box, np.random.default_rng(0))
         if not complete:
             raise OutOfTime
-        within = [sampler.piece for sampler in pieces if self._is_within(sampler)]
+        drawn = [(sampler.piece, sampler.draw(np.random.default_rng(0))) for sampler in pieces]
+        within = [piece for piece, q in drawn if q is not None and at.contains(q)]  # equations may allow other values
         kept = [piece for piece in within if len(special_points(self.jacobian.rows.M, piece, self.rank).q)]
         return tuple(replace(self, piece=piece).conditions for piece in kept)
-
-    def _is_within(self, sampler: LocusSampler) -> bool:
-        """Whether a piece of the locus has the values that are meant of those that its equations allow."""
-        q = sampler.draw(np.random.default_rng(0))
-        return q is not None and self.piece.contains(q)
 
     @cached_property
     def _null(self) -> list[BasisVector]:
