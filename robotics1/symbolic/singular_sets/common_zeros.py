@@ -32,7 +32,7 @@ class CommonZeros:
         of them is set to zero in turn, which leaves simpler polynomials. Pieces may hold others.
 
         Raises:
-            OutOfTime: the time is over before the last piece was found.
+            OutOfTime: the time of a limit that is kept is over before the last piece was found.
         """
         yield from self._common_zeros(polynomials, locus, set())
 
@@ -82,7 +82,7 @@ def singular_loci(M: Matrix, rank: int, where: Locus, cases: CommonZeros) -> Ite
     minors of that order vanish.
 
     Raises:
-        OutOfTime: the time is over.
+        OutOfTime: the time of a limit that is kept is over.
     """
     M = np.array([row for row in ([where.reduced(entry) for entry in row] for row in M) if any(row)], dtype=object)
     if len(M) < rank:

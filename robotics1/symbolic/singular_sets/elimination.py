@@ -74,7 +74,7 @@ def echelon_form(M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, floa
     next pivot. What only these lengths make zero, such as a2 − a3, is taken as zero.
 
     Raises:
-        OutOfTime: the time is over.
+        OutOfTime: the time of a limit that is kept is over.
     """
     while True:
         form, relation = _at_lengths(M, locus, parameters)
