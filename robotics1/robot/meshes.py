@@ -32,6 +32,7 @@ FILE = "file://"
 SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:(?!\\)")  # of two letters or more: C: is a drive
 PARTS_OF_A_PACKAGE = ("urdf", "xacro", "robot", "robots", "model", "models", "description", "descriptions")
 MESH_FOLDERS = ("meshes", "mesh")
+UNDRAWN = "undrawn"
 
 
 class Packages:
@@ -75,7 +76,8 @@ class Packages:
 def find_meshes(root: ET.Element, path: Path, packages: Iterable[Path], *, trusted: bool = False) -> list[str]:
     """Write the place of every mesh into the tree, leave out those that cannot be drawn, and return why, in sentences.
 
-    `trusted` allows every file of this computer.
+    A <visual> that is left out becomes <undrawn>, which no reader of URDF takes for a shape. `trusted` allows every
+    file of this computer.
     """
     known = Packages(path, packages)
     places: dict[str, Path | str] = {}
@@ -86,7 +88,10 @@ def find_meshes(root: ET.Element, path: Path, packages: Iterable[Path], *, trust
                 if name not in places:
                     places[name] = _place(name, known, trusted=trusted)
                 if isinstance(places[name], str):
-                    link.remove(shape)
+                    if shape.tag == "visual":
+                        shape.tag = UNDRAWN
+                    else:
+                        link.remove(shape)
                     break
                 mesh.set("filename", str(places[name]))
     return [place for place in places.values() if isinstance(place, str)]

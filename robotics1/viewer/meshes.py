@@ -1,0 +1,110 @@
+"""Meshes for the page: few triangles, in parts of one colour each."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import InputError, MissingExtraError
+from robotics1.inputs import Array
+from robotics1.results import Frozen
+from robotics1.robot.visuals import LARGEST, Color
+from robotics1.viewer.mesh_files import Piece, read_pieces
+
+Indices = npt.NDArray[np.int32]
+MOST_FACES = 20_000
+CELLS = 2**20  # along the longest side of a mesh: corners in one cell are one corner
+FEWEST = 12  # faces that a part keeps: those of a box
+
+
+@dataclass(frozen=True, eq=False)
+class MeshPart(Frozen):
+    """Triangles of one colour.
+
+    Attributes:
+        vertices: (n, 3) the corners, in the units and axes of the file.
+        faces: (m, 3) the numbers of the corners of each triangle, anticlockwise as seen from outside.
+        color: red, green, blue and opacity from 0 to 1, as the screen shows them (sRGB), or None.
+    """
+
+    vertices: Array
+    faces: Indices
+    color: Color | None
+
+
+def read_mesh(path: str | Path, *, most_faces: int = MOST_FACES) -> tuple[MeshPart, ...]:
+    """Return the triangles of a mesh file: STL, OBJ, COLLADA (.dae) or glTF (.glb, .gltf).
+
+    The nodes of the file are placed, mirrored ones with their triangles turned. As in Pinocchio's own reader, the unit
+    and the upward axis that a COLLADA file declares change nothing. Parts of one colour are joined, a texture becomes
+    its mean colour, and triangles without an area or with corners that are not finite are left out.
+
+    Args:
+        path: the file. It may name images and materials in its folder, below, or in a folder beside its own, and
+            buffers in its folder or below.
+        most_faces: with more, the triangles are made fewer by quadric decimation (Garland, Heckbert: Surface
+            simplification using quadric error metrics, 1997).
+
+    Raises:
+        InputError: it is no mesh, or one without triangles, too large, or one that names a file elsewhere.
+        MissingExtraError: trimesh is not installed.
+    """
+    path = Path(path)
+    parts = [part for part in map(_welded, _joined(read_pieces(path))) if len(part.faces)]
+    if not parts:
+        raise InputError(f"mesh {str(path)!r} has no triangle with an area")
+    total = sum(len(part.faces) for part in parts)
+    if total > most_faces:
+        parts = [_decimated(part, max(FEWEST, round(len(part.faces) * most_faces / total))) for part in parts]
+    return tuple(parts)
+
+
+def _joined(pieces: Sequence[Piece]) -> list[MeshPart]:
+    """Return one part for each colour."""
+    by_color: dict[Color | None, list[Piece]] = {}
+    for piece in pieces:
+        by_color.setdefault(piece.color, []).append(piece)
+    parts = []
+    for color, same in by_color.items():
+        starts = np.cumsum([0] + [len(piece.vertices) for piece in same[:-1]])
+        faces = np.vstack([piece.faces + start for piece, start in zip(same, starts, strict=True)])
+        parts.append(MeshPart(np.vstack([piece.vertices for piece in same]), faces.astype(np.int32), color))
+    return parts
+
+
+def _welded(part: MeshPart) -> MeshPart:
+    """Return a part whose triangles share corners, without those that have no area or no place."""
+    vertices, faces = part.vertices, part.faces
+    placed = np.isfinite(vertices).all(axis=1) & (np.abs(np.nan_to_num(vertices)) <= LARGEST).all(axis=1)
+    faces = faces[placed[faces].all(axis=1)]
+    used, inverse = np.unique(faces, return_inverse=True)
+    vertices, faces = vertices[used], inverse.reshape(-1, 3)
+    if not len(faces):
+        return replace(part, vertices=np.zeros((0, 3)), faces=np.zeros((0, 3), np.int32))
+    low = vertices.min(axis=0)
+    cells = ((vertices - low) * (CELLS / max(np.ptp(vertices, axis=0).max(), 1e-300))).round().astype(np.int64)
+    keys = (cells[:, 0] * (2 * CELLS) + cells[:, 1]) * (2 * CELLS) + cells[:, 2]
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    faces = inverse[faces]
+    a, b, c = faces.T
+    faces = faces[(a != b) & (b != c) & (c != a)]
+    return _compact(replace(part, vertices=vertices[first], faces=faces))
+
+
+def _compact(part: MeshPart) -> MeshPart:
+    """Return a part with the corners that its triangles use."""
+    used, inverse = np.unique(part.faces, return_inverse=True)
+    return replace(part, vertices=part.vertices[used], faces=inverse.reshape(-1, 3).astype(np.int32))
+
+
+def _decimated(part: MeshPart, faces: int) -> MeshPart:
+    if len(part.faces) <= faces:
+        return part
+    try:
+        from fast_simplification import simplify
+    except ImportError as error:
+        raise MissingExtraError("fast-simplification", "viewer") from error
+    fewer, triangles = simplify(np.array(part.vertices), np.array(part.faces), target_count=faces)[:2]
+    return _compact(replace(part, vertices=np.asarray(fewer, float), faces=np.asarray(triangles)))
