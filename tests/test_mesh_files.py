@@ -138,8 +138,8 @@ def test_one_name_has_one_warning_and_every_shape_of_it_is_left_out(tmp_path):
     text = BASE.replace("</visual>", "</visual>" + shape * 3 + collision)
     robot = r1.load_robot(text)
     assert robot.warnings == ("mesh '/x/a.stl' was not found",)
-    assert drawn(robot) == []
-    assert (robot.urdf.count("<visual"), robot.urdf.count("<collision"), robot.urdf.count("<mesh")) == (1, 0, 3)
+    assert drawn(robot) == ["BOX"]
+    assert (robot.urdf.count("<undrawn>"), robot.urdf.count("<collision"), robot.urdf.count("<mesh")) == (3, 0, 3)
 
 
 SHAPED = "<box size='0.1\t0.1\n0.1'/>"

@@ -11,7 +11,8 @@ from robotics1.errors import InputError, MissingExtraError
 from robotics1.inputs import Array
 from robotics1.results import Frozen
 from robotics1.robot.visuals import LARGEST, Color
-from robotics1.viewer.mesh_files import Piece, read_pieces
+from robotics1.viewer.mesh_files import read_pieces
+from robotics1.viewer.mesh_pieces import Piece
 
 Indices = npt.NDArray[np.int32]
 MOST_FACES = 20_000
