@@ -11,12 +11,13 @@ from robotics1.errors import InputError, MissingExtraError
 from robotics1.inputs import Array
 from robotics1.results import Frozen
 from robotics1.robot.visuals import LARGEST, Color
-from robotics1.viewer.mesh_files import read_pieces
-from robotics1.viewer.mesh_pieces import Piece
+from robotics1.viewer.mesh_formats.files import read_pieces
+from robotics1.viewer.mesh_formats.pieces import Piece
 
 Indices = npt.NDArray[np.int32]
 MOST_FACES = 20_000
 CELLS = 2**20  # along the longest side of a mesh: corners in one cell are one corner
+SIZE_CHANGE = 0.01
 FEWEST = 12  # faces that a part keeps: those of a box
 
 
@@ -56,10 +57,7 @@ def read_mesh(path: str | Path, *, most_faces: int = MOST_FACES) -> tuple[MeshPa
     parts = [part for part in map(_welded, _joined(read_pieces(path))) if len(part.faces)]
     if not parts:
         raise InputError(f"mesh {str(path)!r} has no triangle with an area")
-    total = sum(len(part.faces) for part in parts)
-    if total > most_faces:
-        parts = [_decimated(part, max(FEWEST, round(len(part.faces) * most_faces / total))) for part in parts]
-    return tuple(parts)
+    return tuple(_fewer(parts, most_faces))
 
 
 def _joined(pieces: Sequence[Piece]) -> list[MeshPart]:
@@ -98,6 +96,24 @@ def _compact(part: MeshPart) -> MeshPart:
     """Return a part with the corners that its triangles use."""
     used, inverse = np.unique(part.faces, return_inverse=True)
     return replace(part, vertices=part.vertices[used], faces=inverse.reshape(-1, 3).astype(np.int32))
+
+
+def _fewer(parts: list[MeshPart], most: int) -> list[MeshPart]:
+    """Return about as many triangles as wanted, or more, where the size of the mesh would change by more than 1 %."""
+    share = most / sum(len(part.faces) for part in parts)
+    box = _box(parts)
+    while share < 1:
+        fewer = [_decimated(part, max(FEWEST, round(len(part.faces) * share))) for part in parts]
+        if np.abs(_box(fewer) - box).max() <= SIZE_CHANGE * np.ptp(box, axis=0).max():
+            return fewer
+        share *= 1.5
+    return parts
+
+
+def _box(parts: list[MeshPart]) -> Array:
+    """Return the lowest and the highest x, y and z of the corners, (2, 3)."""
+    points = np.vstack([part.vertices for part in parts])
+    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _decimated(part: MeshPart, faces: int) -> MeshPart:

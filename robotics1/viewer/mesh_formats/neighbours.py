@@ -9,7 +9,7 @@ from robotics1.robot.meshes import absolute
 
 LARGEST_FILE = 200_000_000  # bytes of a mesh, and of all files that it names together
 SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")  # also C:
-PICTURES = re.compile(r".*\.(mtl|png|jpe?g|bmp|tga|tiff?|webp|gif)", re.IGNORECASE)
+PICTURES = re.compile(r".*\.(mtl|png|jpe?g|bmp|tga|tiff?|webp|gif|dds)", re.IGNORECASE)
 
 
 class Neighbours:

@@ -16,36 +16,57 @@ from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
 from robotics1.robot.markup import Element, decoded, parse_xml, undeclared
 from robotics1.robot.visuals import Color
-from robotics1.viewer.mesh_colors import INVISIBLE, image_mean, screen_color
-from robotics1.viewer.mesh_neighbours import LARGEST_FILE, Neighbours
-from robotics1.viewer.mesh_pieces import Piece, placed
+from robotics1.viewer.mesh_formats.colors import INVISIBLE, image_mean, screen_color
+from robotics1.viewer.mesh_formats.neighbours import LARGEST_FILE, Neighbours
+from robotics1.viewer.mesh_formats.pieces import Piece, placed
 
 MOST_INSTANCES = 2000  # of nodes in nodes: pycollada looks for them again and again
 NAN = re.compile(r"(?<=[\s>])[-+]?nan(?=[\s<])", re.IGNORECASE)
+MATERIAL = re.compile(r'<(?:\w+:)?instance_material\b[^>]*?\btarget="#([^"]*)"')
 LUMINANCE = np.array([0.212671, 0.715160, 0.072169])  # of red, green and blue, by the COLLADA specification
 
 
-def collada_pieces(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
-    """Return the pieces that the scene of a COLLADA file places.
+def collada_pieces(data: bytes, neighbours: Neighbours) -> list[Piece]:
+    """Return the pieces that the scene of a COLLADA file places; where a material is broken, they have no colour.
 
     Raises:
         ValueError: it is no COLLADA file, or takes too much memory.
         MissingExtraError: pycollada is not installed.
     """
     try:
-        from collada import Collada, DaeError
-    except ImportError as error:
-        raise MissingExtraError("pycollada", "viewer") from error
-    try:
         text = undeclared(decoded(data, Path()))
         _check(parse_xml(text, Path(), largest=LARGEST_FILE))
     except RobotFileError as error:
         raise ValueError(error.message) from error
     text = NAN.sub("inf", text)  # pycollada would put NaN to 0
-    document = Collada(io.BytesIO(text.encode()), ignore=[DaeError], aux_file_loader=neighbours.get)
-    if document.scene is None:
-        raise ValueError("it has no scene")
-    return _placed(document.scene.nodes, np.eye(4), {})
+    document = _document(text, neighbours)
+    if document.errors and (broken := set(MATERIAL.findall(text)) - {material.id for material in document.materials}):
+        document = _document(_with_materials(text, broken), neighbours)  # else it leaves out what is made of them
+    pieces = list(_placed(document.scene.nodes, np.eye(4), {})) if document.scene else []
+    if document.errors and not pieces:
+        raise ValueError(str(document.errors[0]))
+    return pieces
+
+
+def _document(text: str, neighbours: Neighbours) -> Any:
+    """Return what pycollada reads; what it leaves out is in its `errors`."""
+    try:
+        from collada import Collada, DaeError
+    except ImportError as error:
+        raise MissingExtraError("pycollada", "viewer") from error
+    return Collada(io.BytesIO(text.encode()), ignore=[DaeError], aux_file_loader=neighbours.get)
+
+
+def _with_materials(text: str, names: Iterable[str]) -> str:
+    """Return the text with a material without colour for each name."""
+    before, _, end = text.rpartition("</")
+    made = "".join(f'<material id="{name}"><instance_effect url="#_plain"/></material>' for name in names)
+    effect = (
+        '<effect id="_plain"><profile_COMMON><technique sid="common"><phong/></technique></profile_COMMON></effect>'
+    )
+    more = f"<library_effects>{effect}</library_effects><library_materials>{made}</library_materials>"
+    within = end.partition("COLLADA")[0]
+    return before + re.sub("<(/?)(?=[a-z])", rf"<\1{within}", more) + "</" + end
 
 
 def _placed(nodes: Iterable[Any], T: Array, colors: dict[int, Color | None]) -> Iterator[Piece]:

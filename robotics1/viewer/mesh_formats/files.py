@@ -22,14 +22,15 @@ import numpy as np
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.inputs import Array
 from robotics1.robot.visuals import Color
-from robotics1.viewer.mesh_collada import collada_pieces
-from robotics1.viewer.mesh_colors import color_of
-from robotics1.viewer.mesh_neighbours import LARGEST_FILE, Neighbours
-from robotics1.viewer.mesh_pieces import Piece, few, placed
+from robotics1.viewer.mesh_formats.collada import collada_pieces
+from robotics1.viewer.mesh_formats.colors import color_of
+from robotics1.viewer.mesh_formats.neighbours import LARGEST_FILE, Neighbours
+from robotics1.viewer.mesh_formats.pieces import MOST_TRIANGLES, Piece, few, placed
 
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 STL_HEADER = 84  # bytes
+GLB_HEADER = struct.Struct("<4sIII4s")  # of the file: magic, version, length; of its first chunk: length, kind
 VERTEX = re.compile(rb"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", re.IGNORECASE)
 
 
@@ -88,29 +89,44 @@ def _stl(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
 
 
 def _obj(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
+    if data.count(b"\nf") > MOST_TRIANGLES:
+        raise ValueError(f"it has more than {MOST_TRIANGLES} faces")
     load = _trimesh("load_obj")
     return _pieces(load(io.BytesIO(data.decode("utf-8", errors="replace").encode()), resolver=neighbours))
 
 
+def _gltf(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
+    return _pieces(_trimesh("load_gltf")(io.BytesIO(_plain(data)), resolver=neighbours), linear=True)
+
+
 def _glb(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
-    magic, version, _, length, kind = struct.unpack_from("<4sIII4s", data)
+    magic, version, _, length, kind = GLB_HEADER.unpack_from(data)
     if (magic, version, kind) != (b"glTF", 2, b"JSON"):
         raise ValueError("it does not begin as a glTF 2.0 file does")
-    _check_sizes(json.loads(data[20 : 20 + length]))
-    return _pieces(_trimesh("load_glb")(io.BytesIO(data), resolver=neighbours), linear=True)
+    head, rest = _plain(data[GLB_HEADER.size : GLB_HEADER.size + length]), data[GLB_HEADER.size + length :]
+    head += b" " * (-len(head) % 4)
+    begin = GLB_HEADER.pack(magic, version, GLB_HEADER.size + len(head) + len(rest), len(head), kind)
+    return _pieces(_trimesh("load_glb")(io.BytesIO(begin + head + rest), resolver=neighbours), linear=True)
 
 
-def _gltf(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
-    _check_sizes(json.loads(data))
-    return _pieces(_trimesh("load_gltf")(io.BytesIO(data), resolver=neighbours), linear=True)
+def _plain(text: bytes) -> bytes:
+    """Return the JSON of a glTF file without the extensions of its materials, for which trimesh opens whole images.
 
-
-def _check_sizes(header: Mapping[str, Any]) -> None:
-    """Refuse a glTF file whose views and accessors, which may all show the same bytes, take too much memory."""
-    sizes = [int(view["byteLength"]) for view in header.get("bufferViews", ())]
-    sizes += [8 * int(a["count"]) * COMPONENTS[a["type"]] for a in header.get("accessors", ())]
+    Raises:
+        ValueError: its views and accessors, which may all show the same bytes, take too much memory, or its
+            triangles are compressed.
+    """
+    tree = json.loads(text)
+    sizes = [int(view["byteLength"]) for view in tree.get("bufferViews", ())]
+    sizes += [8 * int(a["count"]) * COMPONENTS[a["type"]] for a in tree.get("accessors", ())]
     if sum(sizes) > 4 * LARGEST_FILE or min(sizes, default=0) < 0:
         raise ValueError("its buffers are used too often")
+    for name in tree.get("extensionsUsed", ()):
+        if "compression" in name:
+            raise ValueError(f"it is compressed by {name}, which is not read")
+    for material in tree.get("materials", ()):
+        material.pop("extensions", None)
+    return json.dumps(tree).encode()
 
 
 def _trimesh(name: str) -> Callable[..., Mapping[str, Any]]:

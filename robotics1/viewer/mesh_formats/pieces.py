@@ -25,10 +25,18 @@ class Piece:
 def placed(vertices: Any, faces: Any, T: Array, color: Color | None) -> Piece:
     """Return a piece moved by T (4, 4); the triangles are turned where T mirrors them.
 
+    Args:
+        vertices: (n, 3) its corners.
+        faces: (m, k) the numbers of the corners of triangles, or of polygons, which become fans.
+        T: (4, 4) where it is placed.
+        color: its colour.
+
     Raises:
         ValueError: a triangle has a corner that is not there.
     """
-    faces = np.asarray(faces).astype(np.int64).reshape(-1, 3)
+    polygons = np.asarray(faces).astype(np.int64)
+    fans = [polygons[:, [0, corner, corner + 1]] for corner in range(1, polygons.shape[1] - 1)]
+    faces = np.concatenate(fans) if fans else np.zeros((0, 3), np.int64)
     if len(faces) and (faces.min() < 0 or faces.max() >= len(vertices)):
         raise ValueError("a triangle has a corner that is not there")
     if np.linalg.det(T[:3, :3]) < 0:
