@@ -85,8 +85,8 @@ def test_a_mesh_has_the_box_of_pinocchios_reader_and_the_triangles_of_its_file(n
     colors = [part.color for part in whole]
     assert len(set(colors)) == len(colors)
     few = read_mesh(path)
-    assert sum(len(part.faces) for part in few) <= 31_000
-    assert box(few) == pytest.approx(corners, abs=1e-2 * size)
+    assert sum(len(part.faces) for part in few) <= 21_000
+    assert box(few) == pytest.approx(corners, abs=2e-2 * size)
     assert capfd.readouterr() == ("", "")
 
 
@@ -100,16 +100,16 @@ def test_every_part_of_a_ur5_has_a_colour():
 # --- the formats
 
 
-@pytest.mark.parametrize(
-    ("name", "content"),
-    {
-        "a.stl": texts.stl_text(),
-        "a.STL": texts.stl_bytes(),
-        "a.obj": texts.obj(),
-        "a.dae": texts.dae(),
-        "a.glb": texts.glb(),
-    }.items(),
-)
+TETRAHEDRA = {
+    "a.stl": texts.stl_text(),
+    "a.STL": texts.stl_bytes(),
+    "a.obj": texts.obj(),
+    "a.dae": texts.dae(),
+    "a.glb": texts.glb(),
+}
+
+
+@pytest.mark.parametrize(("name", "content"), TETRAHEDRA.items(), ids=TETRAHEDRA)
 def test_a_tetrahedron_has_four_corners_four_triangles_and_the_volume_one_sixth(mesh, name, content):
     (part,) = mesh(name, content)
     assert (part.vertices.shape, part.faces.shape, part.color) == ((4, 3), (4, 3), None)

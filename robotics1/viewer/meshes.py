@@ -17,7 +17,7 @@ from robotics1.viewer.mesh_formats.pieces import Piece
 Indices = npt.NDArray[np.int32]
 MOST_FACES = 20_000
 CELLS = 2**20  # along the longest side of a mesh: corners in one cell are one corner
-SIZE_CHANGE = 0.01
+SIZE_CHANGE = 0.02  # of the longest side of its box
 FEWEST = 12  # faces that a part keeps: those of a box
 
 
@@ -75,21 +75,18 @@ def _joined(pieces: Sequence[Piece]) -> list[MeshPart]:
 
 def _welded(part: MeshPart) -> MeshPart:
     """Return a part whose triangles share corners, without those that have no area or no place."""
-    vertices, faces = part.vertices, part.faces
-    placed = np.isfinite(vertices).all(axis=1) & (np.abs(np.nan_to_num(vertices)) <= LARGEST).all(axis=1)
-    faces = faces[placed[faces].all(axis=1)]
-    used, inverse = np.unique(faces, return_inverse=True)
-    vertices, faces = vertices[used], inverse.reshape(-1, 3)
-    if not len(faces):
-        return replace(part, vertices=np.zeros((0, 3)), faces=np.zeros((0, 3), np.int32))
+    placed = np.abs(part.vertices).max(axis=1, initial=0) <= LARGEST  # which NaN is not
+    part = _compact(replace(part, faces=part.faces[placed[part.faces].all(axis=1)]))
+    vertices = part.vertices
+    if not len(vertices):
+        return part
     low = vertices.min(axis=0)
     cells = ((vertices - low) * (CELLS / max(np.ptp(vertices, axis=0).max(), 1e-300))).round().astype(np.int64)
     keys = (cells[:, 0] * (2 * CELLS) + cells[:, 1]) * (2 * CELLS) + cells[:, 2]
     _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
-    faces = inverse[faces]
+    faces = inverse[part.faces]
     a, b, c = faces.T
-    faces = faces[(a != b) & (b != c) & (c != a)]
-    return _compact(replace(part, vertices=vertices[first], faces=faces))
+    return _compact(replace(part, vertices=vertices[first], faces=faces[(a != b) & (b != c) & (c != a)]))
 
 
 def _compact(part: MeshPart) -> MeshPart:
@@ -99,7 +96,7 @@ def _compact(part: MeshPart) -> MeshPart:
 
 
 def _fewer(parts: list[MeshPart], most: int) -> list[MeshPart]:
-    """Return about as many triangles as wanted, or more, where the size of the mesh would change by more than 1 %."""
+    """Return about as many triangles as wanted, or more, where the size of the mesh would change by more than 2 %."""
     share = most / sum(len(part.faces) for part in parts)
     box = _box(parts)
     while share < 1:
