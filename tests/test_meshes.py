@@ -81,11 +81,11 @@ def test_a_mesh_has_the_box_of_pinocchios_reader_and_the_triangles_of_its_file(n
     assert box(whole) == pytest.approx(corners, abs=1e-6 * size)
     read = sum(len(piece.faces) for piece in read_pieces(path))
     assert read == counted(path)
-    assert 0.98 * count <= sum(len(part.faces) for part in whole) <= read
+    assert 0.97 * count <= sum(len(part.faces) for part in whole) <= read
     colors = [part.color for part in whole]
     assert len(set(colors)) == len(colors)
     few = read_mesh(path)
-    assert sum(len(part.faces) for part in few) <= 21_000
+    assert sum(len(part.faces) for part in few) <= 31_000  # a thin mesh keeps half as many again, for its size
     assert box(few) == pytest.approx(corners, abs=2e-2 * size)
     assert capfd.readouterr() == ("", "")
 
