@@ -47,7 +47,7 @@ def main() -> None:
 def row(name: str | None, file: str, robot: Robot, elapsed: float) -> str:
     """Return a line of the table."""
     mimicking = sum("Mimic" in joint.shortname() for joint in robot.model.joints)
-    meshes = robot.urdf.count("<mesh ")
+    meshes = robot.urdf.count("<mesh ") - robot.urdf.count("<undrawn")
     cells = [
         f"`{name}`" if name else "",
         f"`{file}`",

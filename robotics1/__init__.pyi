@@ -35,12 +35,12 @@ from .tasks.pointing import PointingTask
 from .tasks.pose import OrientationTask, PoseTask
 from .tasks.position import PositionTask
 from .tasks.task import Task
+from .trajectories.elementary import cubic, quintic
 from .trajectories.following.joint_rates import joint_acceleration, joint_velocity
 from .trajectories.following.path_following import follow_trajectory
 from .trajectories.least_time_of_joints import minimum_time
 from .trajectories.limits import MotionLimits
 from .trajectories.meeting import rendezvous
-from .trajectories.polynomials import cubic, quintic
 from .trajectories.profiles import trapezoidal
 from .trajectories.splines import cubic_spline
 from .trajectories.target_motion import LinearMotion

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +9,15 @@ import numpy.typing as npt
 from robotics1.curves.curve import Side
 from robotics1.curves.given import Motion, joint_motion
 from robotics1.errors import InputError
-from robotics1.inputs import Array, counting_number, non_negative_numbers, real_array, real_number
+from robotics1.inputs import (
+    Array,
+    counting_number,
+    dimensions,
+    non_negative_numbers,
+    real_array,
+    real_number,
+    without_infinity,
+)
 from robotics1.results import Frozen, require
 from robotics1.trajectories.following.integration import integrated
 
@@ -190,9 +197,6 @@ def _limits(rate_limits: npt.ArrayLike | None, n: int) -> Array:
     """Return the largest |q̇| of each joint; infinity, as a robot says it, and None are no limit."""
     if rate_limits is None:
         return np.full(n, np.inf)
-    several = np.iterable(rate_limits) and not isinstance(rate_limits, str)
-    listed: list[Any] = list(rate_limits) if several else [rate_limits] * n  # type: ignore[arg-type]
-    unlimited = np.array([isinstance(value, float | np.floating) and value == np.inf for value in listed], dtype=bool)
-    bounded = [0.0 if none else value for value, none in zip(listed, unlimited, strict=True)]
-    finite = non_negative_numbers("rate_limits", bounded, n)
-    return np.where(unlimited, np.inf, finite)
+    dimensions("rate_limits", rate_limits)
+    finite, unlimited = without_infinity(rate_limits, 0.0)
+    return np.where(unlimited, np.inf, non_negative_numbers("rate_limits", finite, n))

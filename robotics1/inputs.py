@@ -251,6 +251,13 @@ def joint_rates(name: str, value: npt.ArrayLike, n: int) -> Array:
     return moderate(name, per_joint(name, value, n))
 
 
+def without_infinity(value: npt.ArrayLike, instead: float) -> tuple[npt.ArrayLike, npt.NDArray[np.bool_]]:
+    """Return numbers with another one in place of each +∞, and where these were; what is no number stays."""
+    raw = np.asarray(value)
+    unbounded = np.isposinf(raw) if raw.dtype.kind == "f" else np.zeros(raw.shape, dtype=bool)
+    return (np.where(unbounded, instead, raw) if unbounded.any() else value), unbounded
+
+
 def positive_bound(name: str, value: npt.ArrayLike | None, n: int | None = None) -> Array:
     """Return a bound as positive numbers, (n,), or as many as it has for n = None; infinite where there is none.
 
@@ -261,9 +268,7 @@ def positive_bound(name: str, value: npt.ArrayLike | None, n: int | None = None)
         return np.full(n or 1, np.inf)
     what = f"the bound on the {name.replace('_', ' ')}"
     shape = () if dimensions(what, value) == 0 else (n,)
-    raw = np.asarray(value)
-    unbounded = np.isposinf(raw) if raw.dtype.kind == "f" else np.zeros(raw.shape, dtype=bool)
-    finite = np.where(unbounded, 1.0, raw) if unbounded.any() else value
+    finite, unbounded = without_infinity(value, 1.0)
     bound = real_array(what, finite, shape, "one number for all, or one for each joint")
     if not (bound > 0).all() or bound.size == 0:
         raise InputError(f"{what} must be positive; it is {bound.tolist()}")

@@ -5,7 +5,7 @@ import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.errors import UnknownNameError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, a_robot, real_array
 from robotics1.robot.model import Robot
 
 
@@ -21,6 +21,7 @@ def forward_kinematics(robot: Robot, q: npt.ArrayLike, *, frame: str | None = No
         InputError: q has the wrong shape or is not finite.
         UnknownNameError: there is no such frame.
     """
+    a_robot(robot)
     q = robot.configuration(q)
     number = robot.frame_id(frame)
     pin.forwardKinematics(robot.model, robot.data, q)
@@ -44,6 +45,7 @@ def frame_jacobian(robot: Robot, q: npt.ArrayLike, *, frame: str | None = None, 
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.1.
     """
+    a_robot(robot)
     q = robot.configuration(q)
     number = robot.frame_id(frame)
     J = pin.computeFrameJacobian(robot.model, robot.data, q, number, pin.LOCAL_WORLD_ALIGNED)
@@ -76,6 +78,7 @@ def frame_jacobian_rate(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4; Featherstone, Rigid Body Dynamics
     Algorithms, 2008, section 2.10 (the derivative of a motion vector that is fixed in a moving body).
     """
+    a_robot(robot)
     q = robot.configuration(q)
     qdot = joint_rates(robot, "qdot", qdot)
     rate = _jacobian_rate(robot, q, qdot, robot.frame_id(frame))

@@ -16,6 +16,7 @@ class Explained(Protocol):
 
 
 Outcome = TypeVar("Outcome", bound=Explained)
+Kind = TypeVar("Kind", bound=type)
 
 
 def require(result: Outcome, success: bool) -> Outcome:
@@ -38,12 +39,25 @@ def read_only(values: Iterable[Any]) -> None:
             read_only(value)
 
 
-def same_entries(a: Any, b: Any) -> bool:
+def tuple_with_arrays(kind: Kind) -> Kind:
+    """Let named tuples be compared entry by entry, and keep their arrays read-only in copies and after unpickling."""
+    methods: dict[str, Callable[..., Any]] = {
+        "__eq__": _same_entries,
+        "__ne__": lambda a, b: not _same_entries(a, b),
+        "__hash__": lambda a: hash(tuple(a)),  # which says that an array has none
+        "__reduce__": lambda a: (_made_again, (type(a), *a)),
+    }
+    for name, method in methods.items():
+        setattr(kind, name, method)
+    return kind
+
+
+def _same_entries(a: Any, b: Any) -> bool:
     """Return whether two named tuples are the same; a plain tuple would ask an array whether it is true."""
-    return type(a) is type(b) and all(np.array_equal(x, y) for x, y in zip(a, b, strict=True))
+    return type(a) is type(b) and all(map(np.array_equal, a, b))
 
 
-def made_again(kind: Callable[..., Any], *values: Any) -> Any:
+def _made_again(kind: Callable[..., Any], *values: Any) -> Any:
     """Return a named tuple of results from its copied or unpickled values, whose arrays are made read-only."""
     read_only(values)
     return kind(*values)

@@ -1,4 +1,4 @@
-"""Hypothesis profiles, robots, and a browser."""
+"""Hypothesis profiles, robots, mesh files, and a browser."""
 
 import os
 import shutil
@@ -59,6 +59,40 @@ def spatial():
 @pytest.fixture(scope="session")
 def one_joint():
     return arm("one_joint")
+
+
+@pytest.fixture
+def mesh(tmp_path):
+    """Write a mesh file, and files beside it, and read it."""
+
+    from robotics1.viewer.meshes import read_mesh
+
+    def read(name, content, beside=None, **options):
+        path = tmp_path / "pkg/meshes" / name
+        for file, data in {
+            path: content,
+            **{path.parent / name: data for name, data in (beside or {}).items()},
+        }.items():
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(data)
+        return read_mesh(path, **options)
+
+    return read
+
+
+@pytest.fixture
+def picture(tmp_path):
+    """A picture of two halves, red and blue, in a format."""
+
+    from PIL import Image
+
+    def written(name, size=(8, 8)):
+        image = Image.new("RGB", size, (255, 0, 0))
+        image.paste((0, 0, 255), (0, 0, size[0] // 2, size[1]))
+        image.save(tmp_path / name)
+        return (tmp_path / name).read_bytes()
+
+    return written
 
 
 @pytest.fixture(scope="module")

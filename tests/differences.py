@@ -50,9 +50,14 @@ def key(values):
     return tuple(sorted((name, round(value, 9)) for name, value in values.items()))
 
 
-def sigma(task, robot, q):
-    """σ_ρ/σ₁ of the task's Jacobian, the last singular value over the first, lengths in units of the reach."""
+def unitless(robot, task, q):
+    """The task's Jacobian, lengths in units of the reach."""
     rows = [1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units]
     columns = np.where(robot.revolute, 1.0, robot.reach)
-    values = np.linalg.svd(np.array(rows)[:, None] * task.jacobian(robot, q) * columns, compute_uv=False)
+    return np.array(rows)[:, None] * task.jacobian(robot, q) * columns
+
+
+def sigma(task, robot, q):
+    """σ_ρ/σ₁ of the task's Jacobian, the last singular value over the first, lengths in units of the reach."""
+    values = np.linalg.svd(unitless(robot, task, q), compute_uv=False)
     return values[-1] / values[0]

@@ -182,6 +182,7 @@ INSTANCES = {
         r1.IKSolver(arm("planar_2r"), r1.FunctionTask(squared_distance, 1), time_limit=0.2),
     ],
     "IKStatus": lambda: list(r1.ik.IKStatus),
+    "SingularSetStatus": lambda: list(r1.singularities.SingularSetStatus),
     "Intersections": lambda: [r1.singularities.find_intersections(found) for found in singular_sets()],
     "Join": lambda: list(r1.curves.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),
     "JointAcceleration": lambda: [r1.joint_acceleration(arm("planar_2r"), PLANE, [1, 0], Q, [0.1, 0.2])],

@@ -11,7 +11,6 @@ from scipy.optimize import minimize
 
 import robotics1 as r1
 from robotics1 import InputError, TaskError
-from robotics1.differentiation import derivative_inside
 from robotics1.trajectories import Resolution
 
 XYZ = r1.PositionTask("xyz")
@@ -413,15 +412,6 @@ CALLS = [
 def test_misuse_of_differential_kinematics_is_a_typed_error(call, kind, message):
     with pytest.raises(kind, match=message):
         call()
-
-
-def test_a_derivative_at_a_jump_uses_one_side_only():
-    def f(t, side):
-        return np.array([np.sin(t)]) if t < 1 or (t == 1 and side == "left") else np.array([5 + t**3])
-
-    for t, side, expected in [(1.0, "left", cos(1)), (1.0, "right", 3), (0.0, "right", 1), (2.0, "right", 12)]:
-        assert derivative_inside(f, t, [0.0, 1.0, 2.0], side) == pytest.approx([expected], abs=1e-9)
-    assert derivative_inside(f, 0.9999, [0.0, 1.0, 2.0], "right") == pytest.approx([cos(0.9999)], abs=1e-9)
 
 
 def test_what_is_not_realised_is_an_error_for_who_requires_it():

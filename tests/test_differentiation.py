@@ -5,10 +5,17 @@ from math import cos, exp, sin
 import numpy as np
 import pytest
 import sympy
+from arms import arm, random_q
 from hypothesis import given, settings, strategies as st
 
 import robotics1 as r1
-from robotics1.differentiation import Estimate, configuration_derivative, derivative, directional_derivative
+from robotics1.differentiation import (
+    Estimate,
+    configuration_derivative,
+    derivative,
+    derivative_inside,
+    directional_derivative,
+)
 from robotics1.symbolic.tasks.verification import AGREES, MARGIN, Trials
 
 numbers = st.floats(-3, 3)
@@ -54,6 +61,30 @@ def test_derivatives_along_a_slide_are_as_exact_for_small_arms_as_for_large_ones
     units = np.array([1, size, 1])
     assert configuration_derivative(f, robot, q) * units == pytest.approx(exact(q) * units, abs=1e-10)
     assert directional_derivative(f, robot, q, qdot) == pytest.approx(exact(q) @ qdot, abs=1e-10)
+
+
+@pytest.mark.parametrize("name", ["spatial", "redundant", "cylindrical"])
+def test_differences_along_a_direction_and_along_each_joint_agree_with_the_jacobian(name):
+    robot = arm(name)
+    q, qdot = random_q(robot, 8), np.random.default_rng(9).normal(size=robot.nv)
+
+    def position(x):
+        return r1.forward_kinematics(robot, x).translation.copy()
+
+    J = r1.frame_jacobian(robot, q)[:3]
+    assert configuration_derivative(position, robot, q) == pytest.approx(J, abs=1e-11)
+    assert directional_derivative(position, robot, q, qdot) == pytest.approx(J @ qdot, abs=1e-12)
+    assert directional_derivative(position, robot, q, 0 * qdot) == pytest.approx([0, 0, 0])
+    assert directional_derivative(position, robot, q, 1e6 * qdot) == pytest.approx(1e6 * J @ qdot, rel=1e-11, abs=1e-5)
+
+
+def test_a_derivative_at_a_jump_uses_one_side_only():
+    def f(t, side):
+        return np.array([np.sin(t)]) if t < 1 or (t == 1 and side == "left") else np.array([5 + t**3])
+
+    for t, side, expected in [(1.0, "left", cos(1)), (1.0, "right", 3), (0.0, "right", 1), (2.0, "right", 12)]:
+        assert derivative_inside(f, t, [0.0, 1.0, 2.0], side) == pytest.approx([expected], abs=1e-9)
+    assert derivative_inside(f, 0.9999, [0.0, 1.0, 2.0], "right") == pytest.approx([cos(0.9999)], abs=1e-9)
 
 
 # --- formulas are compared with numbers whose error is known

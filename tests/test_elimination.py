@@ -73,7 +73,7 @@ def test_row_space_and_null_space_are_those_of_the_singular_values(name, transpo
     n = M.shape[1]
     rng = np.random.default_rng(1)
     for locus in loci(*equations) if equations else [Locus(F)]:
-        form = echelon_form(M, locus, VALUES, TimeLimit(20))
+        form = echelon_form(M, locus, VALUES)
         assert (len(form.row_space), len(form.null)) == (rank, n - rank)
         piece = Piece(locus, VALUES, {})
         sampler = LocusSampler(piece, BOX)
@@ -87,7 +87,7 @@ def test_row_space_and_null_space_are_those_of_the_singular_values(name, transpo
 
 
 def test_in_the_column_of_a_pivot_all_other_rows_have_zero():
-    form = echelon_form(polynomials(PLANAR), Locus(F), VALUES, TimeLimit(20))
+    form = echelon_form(polynomials(PLANAR), Locus(F), VALUES)
     for i, pivot in enumerate(form.pivots):
         assert [bool(row[pivot]) for row in form.row_space] == [k == i for k in range(len(form.pivots))]
 
@@ -95,14 +95,14 @@ def test_in_the_column_of_a_pivot_all_other_rows_have_zero():
 def test_what_only_the_given_lengths_make_zero_is_no_pivot():
     """(a − b − 0.1) is no zero, a − b is one at a = b: there the rank is 1 and the null space has two columns."""
     M = polynomials([[a - b, sin(q1)], [0, (a - b) * cos(q1)]])
-    apart, same = (echelon_form(M, Locus(F), {**VALUES, b: x}, TimeLimit(20)) for x in (0.4, 0.5))
+    apart, same = (echelon_form(M, Locus(F), {**VALUES, b: x}) for x in (0.4, 0.5))
     assert [(len(form.row_space), len(form.null)) for form in (apart, same)] == [(2, 0), (1, 1)]
     assert numbers(same.null, [0.3, 0, 0, 0], 2) @ [0, 1] == pytest.approx([0])
 
 
 def test_on_the_shoulder_only_the_first_joint_does_not_move_the_anthropomorphic_arm():
     (locus,) = loci(SHOULDER)
-    (vector,) = echelon_form(polynomials(ANTHROPOMORPHIC), locus, VALUES, TimeLimit(20)).null
+    (vector,) = echelon_form(polynomials(ANTHROPOMORPHIC), locus, VALUES).null
     assert [bool(entry) for entry in vector] == [True, False, False]
 
 
@@ -125,5 +125,5 @@ def test_a_vector_without_its_divisor_is_parallel_to_it_and_shorter(vector, bare
 
 
 def test_the_time_limit_is_kept():
-    with pytest.raises(OutOfTime):
-        echelon_form(polynomials(ANTHROPOMORPHIC), Locus(F), VALUES, TimeLimit(-1))
+    with TimeLimit(-1).kept(), pytest.raises(OutOfTime):
+        echelon_form(polynomials(ANTHROPOMORPHIC), Locus(F), VALUES)

@@ -4,10 +4,10 @@ import re
 
 import pytest
 import sympy
+from exams.formula_page import write_formula_page
+from exams.named_formulas import FormulaSection, NamedFormula
 
 from robotics1 import InputError
-from robotics1.report.formula_page import write_formula_page
-from robotics1.report.named_formulas import FormulaSection, NamedFormula
 
 l2, q2, nu = sympy.symbols("l2 q2 nu", real=True)
 SECTIONS = [

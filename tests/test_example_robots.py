@@ -5,12 +5,11 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
+from arms import random_q
 
-from robotics1 import RobotFileError, Robotics1Error, load_robot
-from robotics1.robot.report import difference_from_yourdfpy, random_configurations
-from robotics1.robot.sources import example_folder, example_robots
+from robotics1 import RobotFileError, Robotics1Error, UnknownNameError, check_robot, load_robot
 
-FOLDER = example_folder()
+FOLDER = load_robot("ur5").path.parents[2]
 REFUSED = {
     "alex_psyonic_hands.urdf": "mimics joint 'index_q1', and there is no such joint",
     "quadrotor_base.urdf.xacro": "has no name",
@@ -30,10 +29,10 @@ def test_there_are_as_many_models_as_the_page_says():
 
 @pytest.mark.parametrize("path", LOADABLE, ids=lambda path: path.name)
 def test_forward_kinematics_of_every_link_is_yourdfpys_to_1e_12(path, capfd):
-    robot = load_robot(path)
-    assert difference_from_yourdfpy(robot, path.read_text(encoding="utf-8")) <= 1e-12
+    report = check_robot(path)
+    assert report.fk_difference <= 1e-12
     assert capfd.readouterr().err == ""
-    missing = any("was not found" in warning for warning in robot.warnings)
+    missing = any("was not found" in warning for warning in report.robot.warnings)
     assert missing == (path.name in MESHES_MISSING)
 
 
@@ -41,7 +40,7 @@ def test_forward_kinematics_of_every_link_is_yourdfpys_to_1e_12(path, capfd):
 def test_the_jacobian_of_the_last_link_is_the_central_difference_of_its_pose(path):
     robot = load_robot(path)
     frame = robot.model.nframes - 1
-    (q,) = random_configurations(robot, 1, np.random.default_rng(1))
+    q = random_q(robot, 1)
 
     def pose(x):
         pin.framesForwardKinematics(robot.model, robot.data, x)
@@ -64,12 +63,20 @@ def test_what_is_refused_says_why(name):
             load_robot(path)
 
 
+def path_of(name):
+    """The file of a robot's name."""
+    try:
+        return load_robot(name).path
+    except RobotFileError as refused:
+        return refused.path
+
+
 def test_every_name_leads_to_its_robot():
-    robots = example_robots()
-    assert len(robots) == len(list(FOLDER.glob("*/*/*.urdf")))
-    for name, path in robots.items():
-        if path.name not in REFUSED:
-            assert load_robot(name).path == path
+    with pytest.raises(UnknownNameError) as unknown:
+        load_robot("a robot that is not there")
+    files = sorted(FOLDER.glob("*/*/*.urdf"))
+    robots = [path_of(name) for name in unknown.value.candidates]
+    assert sorted(path for path in robots if FOLDER in path.parents) == files
     assert load_robot("ur5").tool == "tool0"
     assert load_robot("panda").tool is None
     assert load_robot("panda", tool="panda_hand_tcp").nq == 8

@@ -161,9 +161,9 @@ def test_2012_02_09_3b_initial_velocities_of_a_cartesian_and_a_joint_tracking_la
     motion = r1.curves.PathTrajectory(path, r1.cubic(0, path.end, path.end, v0=1, v1=1).joint())
     assert motion.duration == pytest.approx(2.828427, abs=1e-6)
     run = r1.follow_trajectory(arm, xyz, motion, q0, gain=1.0)
-    assert run.command(0.0).error == pytest.approx([0.5, 0.133975, 0], abs=1e-6)
+    assert run.errors[0] == pytest.approx([0.5, 0.133975, 0], abs=1e-6)
     assert run.velocity(0.0) == pytest.approx([0.246347, 0.707107, 0.012472], abs=1e-6)
-    e = run.command(1.7).error
+    e = xyz.error(arm, run(1.7), motion(1.7))
     assert e == pytest.approx(np.exp(-1.7) * np.array([0.5, 0.133975, 0]), abs=1e-6)  # what starts at zero stays
     on_path = [pi / 4, pi / 2, sqrt(2)]
     assert r1.forward_kinematics(arm, on_path).translation == pytest.approx(motion(0.0))

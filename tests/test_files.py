@@ -27,7 +27,7 @@ def circle():
 WRITERS = {
     "write_file": lambda path: write_file(path, "new"),
     "dh_to_urdf": lambda path: r1.dh.dh_to_urdf(ROWS, path),
-    "view": lambda path: r1.view(r1.load_robot("planar_2r"), [0, 0], path),
+    "view": lambda path: r1.view(r1.load_robot("planar_2r"), [0, 0], path).file,
     "plot_path": lambda path: (r1.plot_path(circle(), file=path), path)[1],
 }
 
@@ -107,8 +107,8 @@ def test_what_is_no_regular_file_is_refused_and_stays_what_it_is(write, tmp_path
 def test_a_path_that_names_no_file_is_an_input_error(write, name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "old").write_text("old")
-    if name is None and write is WRITERS["plot_path"]:
-        return  # a plot without a file
+    if name is None and write in (WRITERS["plot_path"], WRITERS["view"]):
+        return  # a plot or a page without a file
     with pytest.raises(r1.InputError):
         write(name)
     assert left_over(tmp_path) == []

@@ -1,14 +1,11 @@
 """Formulas printed: as a Python function that runs, for LaTeX, for the terminal and for pages; and the command."""
 
-import json
-import re
 from math import pi
 
 import numpy as np
 import pytest
-import sympy
 from arms import arm, random_q
-from typer.testing import CliRunner
+from command import answer, run as run_command
 
 from robotics1 import (
     InputError,
@@ -21,8 +18,6 @@ from robotics1 import (
     load_robot,
     robot_from_dh,
 )
-from robotics1.cli.commands import app
-from robotics1.symbolic.writing.printing import latex_text, mathml_text, python_function, unicode_text
 
 H = pi / 2
 
@@ -111,55 +106,22 @@ def test_the_function_of_a_pose_gives_its_matrix_and_of_euler_angles_a_vector():
     assert run(formulas(robot, angles).python("value"), "value")(q) == pytest.approx(angles.value(robot, q))
 
 
-def test_names_that_python_does_not_take_are_respelled():
-    a, b, q1, t0 = sympy.symbols("lambda link-1 q1 t0", real=True)
-    parameters = {"lambda": 2.0, "link-1": 3.0, "q": 5.0, "t0": 7.0}
-    e = sympy.sin(q1 + a) + (q1 + a) ** 2 + b + sympy.Symbol("q", real=True) + t0
-    source = python_function("f", e, {"q": [q1]}, parameters, "a test")
-    assert "def f(q, *, lambda_=2.0, link_1=3.0, q_=5.0, t0=7.0):" in source
-    assert run(source, "f")([1.0]) == pytest.approx(np.sin(3) + 9 + 3 + 5 + 7)
-    assert run(source, "f")([1.0], lambda_=0) == pytest.approx(np.sin(1) + 1 + 15)
-
-
-def test_latex_terminal_and_page_forms():
-    l2, q2 = sympy.symbols("l2 q2", real=True)
-    formula = l2 * sympy.cos(q2)
-    assert latex_text(formula) == r"l_{2} \cos{\left(q_{2} \right)}"
-    assert unicode_text(formula) == "l₂⋅cos(q₂)"
-    page = mathml_text(formula)
-    assert page.startswith('<math display="block">')
-    assert page.endswith("</math>")
-    assert re.sub(r"<[^>]*>|&InvisibleTimes;", "", page) == "l2cos(q2)"
-    dotted = "<mover><mi>q</mi><mo>˙</mo></mover>"
-    assert f"<msub>{dotted}<mi>1</mi></msub>" in mathml_text(sympy.Symbol("qdot1"))
-    assert re.sub(r"<[^>]*>", "", mathml_text(-sympy.Symbol("x"))) == "−x"
-
-
 def test_the_command_prints_the_python_function():
-    printed = CliRunner().invoke(app, ["jacobian", "planar_2r", "--task", "position:xy", "--symbolic", "--python"])
-    assert printed.exit_code == 0
+    printed = run_command("jacobian", "planar_2r", "--task", "position:xy", "--symbolic", "--python")
+    assert printed.code == 0
     assert printed.stdout == formulas(load_robot("planar_2r"), PositionTask("xy")).python()
-    words = ["jacobian", "planar_2r", "--task", "planar-pose", "--python", "--json", "-p", "l1=0.5"]
-    answer = json.loads(CliRunner().invoke(app, words).stdout)
+    found = answer("jacobian", "planar_2r", "--task", "planar-pose", "--python", "-p", "l1=0.5")
     q = [0.2, 0.3]
     robot = load_robot("planar_2r", parameters={"l1": 0.5})
-    assert run(answer["python"])(q) == pytest.approx(PlanarPoseTask().jacobian(robot, q), abs=1e-12)
+    assert run(found["python"])(q) == pytest.approx(PlanarPoseTask().jacobian(robot, q), abs=1e-12)
 
 
-def test_the_command_chooses_between_latex_and_python(monkeypatch, capsys):
-    import sys
-
-    from robotics1.cli.commands import main
-
-    monkeypatch.setattr(sys, "argv", ["robotics1", "jacobian", "planar_2r", "--latex", "--python"])
-    with pytest.raises(SystemExit) as stopped:
-        main()
-    assert stopped.value.code == 2
-    assert "choose one of --latex and --python" in capsys.readouterr().err
+def test_the_command_chooses_between_latex_and_python():
+    refusal = run_command("jacobian", "planar_2r", "--latex", "--python").refusal
+    assert "choose one of --latex and --python" in refusal
 
 
 def test_the_command_says_numbers_as_before():
-    words = ["jacobian", "prr", "--task", "position:xy", "--q", "0.5,pi/2,pi"]
-    text = CliRunner().invoke(app, words).stdout
+    text = run_command("jacobian", "prr", "--task", "position:xy", "--q", "0.5,pi/2,pi").stdout
     assert "rank 1" in text
     assert "forces along it need no torque" in text

@@ -17,7 +17,7 @@ from robotics1.kernels.block_jacobian import BLOCK, LARGEST, cosines_and_sines
 from robotics1.kernels.chain import chain_arrays
 from robotics1.kernels.extreme_singular_values import SWEEPS, largest_eigenvalues, smallest_eigenvalues
 from robotics1.kernels.singularity_measures import bidiagonal_squares, singularity_measures, task_jacobians
-from robotics1.robot.model import tips
+from robotics1.robot.joints import tips
 from robotics1.robot.sources import example_robots
 
 FRAME, PLANE = np.eye(6), np.eye(6)[[0, 1, 5]]
@@ -240,7 +240,7 @@ def test_jacobians_and_singular_values_of_the_chains_of_example_robot_data_are_p
         with pytest.raises(Robotics1Error, match="several degrees of freedom"):
             chain_arrays(robot, robot.frame_names[0])
         return
-    chains = [tip for tip in tips(robot.model) if chain_arrays(robot, tip).coordinate.size]
+    chains = [tip for tip in tips(robot.frame_names, robot.joints) if chain_arrays(robot, tip).coordinate.size]
     for tip in chains[:12]:
         agree(robot, tip, count=5)
 

@@ -11,14 +11,22 @@ import pytest
 from arms import ARMS, arm, random_q
 from closed_forms import SPATIAL_CHAIN, spatial_pose_and_jacobian
 from joint_kinds import KINDS
-from kernel_poses import pose_and_jacobian
 
 from robotics1 import InputError, Robotics1Error, forward_kinematics, frame_jacobian, load_robot
+from robotics1.kernels import pose
 from robotics1.kernels.chain import chain_arrays
-from robotics1.robot.model import tips
+from robotics1.robot.joints import tips
 from robotics1.robot.sources import example_robots
 
 ONE_FREEDOM = tuple(name for name, (_, nq, nv) in KINDS.items() if nq == nv)
+
+
+def pose_and_jacobian(chain, q, nv):
+    """The pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
+    T, joint_axes, J = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv))
+    pose.forward_kinematics(chain.links(), q, T, joint_axes)
+    pose.geometric_jacobian(chain.links(), T, joint_axes, J)
+    return T, J
 
 
 def largest_difference(robot, frame, q):
@@ -32,7 +40,7 @@ def largest_difference(robot, frame, q):
 @pytest.mark.parametrize("name", ARMS)
 def test_pose_and_jacobian_of_the_kernel_are_pinocchios_at_every_tip(name):
     robot = arm(name)
-    for frame in tips(robot.model):
+    for frame in tips(robot.frame_names, robot.joints):
         assert max(largest_difference(robot, frame, random_q(robot, seed)) for seed in range(20)) <= 1e-12
 
 
@@ -41,7 +49,7 @@ def test_pose_and_jacobian_of_every_kind_of_joint_are_pinocchios(name, tmp_path)
     path = tmp_path / "kinds.urdf"
     path.write_text(KINDS[name][0])
     robot = load_robot(path)
-    for frame in tips(robot.model):
+    for frame in tips(robot.frame_names, robot.joints):
         assert max(largest_difference(robot, frame, random_q(robot, seed)) for seed in range(20)) <= 1e-12
 
 
@@ -55,7 +63,7 @@ def test_pose_and_jacobian_of_every_serial_chain_of_example_robot_data_are_pinoc
             continue
         if robot.nq != robot.nv or robot.nq == 0:
             continue
-        for frame in tips(robot.model):
+        for frame in tips(robot.frame_names, robot.joints):
             assert largest_difference(robot, frame, random_q(robot, 1)) <= 1e-12, (name, frame)
             chains += 1
     assert chains > 100
@@ -137,9 +145,10 @@ import json, sys
 sys.modules["numba"] = None
 import numpy as np
 from robotics1 import IKSolver, PoseTask, load_robot
+from robotics1.kernels import pose
 from robotics1.kernels.chain import chain_arrays
 from robotics1.kernels.compilation import COMPILED
-from kernel_poses import pose_and_jacobian
+from test_kernels_chain import pose_and_jacobian
 robot, q, q0 = load_robot("ur5", tool="tool0"), np.array(json.loads(sys.argv[1])), np.array(json.loads(sys.argv[2]))
 T, J = pose_and_jacobian(chain_arrays(robot), q, robot.nv)
 answer = IKSolver(robot, PoseTask())(np.vstack([T, [0, 0, 0, 1]]), q0)

@@ -19,7 +19,7 @@ from robotics1.kernels.compilation import on_all_cores
 from robotics1.kernels.damped_step import damped_step, factor, solve_factored
 from robotics1.kernels.descent import descend
 from robotics1.kernels.inverse import is_pose, nearest_start, start_table, wind
-from robotics1.kernels.pose_error import leave_out, pose_error, rotation_vector
+from robotics1.kernels.pose import leave_out, pose_error, rotation_vector
 from robotics1.kernels.redundancy import approach
 
 FREE = np.array([[-np.inf], [np.inf], [1.0]])

@@ -12,7 +12,6 @@ from differences import twist
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import InputError, UnknownNameError, forward_kinematics, frame_jacobian, frame_jacobian_rate
-from robotics1.differentiation import configuration_derivative, directional_derivative
 
 FRAMES = {"two_tips": "camera"}  # which frame, where there is no tool
 
@@ -315,18 +314,3 @@ def test_joint_velocities_of_the_wrong_shape_are_an_input_error(prr, qdot):
 def test_jacobian_rate_of_an_unknown_frame_is_refused(prr, options):
     with pytest.raises(UnknownNameError):
         frame_jacobian_rate(prr, [1, 2, 3], [1, 1, 1], **options)
-
-
-@pytest.mark.parametrize("name", ["spatial", "redundant", "cylindrical"])
-def test_differences_along_a_direction_and_along_each_joint_agree_with_the_jacobian(name):
-    robot = arm(name)
-    q, qdot = random_q(robot, 8), rates(robot, 9)
-
-    def position(x):
-        return forward_kinematics(robot, x).translation.copy()
-
-    J = frame_jacobian(robot, q)[:3]
-    assert configuration_derivative(position, robot, q) == pytest.approx(J, abs=1e-11)
-    assert directional_derivative(position, robot, q, qdot) == pytest.approx(J @ qdot, abs=1e-12)
-    assert directional_derivative(position, robot, q, 0 * qdot) == pytest.approx([0, 0, 0])
-    assert directional_derivative(position, robot, q, 1e6 * qdot) == pytest.approx(1e6 * J @ qdot, rel=1e-11, abs=1e-5)

@@ -13,13 +13,12 @@ from sympy import cos, pi, sin
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import irreducible_factors
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.polynomials.trig_polynomial import gaussian
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.pieces import largest_pieces
-from robotics1.symbolic.singular_sets.zeros import zeros
+from robotics1.symbolic.singular_sets.zeros import Substitution, zeros
 
 BOX = JointBox(
     lower=np.array([-np.pi, -np.pi, -np.pi, -1]),
@@ -35,7 +34,7 @@ def turn(angle, k=0):
 
 
 def loci(*expressions, lengths=VALUES):
-    return list(CommonZeros(lengths, TimeLimit(20)).common_zeros([poly(e) for e in expressions], Locus(F)))
+    return list(CommonZeros(lengths).common_zeros([poly(e) for e in expressions], Locus(F)))
 
 
 def value_of(zero):
@@ -201,7 +200,7 @@ def test_every_zero_of_a_product_with_half_angles_is_real_in_whole_angles_and_va
 )
 def test_common_zeros_are_pieces_on_which_every_polynomial_vanishes(expressions, count, dimension):
     rng = np.random.default_rng(2)
-    pieces, _ = largest_pieces(loci(*expressions), CommonZeros(VALUES, TimeLimit(20)), BOX, rng)
+    pieces, _ = largest_pieces(loci(*expressions), CommonZeros(VALUES), BOX, rng)
     real = [(sampler.piece, sampler.draw(rng)) for sampler in pieces]
     assert len(real) == count
     for piece, q in real:
@@ -233,8 +232,8 @@ def test_common_zeros_hold_every_configuration_that_a_search_finds():
 
 
 def test_the_time_limit_is_kept():
-    with pytest.raises(OutOfTime):
-        list(CommonZeros(VALUES, TimeLimit(-1)).common_zeros([poly(sin(q1))], Locus(F)))
+    with TimeLimit(-1).kept(), pytest.raises(OutOfTime):
+        list(CommonZeros(VALUES).common_zeros([poly(sin(q1))], Locus(F)))
 
 
 @pytest.mark.parametrize(

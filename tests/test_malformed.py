@@ -8,7 +8,6 @@ import pytest
 from malformed import BASE, CASES, SOUND, WARNINGS, joint
 
 from robotics1 import RobotFileError, forward_kinematics, load_robot
-from robotics1.robot import markup
 
 NAMES_OF = {"ids": lambda case: case.name}
 DESCRIPTORS = "/proc/self/fd" if os.path.isdir("/proc/self/fd") else "/dev/fd"
@@ -106,11 +105,11 @@ def test_elements_nested_more_than_a_hundred_deep_are_refused(file, depth):
     assert load_robot(file(BASE.replace("</robot>", "<a>" * 99 + "</a>" * 99 + "</robot>"))).nv == 2
 
 
-def test_a_file_beyond_the_limit_of_size_is_refused(file, monkeypatch):
-    monkeypatch.setattr(markup, "LARGEST_FILE", len(BASE) - 1)
-    assert f"it has {len(BASE)} characters; at most {len(BASE) - 1} are read" in str(refused(file(BASE)))
-    monkeypatch.setattr(markup, "LARGEST_FILE", len(BASE))
-    assert load_robot(file(BASE)).nv == 2
+def test_a_file_beyond_the_limit_of_size_is_refused(file):
+    most = 20_000_000
+    longest = BASE.ljust(most)
+    assert load_robot(file(longest)).nv == 2
+    assert f"it has {most + 1} characters; at most {most} are read" in str(refused(file(longest + " ")))
 
 
 # --- what is no text, or no file

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given, strategies as st
 
 import robotics1 as r1
-from robotics1.curves.given import as_curve
 
 bound = st.floats(0.2, 5)
 
@@ -84,14 +83,15 @@ def test_any_motion_is_scaled_by_the_exact_extremes_of_its_interpolants():
 
 
 def test_extremes_of_any_motion_are_those_of_the_formula():
-    times, values = as_curve("motion", Lissajous()).extremes(1)
+    times, values = r1.curves.stretched(Lissajous(), 1.0).extremes(1)
     assert values == pytest.approx(np.array([[np.cos(2), -6], [1, 6]]), abs=1e-12)
     assert times == pytest.approx(np.array([[2, pi / 6], [0, pi / 2]]), abs=1e-6)
     motion = r1.quintic([0, 1], [1, -1], 2, 0.4, -0.3)
     plain = type("Plain", (), {n: getattr(motion, n) for n in ("velocity", "acceleration", "jerk", "duration")})
     plain.__call__ = lambda self, t: motion(t)
     for order in range(4):
-        assert as_curve("motion", plain()).extremes(order)[1] == pytest.approx(motion.extremes(order)[1], abs=1e-10)
+        values = r1.curves.stretched(plain(), 1.0).extremes(order)[1]
+        assert values == pytest.approx(motion.extremes(order)[1], abs=1e-10)
 
 
 def test_extremes_of_a_law_are_of_shape_2():

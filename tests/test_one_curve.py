@@ -82,7 +82,7 @@ def test_whatever_takes_a_motion_takes_every_motion(maker, tmp_path):
         if name == "PathTrajectory":
             with pytest.raises(r1.InputError, match="law must be a timing law"):  # it has two coordinates
                 take(motion, tmp_path)
-        elif (name, maker) not in {("scale_to_limits", "follow_trajectory")}:  # its jerk is noise
+        else:
             take(motion, tmp_path)
 
 

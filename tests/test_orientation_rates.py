@@ -21,7 +21,6 @@ from robotics1.orientation import (
     skew,
     vee,
 )
-from robotics1.orientation.expressions import vanishes
 
 TWELVE = [a + b + c for a, b, c in product("XYZ", repeat=3) if a != b != c]
 SOME = [*TWELVE, "Z-YX", "-ZY-Z", "-X-Y-Z", "Y-XY", "XZ-X"]
@@ -147,13 +146,31 @@ def test_a_symbolic_rate_map_is_a_matrix_of_the_same_code():
     assert sympy.simplify(T.det() - euler_formulas("ZYX", angles=(a, b, c)).determinant) == 0
 
 
-def test_an_expression_vanishes_when_it_is_zero_but_for_rounding():
-    x, y = sympy.symbols("x y", real=True)
-    assert vanishes(sympy.sin(x) ** 2 + sympy.cos(x) ** 2 - 1)
-    assert vanishes(1 / (1 + x**2) + x**2 / (1 + x**2) - 1)
-    assert vanishes(1e-16 * sympy.sin(x) + sympy.Float(0.1) * sympy.cos(y) - sympy.cos(y) / 10)
-    assert not vanishes(sympy.sin(x) - 1e-6 * sympy.cos(x))
-    assert not vanishes(sympy.sin(x) ** 2 - 1)
+x, y = sympy.symbols("x y", real=True)
+
+
+@pytest.mark.parametrize(
+    "zero",
+    [
+        sympy.sin(x) ** 2 + sympy.cos(x) ** 2 - 1,
+        1 / (1 + x**2) + x**2 / (1 + x**2) - 1,
+        1e-16 * sympy.sin(x) + sympy.Float(0.1) * sympy.cos(y) - sympy.cos(y) / 10,
+    ],
+)
+@pytest.mark.parametrize("place", [(0, 1), (1, 1)])
+def test_vee_takes_a_matrix_that_is_skew_but_for_what_is_zero_or_rounding(zero, place):
+    S = skew((x, y, 3))
+    S[place] += zero
+    assert vee(S) == sympy.Matrix([x, y, 3])
+
+
+@pytest.mark.parametrize("difference", [sympy.sin(x) - 1e-6 * sympy.cos(x), sympy.sin(x) ** 2 - 1])
+@pytest.mark.parametrize("place", [(0, 1), (1, 1)])
+def test_vee_refuses_a_matrix_that_is_not_skew(difference, place):
+    S = skew((x, y, 3))
+    S[place] += difference
+    with pytest.raises(InputError, match="skew"):
+        vee(S)
 
 
 # --- skew matrices and the angular velocity of R(t)
@@ -186,7 +203,7 @@ def test_angular_velocity_of_r_of_t_is_t_phi_dot_in_both_axes():
     for reference in ("world", "body"):
         omega = angular_velocity(R, R.diff(t), reference=reference)
         wanted = euler_rate_map("ZYX", (t, t, 2 * t), reference=reference) * sympy.Matrix([1, 1, 2])
-        assert all(vanishes(entry) for entry in omega - wanted)
+        assert sympy.simplify(omega - wanted) == sympy.zeros(3, 1)
         number = angular_velocity(np.array(R.subs(t, 0.3), float), np.array(R.diff(t).subs(t, 0.3), float),
                                   reference=reference)  # fmt: skip
         assert number == pytest.approx(np.array(wanted.subs(t, 0.3), float).ravel(), abs=1e-14)

@@ -12,7 +12,6 @@ from scipy.special import ellipe
 
 import robotics1 as r1
 from robotics1 import InputError
-from robotics1.curves.interpolants import largest
 
 s = sympy.Symbol("s")
 HELIX = r1.curves.helix_path([1, 2, 0], [1.5, 2, 0], pitch=0.4, turns=2.5)
@@ -147,7 +146,9 @@ def test_circle_begins_at_x_and_closes():
 def test_ellipse_has_the_curvature_a_over_b_squared_at_the_end_of_its_long_axis():
     path = r1.curves.ellipse_path([0, 0], [3, 0], [0, 1])
     assert path.curvature(np.array([0, pi / 2])) == pytest.approx([3, 1 / 9])
-    most = largest(lambda x, side: path.curvature(x, side=side), path.ends)
+    by_length = r1.curves.by_arc_length(path)
+    unit_speed = r1.cubic(0, by_length.end, by_length.end, 1, 1).joint()
+    most = r1.trajectories.peak_norm(r1.curves.PathTrajectory(by_length, unit_speed), "normal acceleration")
     assert most.value == pytest.approx(3, rel=1e-12)
     assert most.resolved
 
@@ -352,25 +353,44 @@ def test_stacked_paths_go_from_start_to_end_together():
 # --- extremes of smooth functions
 
 
+class Moving:
+    """A motion of somebody else, of which only the velocity is asked."""
+
+    def __init__(self, velocity, duration, breakpoints=()):
+        self.duration, self.breakpoints, self._velocity = duration, breakpoints, velocity
+
+    def __call__(self, t):
+        return np.zeros(np.shape(t))
+
+    def velocity(self, t, *, side="right"):
+        return self._velocity(t, side)
+
+    acceleration = jerk = velocity
+
+
+def largest_velocity(*moving):
+    times, values = r1.curves.stretched(Moving(*moving), 1.0).extremes(1)
+    return times[1], values[1]
+
+
 def test_the_largest_of_many_narrow_peaks_is_found():
     def f(x, side="right"):
         return np.sin(200 * x) * np.exp(-((x - 2.003) ** 2))
 
-    found = largest(f, [0.0, 5.0])
+    time, value = largest_velocity(f, 5.0)
     x = np.linspace(1.9, 2.1, 2_000_001)
-    assert found.resolved
-    assert found.value == pytest.approx(f(x).max(), abs=1e-10)
-    assert found.time == pytest.approx(x[f(x).argmax()], abs=1e-6)
+    assert value == pytest.approx(f(x).max(), abs=1e-10)
+    assert time == pytest.approx(x[f(x).argmax()], abs=1e-6)
 
 
 def test_a_jump_is_seen_from_its_larger_side_and_the_first_of_equals_counts():
     def step(x, side):
         return np.where(x < 1, x, 0.0) if side == "right" else np.where(x <= 1, x, 0.0)
 
-    found = largest(step, [0.0, 1.0, 3.0])
-    assert (found.time, found.value) == (1.0, 1.0)
-    assert largest(lambda x, side: np.cos(x) ** 2, [0.0, 7.0]).time == 0
-    assert not largest(lambda x, side: np.sqrt(np.abs(x - 1 / pi)), [0.0, 1.0]).resolved
+    assert largest_velocity(step, 3.0, [1.0]) == (1.0, 1.0)
+    assert largest_velocity(lambda x, side: np.cos(x) ** 2, 7.0)[0] == 0
+    with pytest.raises(InputError, match="too quickly for its extremes to be found"):
+        largest_velocity(lambda x, side: np.sqrt(np.abs(x - 1 / pi)), 1.0)
 
 
 def test_formulas_may_be_typed():

@@ -9,9 +9,7 @@ from arms import arm, random_q
 from test_paths_in_time import law_to, trapezoid
 
 import robotics1 as r1
-from robotics1 import InputError
-from robotics1.trajectories.limits import MotionLimits
-from robotics1.viewer.plot_figures import line_style
+from robotics1 import InputError, MotionLimits
 
 CORNER = r1.curves.polyline_path([[0, 0], [1, 0], [1, 1]], blend=0.2)
 SPACE = r1.curves.polyline_path([[0, 0, 0], [1, 0, 0], [1, 1, 1]], blend=0.2)
@@ -67,12 +65,10 @@ def test_joints_have_the_robots_names_and_units_of_each_kind(tmp_path):
 
 
 def test_twenty_lines_differ_without_colour(tmp_path):
-    styles = [line_style(i) for i in range(20)]
-    assert len({(style["linestyle"], style["marker"]) for style in styles}) == 20
-    robot = arm("redundant")
-    drawn = r1.plot_trajectory(r1.cubic(random_q(robot, 1), random_q(robot, 2), 1.0), robot=robot)
-    lines = drawn[0].lines
-    assert len({(line.get_linestyle(), line.get_marker()) for line in lines}) == 7
+    for robot in (r1.robot_from_dh([("R", 1, 0, 0, 0)] * 20), arm("redundant")):
+        drawn = r1.plot_trajectory(r1.cubic(random_q(robot, 1), random_q(robot, 2), 1.0), robot=robot)
+        lines = drawn[0].lines
+        assert len({(line.get_linestyle(), line.get_marker()) for line in lines}) == robot.nq
 
 
 def test_poses_are_drawn_as_a_position_and_a_rotation_vector(tmp_path):
@@ -142,11 +138,20 @@ def test_paths_in_space_poses_and_trajectories_are_drawn(tmp_path):
     assert np.array(drawn.lines[0].get_data_3d())[:, -1] == pytest.approx([1, 1, 1])
 
 
-def test_the_same_figure_is_the_same_bytes(tmp_path):
-    files = [tmp_path / "a.svg", tmp_path / "b.svg"]
+@pytest.mark.parametrize(
+    ("suffix", "start"), [(".svg", b"<?xml"), (".pdf", b"%PDF"), (".PNG", b"\x89PNG"), ("", b"<?xml")]
+)
+def test_the_same_figure_is_the_same_bytes_in_the_format_of_its_suffix(tmp_path, suffix, start):
+    files = [tmp_path / f"a{suffix}", tmp_path / f"b{suffix}"]
     for file in files:
         r1.plot_path(SPACE, file=file, frames=2)
     assert files[0].read_bytes() == files[1].read_bytes()
+    assert files[0].read_bytes().startswith(start)
+
+
+def test_a_figure_of_another_format_is_refused(tmp_path):
+    with pytest.raises(InputError, match=r"a figure is written as .svg, .pdf, .png; the file is '.*a.jpg'"):
+        r1.plot_path(SPACE, file=tmp_path / "a.jpg")
 
 
 def test_a_tool_path_ends_on_the_target_which_is_dotted(planar_2r):
@@ -215,7 +220,7 @@ def test_what_is_no_motion_of_the_robots_joints_is_an_input_error(motion, messag
 
 def test_a_profile_is_animated(planar_2r, tmp_path):
     motion = r1.minimum_time([0, 0], [1, -1], r1.MotionLimits(1, 2)).trajectory
-    assert r1.animate(planar_2r, motion, tmp_path / "profile.html").stat().st_size > 100_000
+    assert r1.animate(planar_2r, motion, tmp_path / "profile.html").file.stat().st_size > 100_000
 
 
 def test_poses_are_drawn_in_metres_and_radians(tmp_path):

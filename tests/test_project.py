@@ -11,6 +11,7 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
+from command import run
 
 ROOT = Path(__file__).parents[1]
 SOURCES = sorted((ROOT / "robotics1").rglob("*.py"))
@@ -76,10 +77,6 @@ def test_the_code_of_the_readme_runs_and_says_what_it_says(tmp_path, monkeypatch
 
 
 def test_the_commands_of_the_readme_run(tmp_path, monkeypatch):
-    from typer.testing import CliRunner
-
-    from robotics1.cli.commands import app
-
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("webbrowser.open", lambda url: True)
     blocks = re.findall(r"```sh\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), flags=re.DOTALL)
@@ -87,8 +84,8 @@ def test_the_commands_of_the_readme_run(tmp_path, monkeypatch):
     assert len(commands) >= 10
     for command in commands:
         words = [str(ROOT / word) if word.startswith("urdf/") else word for word in command[1:]]
-        result = CliRunner().invoke(app, words)
-        assert result.exit_code == 0, (command, result.output)
+        result = run(*words)
+        assert result.code == 0, (command, result)
 
 
 def test_constraints_are_plain_pins():

@@ -7,9 +7,10 @@ from multiprocessing import get_context
 
 import numpy as np
 import pytest
-from arms import arm
+from arms import arm, span
 from closed_forms import cylindrical_determinant, prr_pose_determinant, two_link_determinant
 from dh_arms import ZYZ, dh, five, srs, ur5
+from differences import unitless
 from joint_kinds import mimic, urdf
 
 from robotics1 import (
@@ -22,11 +23,8 @@ from robotics1 import (
     load_robot,
     scan_singularities,
 )
-from robotics1.robot.box import joint_box
-from robotics1.singularities.measurement import KernelMeasurement, TaskMeasurement, measurement_of
-from robotics1.singularities.samples import CHUNK, samples_of
-from robotics1.tasks.task import unitless_jacobian
 
+CHUNK = 2**14  # configurations that are measured at a time
 ALL = ("sigma_min", "condition", "manipulability")
 XY, POSE = PositionTask("xy"), PoseTask()
 POLAR = FunctionTask(lambda p, R, q: [np.hypot(p[0], p[1]), np.arctan2(p[1], p[0])], 2)
@@ -79,16 +77,47 @@ def brute_force(robot, task, q, rank, length=1.0):
     }
 
 
-def configurations(robot, method, samples, seed=0, box=None, moving=None):
-    everything = np.ones(robot.nq, dtype=bool) if moving is None else moving
-    _, chunks = samples_of(method, joint_box(robot, box), samples, seed, everything)
-    return np.hstack([chunk() for chunk in chunks]).T
+class SumOfJoints:
+    """A user's own task, r = q1 + ... + qn, that keeps where it was asked for J."""
+
+    row_names, row_units, rows = ("r",), ("1",), 1
+
+    def __init__(self):
+        self.asked = []
+
+    def jacobian(self, robot, q):
+        self.asked.append(np.array(q))
+        return np.ones((1, robot.nv))
+
+    def check(self, robot):
+        pass
+
+    check_integrable = check
+
+    def frame_map(self):
+        return None
+
+
+def configurations(robot, method, samples, seed=0):
+    """The configurations of a scan: a task without a kernel is asked for J at one after another, the scan's last."""
+    task = SumOfJoints()
+    scan = scan_singularities(robot, task, samples=samples, method=method, seed=seed)
+    return np.array(task.asked[-scan.count :])
+
+
+def is_asked_everywhere(monkeypatch, robot, task, samples=400):
+    """Whether a scan asks the task itself for J at every configuration, not a kernel."""
+    asked, jacobian = [], type(task).jacobian
+    monkeypatch.setattr(type(task), "jacobian", lambda *of: asked.append(of) or jacobian(*of))
+    scan_singularities(robot, task, samples=samples)
+    assert len(asked) >= samples or len(asked) < samples / 2
+    return len(asked) >= samples
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_the_kernels_serve_tasks_whose_rows_are_the_same_everywhere(name):
-    robot, task, rank, served = case(name)
-    assert isinstance(measurement_of(robot, task, rank, 1.0), KernelMeasurement if served else TaskMeasurement)
+def test_the_kernels_serve_tasks_whose_rows_are_the_same_everywhere(name, monkeypatch):
+    robot, task, _, served = case(name)
+    assert is_asked_everywhere(monkeypatch, robot, task) != served
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -134,11 +163,11 @@ def test_with_a_length_rows_in_metres_are_divided_and_prismatic_columns_multipli
 def test_with_the_reach_as_length_it_is_the_jacobian_without_units():
     robot = arm("spatial")
     scan = scan_singularities(robot, POSE, samples=100, length=robot.reach)
-    sigma = [np.linalg.svd(unitless_jacobian(robot, POSE, q), compute_uv=False)[4] for q in scan.worst]
+    sigma = [np.linalg.svd(unitless(robot, POSE, q), compute_uv=False)[4] for q in scan.worst]
     assert scan.worst_values == pytest.approx(sigma, rel=0, abs=1e-12)
 
 
-def test_a_revolute_joint_that_follows_a_prismatic_one_has_its_unit_too(tmp_path):
+def test_a_revolute_joint_that_follows_a_prismatic_one_has_its_unit_too(tmp_path, monkeypatch):
     joints = (("a", "prismatic", "base"), ("b", "revolute", "a", mimic("a", 2.5)), ("c", "revolute", "b"))
     path = tmp_path / "rack.urdf"
     path.write_text(urdf(*joints, ("tool", "fixed", "c")), encoding="utf-8")
@@ -147,9 +176,9 @@ def test_a_revolute_joint_that_follows_a_prismatic_one_has_its_unit_too(tmp_path
     for length in (1.0, 0.2):
         expected = brute_force(robot, PositionTask(), q, 2, length)
         scan = scan_singularities(robot, PositionTask(), samples=50, measures=ALL, length=length)
-        assert isinstance(measurement_of(robot, PositionTask(), 2, length), KernelMeasurement)
         assert scan.minimum() == pytest.approx(expected["sigma_min"].min(), rel=1e-10)
         assert scan.maximum("condition") == pytest.approx(expected["condition"].max(), rel=1e-10)
+    assert not is_asked_everywhere(monkeypatch, robot, PositionTask())
 
 
 # --- closed forms
@@ -195,10 +224,10 @@ def test_a_gantry_has_sigma_min_1_everywhere():
 
 def test_random_configurations_are_inside_the_box_and_named_by_the_seed():
     robot = arm("elbow_limited")
-    box = joint_box(robot)
+    lower, upper = span(robot)
     q = configurations(robot, "random", 3000)
-    assert np.all((q >= box.lower) & (q <= box.upper))
-    assert q.mean(axis=0) == pytest.approx((box.lower + box.upper) / 2, abs=0.1)
+    assert np.all((q >= lower) & (q <= upper))
+    assert q.mean(axis=0) == pytest.approx((lower + upper) / 2, abs=0.1)
     assert not np.any(q == configurations(robot, "random", 3000, seed=1))
     assert not np.any(q[:100] == configurations(robot, "sobol", 100))
 
@@ -220,19 +249,20 @@ def test_sobols_sequence_has_a_point_in_each_of_many_equal_boxes():
 
 def test_a_grid_has_both_limits_and_of_a_circle_both_ends_once():
     robot = arm("spatial")
-    box = joint_box(robot)
+    lower, upper = span(robot)
+    circular = robot.revolute & (robot.upper - robot.lower > 2 * pi - 1e-9)
     q = configurations(robot, "grid", (4, 3, 1, 2, 2))
     assert q.shape == (48, 5)
     assert len(np.unique(q, axis=0)) == 48
     for i, size in enumerate((4, 3, 1, 2, 2)):
         values = np.unique(q[:, i])
         assert len(values) == size
-        if box.circular[i] and size > 1:
+        if circular[i] and size > 1:
             assert values == pytest.approx(-pi + 2 * pi * np.arange(1, size + 1) / size)
         elif size > 1:
-            assert values == pytest.approx(np.linspace(box.lower[i], box.upper[i], size))
+            assert values == pytest.approx(np.linspace(lower[i], upper[i], size))
         else:
-            assert values == pytest.approx((box.lower[i] + box.upper[i]) / 2)
+            assert values == pytest.approx((lower[i] + upper[i]) / 2)
 
 
 def test_a_grid_has_at_most_as_many_points_as_samples_and_one_value_of_joints_that_do_not_matter():
@@ -292,15 +322,30 @@ def test_a_task_that_is_not_served_by_kernels_is_measured_here_whatever_the_exec
 
 
 def test_many_chunks_are_reduced_as_one():
-    robot = arm("planar_3r")
+    """Of J = (a, 0, 0), a with few digits, so that a² and its root are exact; and by the kernel, to rounding."""
     samples = 3 * CHUNK + 5
-    scan = scan_singularities(robot, XY, samples=samples, measures=ALL)
-    values = measurement_of(robot, XY, 2, 1.0).measures(configurations(robot, "random", samples).T.copy(), ALL)
+    q = configurations(arm("planar_3r"), "random", samples)
+
+    def few_digits(x):
+        return np.round(np.abs(x) * 2**20) / 2**20
+
+    class Few(SumOfJoints):
+        def jacobian(self, robot, q):
+            return np.array([[few_digits(q[0]), 0, 0]])
+
+    scan = scan_singularities(arm("planar_3r"), Few(), samples=samples, measures=ALL)
+    a = few_digits(q[:, 0])
+    values = {"sigma_min": a, "condition": np.where(a > 0, 1.0, np.inf), "manipulability": a}
     assert scan.count == samples
-    assert scan.worst_values == pytest.approx(np.sort(values["sigma_min"])[:10], rel=0, abs=0)
+    assert scan.worst_values == pytest.approx(np.sort(a)[:10], rel=0, abs=0)
     for measure in ALL:
         edges, counts = scan.histogram(measure, per_octave=128)
         assert np.array_equal(counts, np.histogram(values[measure], edges)[0])
+    links = np.exp(1j * np.cumsum(q, axis=1)) * list(arm("planar_3r").parameters.values())
+    J = 1j * np.cumsum(links[:, ::-1], axis=1)[:, ::-1]  # ẋ + j ẏ
+    sigma = np.linalg.svd(np.stack([J.real, J.imag], axis=1), compute_uv=False)[:, 1]
+    scan = scan_singularities(arm("planar_3r"), XY, samples=samples)
+    assert scan.worst_values == pytest.approx(np.sort(sigma)[:10], rel=0, abs=1e-10)
 
 
 def test_the_memory_does_not_grow_with_the_samples():

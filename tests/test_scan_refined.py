@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from arms import arm
 from dh_arms import POLAR_ARM, SCARA, dh, srs, ur5
+from differences import unitless
 from joint_kinds import KINDS
 
 from robotics1 import (
@@ -23,7 +24,6 @@ from robotics1 import (
     load_robot,
     scan_singularities,
 )
-from robotics1.tasks.task import unitless_jacobian
 
 XY, POSE = PositionTask("xy"), PoseTask()
 SQUARE = FunctionTask(lambda p, R, q: [float(p[0]) ** 2, np.sinh(float(p[1]))], 2)  # no formulas: float of a symbol
@@ -38,7 +38,7 @@ def check(scan, found):
     """Every configuration is singular: σ_ρ ≤ 1e-10 σ₁ and the rank lower, without units; each start is told once."""
     for group in found.groups:
         for q, gap, rank in zip(group.configurations, group.relative_sigmas, group.ranks, strict=True):
-            sigma = np.linalg.svd(unitless_jacobian(scan.robot, scan.task, q), compute_uv=False)
+            sigma = np.linalg.svd(unitless(scan.robot, scan.task, q), compute_uv=False)
             assert sigma[scan.rank - 1] <= 1e-10 * sigma[0]
             assert gap <= 1e-10
             assert rank == np.count_nonzero(sigma > 1e-9 * sigma[0]) < scan.rank

@@ -5,7 +5,8 @@ import sympy
 from arms import arm
 from differences import key, outside, sigma
 
-from robotics1 import PlanarPoseTask, PositionTask, find_singularities
+from robotics1 import NotConverged, PlanarPoseTask, PositionTask, find_singularities
+from robotics1.singularities import SingularSetStatus
 
 POINT, POSE, SPACE = PositionTask("xy"), PlanarPoseTask("xy"), PositionTask("xyz")
 
@@ -51,6 +52,28 @@ def test_sample_draws_the_free_joints_anew(pose_set):
         assert np.ptp(drawn[:, 0]) > 2
         assert np.ptp(drawn[:, 2]) > 3
         assert max(sigma(POSE, pose_set.robot, q) for q in drawn) <= 1e-10
+
+
+@pytest.mark.parametrize(
+    ("task", "method", "status", "sentence"),
+    [
+        (POINT, "symbolic", "COMPLETE", "These are all singular configurations."),
+        (POSE, "symbolic", "NOWHERE_SINGULAR", "There is no singular configuration."),
+        (POINT, "numeric", "INCOMPLETE", "This was a search: it does not prove that there are no others."),
+        (POSE, "numeric", "NOT_FOUND", "No singular configuration was found."),
+    ],
+)
+def test_the_status_says_whether_all_is_found_and_a_search_is_no_proof(planar_2r, task, method, status, sentence):
+    found = find_singularities(planar_2r, task, method=method, samples=20)  # the pose of a 2R arm has rank 2 everywhere
+    assert found.status is SingularSetStatus[status]
+    assert sentence in found.explain().splitlines()
+    assert found.complete == (method == "symbolic")
+    if found.complete:
+        assert found.require() is found
+    else:
+        with pytest.raises(NotConverged, match=sentence) as raised:
+            found.require()
+        assert raised.value.result is found
 
 
 def test_explain_says_where_what_is_lost_and_what_does_not_matter(pose_set, point_set):

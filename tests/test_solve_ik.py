@@ -7,7 +7,6 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from arms import arm
-from dh_arms import P, R, dh
 from scipy.optimize import brentq
 
 from robotics1 import (
@@ -19,12 +18,9 @@ from robotics1 import (
     forward_kinematics,
     frame_jacobian,
     load_robot,
-    robot_from_dh,
     solve_ik,
 )
 from robotics1.ik import IKStatus
-from robotics1.ik.pose_problem import pose_problem
-from robotics1.ik.proof import reach_bound
 
 XY = PositionTask("xy")
 L1, L2 = 1.2, 0.8
@@ -130,57 +126,6 @@ def test_a_stretched_7r_arm_is_0_946_long_above_its_shoulder_and_a_farther_targe
     missed = solve_ik(redundant, PositionTask(), shoulder + (0.42 + 0.4 + 0.126 + beyond) * direction)
     assert missed.status is IKStatus.UNREACHABLE
     assert missed.error_norm == pytest.approx(beyond, abs=1e-6)
-
-
-# --- the bound on the reach
-
-
-@pytest.mark.parametrize(
-    ("name", "o", "length"),
-    [
-        ("planar_2r", (0, 0, 0), L1 + L2),
-        ("prr", (0, 0, 0), 2 + 0.6 + 0.4),  # the travel of the slide, and both links
-        ("cylindrical", (0, 0, 0), 4 + 4),  # both travels
-        ("anthropomorphic", (0, 0, 0.4), 0.5 + 0.35),
-        ("redundant", (0, 0, 0.36), 0.42 + 0.4 + 0.126),
-    ],
-)
-def test_the_bound_is_the_sum_of_links_and_travels_from_the_first_axis(name, o, length):
-    bound = reach_bound(pose_problem(arm(name), PositionTask()))
-    assert bound.o == pytest.approx(np.array(o), abs=1e-6)
-    assert bound.length == pytest.approx(length, abs=1e-7)
-
-
-@pytest.mark.parametrize("name", ["spatial", "six_r", "redundant", "continuous", "elbow_limited", "ur5", "panda"])
-def test_no_configuration_is_beyond_the_bound(name):
-    some, rng = robot(name), np.random.default_rng(1)
-    bound = reach_bound(pose_problem(some, PoseTask()))
-    for q in rng.uniform(np.maximum(some.lower, -7), np.minimum(some.upper, 7), (500, some.nq)):
-        T = forward_kinematics(some, q)
-        assert np.linalg.norm(T.translation - bound.o) <= bound.length + 1e-12
-        assert bound.excess(T.homogeneous, np.ones(6)) <= 1e-12
-        if bound.hand is not None:
-            assert np.linalg.norm(T.act(bound.hand) - bound.o) <= bound.length_to_hand + 1e-12
-
-
-@pytest.mark.parametrize(("lower", "upper"), [(-3, 1), (-1, 3)])
-def test_a_travel_counts_with_its_farther_limit(lower, upper):
-    rows = [("R", 0.3, pi / 2, 0.2, 0), ("P", 0, 0, 0, 0)]
-    slide = robot_from_dh(rows, lower=[None, lower], upper=[None, upper])
-    bound = reach_bound(pose_problem(slide, PositionTask()))
-    assert bound.length == pytest.approx(0.3 + 3, abs=1e-6)
-    assert bound.o == pytest.approx(np.array([0, 0, 0.2]), abs=1e-3)
-    for q in ([0.4, lower], [0.4, upper]):
-        reached(slide, PositionTask(), forward_kinematics(slide, q).translation)
-
-
-def test_a_prismatic_joint_without_limits_has_no_bound_and_goes_as_far_as_it_must():
-    slide = dh(R("a", pi / 2, 0.2), P(0), a=0.3)
-    assert np.isinf(reach_bound(pose_problem(slide, PositionTask())).length)
-    target = forward_kinematics(slide, [0.4, 2]).translation
-    found = reached(slide, PositionTask(), target)
-    assert forward_kinematics(slide, found.q).translation == pytest.approx(target, abs=1e-6)
-    assert abs(found.q[1]) == pytest.approx(2, abs=0.7)
 
 
 # --- at the limits, and at singularities

@@ -7,10 +7,10 @@ from typing import Any
 import sympy
 
 from robotics1.notation import number, vector
-from robotics1.report.named_formulas import FormulaSection, NamedFormula
 from robotics1.symbolic.writing.printing import unicode_text
 
 from .comparison import Comparison
+from .named_formulas import FormulaSection, NamedFormula
 
 
 @dataclass(frozen=True, eq=False)

@@ -48,23 +48,26 @@ def parse_vector(text: str) -> Array:
     return np.array([parse_number(part) for part in parse_names(text)])
 
 
-def parse_robot(source: str, parameters: Sequence[str], tool: str | None) -> Robot:
+def parse_robot(
+    source: str, parameters: Sequence[str] | None, tool: str | None, packages: Sequence[Path] | None = None
+) -> Robot:
     """Return the robot of a name or path, with parameters typed as l2=0.5.
 
     Raises:
         Robotics1Error: what `parse_parameters` and `load_robot` raise.
     """
-    return load_robot(source if "/" not in source else Path(source), parameters=parse_parameters(parameters), tool=tool)
+    path = source if "/" not in source else Path(source)
+    return load_robot(path, parameters=parse_parameters(parameters), tool=tool, packages=packages or ())
 
 
-def parse_parameters(texts: Sequence[str]) -> dict[str, float | str]:
+def parse_parameters(texts: Sequence[str] | None) -> dict[str, float | str]:
     """Return the parameters typed as l2=0.5, or as ur_type=ur5e: what is no number is a word.
 
     Raises:
         InputError: one is not name=value.
     """
     values: dict[str, float | str] = {}
-    for text in texts:
+    for text in texts or ():
         name, sign, value = text.partition("=")
         if not sign:
             raise InputError(f"{text!r} is not a parameter; write it like l2=0.5")

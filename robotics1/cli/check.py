@@ -18,9 +18,9 @@ from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
 from robotics1.notation import count, joint_value
 from robotics1.report.tables import table
-from robotics1.robot.joints import Joint
+from robotics1.robot.joints import Joint, tips
 from robotics1.robot.loading import check_robot
-from robotics1.robot.model import Robot, tips
+from robotics1.robot.model import Robot
 from robotics1.robot.report import AGREES, RobotReport, random_configurations
 
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
@@ -39,17 +39,17 @@ def check(
     """The verdict on a robot file, and what was understood of it."""
     from robotics1.dh.to_robot import robot_from_dh
 
-    values = parse_parameters(param or [])
+    values = parse_parameters(param)
     found = check_robot(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
     difference = None
     if dh is not None and found.robot is not None:
-        table = robot_from_dh(read_dh_table(dh), convention=convention)
-        difference = _difference_from(found.robot, table)
+        difference = _difference_from(found.robot, robot_from_dh(read_dh_table(dh), convention=convention))
+    sound = found.sound and (difference is None or difference <= AGREES)
     if json:
-        write_json(_as_json(found, difference))
+        write_json(_as_json(found, difference, sound))
     else:
         _print(PlainConsole(), found, difference)
-    raise typer.Exit(0 if found.sound and (difference is None or difference <= AGREES) else 1)
+    raise typer.Exit(0 if sound else 1)
 
 
 def read_dh_table(path: Path) -> list[tuple[str, float, float, float, float]]:
@@ -83,11 +83,11 @@ def _difference_from(robot: Robot, other: Robot) -> float:
     return worst
 
 
-def _as_json(found: RobotReport, dh_difference: float | None) -> dict[str, Any]:
+def _as_json(found: RobotReport, dh_difference: float | None, sound: bool) -> dict[str, Any]:
     """Return the report as plain data."""
     answer: dict[str, Any] = {
         "path": str(found.path),
-        "sound": found.sound and (dh_difference is None or dh_difference <= AGREES),
+        "sound": sound,
         "errors": [{"line": e.line, "element": e.element, "message": e.message} for e in found.errors],
         "warnings": [{"line": w.line, "element": w.element, "message": w.message} for w in found.warnings],
         "fk_difference": found.fk_difference,
@@ -103,7 +103,7 @@ def _as_json(found: RobotReport, dh_difference: float | None) -> dict[str, Any]:
             "lower": robot.lower,
             "upper": robot.upper,
             "tool": robot.tool,
-            "tips": list(tips(robot.model)),
+            "tips": list(tips(robot.frame_names, robot.joints)),
             "parameters": dict(robot.parameters),
         }
     return answer
@@ -121,7 +121,7 @@ def _print(out: PlainConsole, found: RobotReport, dh_difference: float | None) -
         return
     out.print(_link_tree(robot))
     out.print(_joint_table(robot))
-    listed = ", ".join(map(printable, tips(robot.model)))
+    listed = ", ".join(map(printable, tips(robot.frame_names, robot.joints)))
     out.print(f"tips: {listed}; tool: {printable(robot.tool or 'open, name it with --tool')}")
     out.print(_agreement("yourdfpy's parser", found.fk_difference))
     if dh_difference is not None:

@@ -1,7 +1,7 @@
 """The command `robotics1 fk`."""
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, Tool
+from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, Q, RobotName, Tool
 from robotics1.cli.output import PlainConsole, in_degrees, say_outside_limits, write_json
 from robotics1.names import printable
 from robotics1.notation import vector
@@ -13,6 +13,7 @@ def fk(
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
+    packages: Packages = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
@@ -20,7 +21,7 @@ def fk(
     from robotics1.kinematics import forward_kinematics
     from robotics1.report.tables import matrix_table
 
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool, packages)
     values = arguments.configuration(arm, q, degrees)
     T = forward_kinematics(arm, values, frame=frame)
     if json:

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, RobotName, TaskName, Tool
 from robotics1.errors import InputError
 from robotics1.inputs import one_of
 
@@ -61,6 +61,7 @@ def ik(
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
+    packages: Packages = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
@@ -77,7 +78,7 @@ def ik(
     question = SOLVE if method == "solve" or targets is not None else ALL if method is None else ITERATE
     given = {"prefer": prefer, "seed": seed, "time_limit": time_limit, "tolerance": tolerance}
     options = _used(question, given | {"q0": q0, "max_iterations": max_iterations})
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool, packages)
     what = arguments.parse_task(task, frame)
     start = None if q0 is None else arguments.configuration(arm, q0, degrees)
     if targets is not None:

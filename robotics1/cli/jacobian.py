@@ -1,6 +1,5 @@
 """The command `robotics1 jacobian`: numbers at a configuration, or formulas."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -8,7 +7,7 @@ import numpy as np
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, Q, RobotName, TaskName, Tool
 from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, write_json
 from robotics1.errors import FormulaError, InputError
 from robotics1.notation import enumeration, number, vector
@@ -22,8 +21,6 @@ if TYPE_CHECKING:
 
     from robotics1.symbolic.tasks.task_formulas import Formulas
 
-Point = Sequence[float | str]
-
 
 def jacobian(
     robot: RobotName,
@@ -32,6 +29,7 @@ def jacobian(
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
+    packages: Packages = None,
     degrees: Degrees = False,
     symbolic: Annotated[bool, typer.Option("--symbolic", help="Formulas instead of numbers; --q is not used.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Formulas in LaTeX.")] = False,
@@ -45,7 +43,7 @@ def jacobian(
     from robotics1.symbolic.kinematics.points import with_point
     from robotics1.symbolic.tasks.formula import formulas, row_places
 
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool, packages)
     what = arguments.parse_task(task, frame, angles)
     chosen = None if rows is None else arguments.parse_names(rows)
     at = None if point is None else arguments.parse_point(point)

@@ -1,5 +1,6 @@
 """The arguments and options that commands share."""
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -12,6 +13,9 @@ Parameters = Annotated[
     typer.Option(
         "--param", "-p", help="A named length, as in l2=0.5, or a word that a xacro takes, as in ur_type=ur5e."
     ),
+]
+Packages = Annotated[
+    list[Path] | None, typer.Option("--packages", help="A folder in which package:// looks for meshes and files.")
 ]
 Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
 Frame = Annotated[str | None, typer.Option(help="The link that is asked about; by default the tool.")]

@@ -2,20 +2,36 @@
 
 import webbrowser
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Parameters, Q, RobotName, Tool
+from robotics1.cli.options import AsJson, Degrees, Packages, Parameters, Q, RobotName, Tool
 from robotics1.cli.output import PlainConsole, in_degrees, say_outside_limits, write_json
+from robotics1.errors import InputError
 from robotics1.names import file_stem
 from robotics1.notation import vector
+from robotics1.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robotics1.viewer.page import Page
 
 
 def view(
     robot: RobotName,
     q: Q = None,
+    trajectory: Annotated[
+        Path | None,
+        typer.Option(
+            help="A recorded motion to play, as CSV: a column t [s] and one for each joint [rad or m], by name or "
+            "in the order of q."
+        ),
+    ] = None,
+    task: Annotated[
+        str | None,
+        typer.Option(help=f"The task whose Jacobian is shown: {', '.join(arguments.TASKS)}; by default by the robot."),
+    ] = None,
     page: Annotated[
         Path | None,
         typer.Option(
@@ -23,23 +39,59 @@ def view(
         ),
     ] = None,
     show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
+    server: Annotated[
+        bool, typer.Option("--serve", help="Write no file; show the page at an address of this computer until Ctrl-C.")
+    ] = False,
+    port: Annotated[int, typer.Option(help="The port of --serve; 0 takes a free one.", min=0, max=65535)] = 0,
     param: Parameters = None,
     tool: Tool = None,
+    packages: Packages = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
-    """Write an offline page that shows the robot."""
-    from robotics1.viewer.animation import view as write_view
-
-    arm = arguments.parse_robot(robot, param or [], tool)
-    values = arguments.configuration(arm, q, degrees)
-    caption = f"q = {vector(in_degrees(arm, values, degrees))}"
-    written = write_view(arm, values, page or Path(f"{file_stem(arm.name)}.html"), caption=caption)
+    """Write an offline page to play with a robot, or to watch a recorded motion."""
+    arm = arguments.parse_robot(robot, param, tool, packages)
+    file = None if server else page or Path(f"{file_stem(arm.name)}.html")
+    made = _page(arm, q, trajectory, task, file, degrees)
+    if server:
+        _serve(made, port, show)
+        return
     if json:
-        write_json({"files": [str(written)]})
+        write_json({"files": [str(made.file)]})
     else:
         out = PlainConsole()
-        say_outside_limits(out, arm, values)
-        out.print(f"wrote {written}", soft_wrap=True)
-    if show:
-        webbrowser.open(written.resolve().as_uri())
+        say_outside_limits(out, arm, arguments.configuration(arm, q, degrees))
+        out.print(f"wrote {made.file}", soft_wrap=True)
+    if show and made.file is not None:
+        webbrowser.open(made.file.resolve().as_uri())
+
+
+def _page(
+    arm: Robot, q: str | None, trajectory: Path | None, task: str | None, file: Path | None, degrees: bool
+) -> "Page":
+    """Return the page of a recorded motion, or of a configuration."""
+    from robotics1.viewer.animation import animate, view as view_robot
+    from robotics1.viewer.recording import read_recording
+
+    of_task = None if task is None else arguments.parse_task(task, None)
+    if trajectory is None:
+        values = arguments.configuration(arm, q, degrees)
+        return view_robot(arm, values, file, task=of_task, caption=f"q = {vector(in_degrees(arm, values, degrees))}")
+    if q is not None:
+        raise InputError("give --q or --trajectory, not both")
+    times, recorded = read_recording(trajectory, arm)
+    return animate(arm, times=times, q=recorded, file=file, task=of_task, caption=trajectory.name)
+
+
+def _serve(page: "Page", port: int, show: bool) -> None:
+    from robotics1.viewer.server import serve
+
+    def started(address: str) -> None:
+        PlainConsole().print(f"{address}  (Ctrl-C ends it)", soft_wrap=True)
+        if show:
+            webbrowser.open(address)
+
+    try:
+        serve(page.html, port, started)
+    except OSError as error:
+        raise InputError(f"the port {port} cannot be used: {error.strerror}") from error

@@ -9,7 +9,7 @@ import typer
 from rich.table import Table
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, RobotName, TaskName, Tool
 from robotics1.cli.output import PlainConsole, in_degrees, progress_bar, write_json
 from robotics1.errors import InputError
 from robotics1.inputs import counting_number
@@ -42,11 +42,12 @@ def scan(
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
+    packages: Packages = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """How near to singular a task is, over millions of configurations."""
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool, packages)
     done = _run(
         workers,
         arm,
@@ -83,7 +84,7 @@ def _parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, t
     return box
 
 
-def _run(workers: int, *arguments: Any, **options: Any) -> "SingularityScan":
+def _run(workers: int, *asked: Any, **options: Any) -> "SingularityScan":
     """Scan with a progress bar, in so many threads.
 
     Raises:
@@ -96,9 +97,9 @@ def _run(workers: int, *arguments: Any, **options: Any) -> "SingularityScan":
     counting_number("--workers", workers, least=1)
     with progress_bar("scanning", "summing up") as progress:
         if workers == 1:
-            return scan_singularities(*arguments, progress=progress, **options)
+            return scan_singularities(*asked, progress=progress, **options)
         with ThreadPoolExecutor(workers) as executor:  # the kernels leave the interpreter free; processes start slowly
-            return scan_singularities(*arguments, progress=progress, executor=executor, **options)
+            return scan_singularities(*asked, progress=progress, executor=executor, **options)
 
 
 def _print(scan: "SingularityScan", degrees: bool) -> None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Frame, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Frame, Packages, Parameters, RobotName, TaskName, Tool
 from robotics1.cli.output import PlainConsole, write_json
 from robotics1.errors import FormulaError, InputError
 
@@ -29,6 +29,7 @@ def singularities(
     python: Annotated[bool, typer.Option("--python", help="Conditions and bases as Python functions.")] = False,
     param: Parameters = None,
     tool: Tool = None,
+    packages: Packages = None,
     json: AsJson = False,
 ) -> None:
     """All singular configurations of a task: where, what is lost there, and what does not move the tool."""
@@ -39,7 +40,7 @@ def singularities(
         raise InputError("choose one of --latex and --python")
     if intersections and (latex or python):
         raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
-    arm, out = arguments.parse_robot(robot, param or [], tool), PlainConsole()
+    arm, out = arguments.parse_robot(robot, param, tool, packages), PlainConsole()
     with PlainConsole(stderr=True).status("searching"):
         found = find_singularities(arm, arguments.parse_task(task, frame), method=method, time_limit=time_limit)
         if latex or python:

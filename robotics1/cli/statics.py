@@ -6,7 +6,7 @@ import typer
 
 from robotics1.cli import arguments
 from robotics1.cli.jacobian import singularity_as_json
-from robotics1.cli.options import AsJson, Degrees, Frame, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, Q, RobotName, TaskName, Tool
 from robotics1.cli.output import PlainConsole, joint_names, say_outside_limits, write_json
 from robotics1.notation import vector
 
@@ -19,6 +19,7 @@ def statics(
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
+    packages: Packages = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
@@ -29,7 +30,7 @@ def statics(
     from robotics1.singularities.rounding import singularity_within_rounding
     from robotics1.singularities.statics import balancing_torque
 
-    arm = arguments.parse_robot(robot, param or [], tool)
+    arm = arguments.parse_robot(robot, param, tool, packages)
     values = arguments.configuration(arm, q, degrees)
     what = arguments.parse_task(task, frame)
     rounded = singularity_within_rounding(arm, what, values)

@@ -153,16 +153,12 @@ def arc_through(p0: npt.ArrayLike, p1: npt.ArrayLike, p2: npt.ArrayLike) -> Harm
         )
     c = p0 + np.linalg.pinv(directions.T) @ (np.array(sizes) / 2)  # the shortest w is in the plane
     a = p0 - c
-    b = max((_normal_part(w, a) for w in (u, v)), key=lambda part: float(part @ part))  # one may be a diameter
+    b = max((w - (w @ a) / (a @ a) * a for w in (u, v)), key=lambda part: float(part @ part))  # one may be a diameter
     b = b * np.linalg.norm(a) / np.linalg.norm(b)
     first, last = (np.arctan2((p - c) @ b, (p - c) @ a) % (2 * np.pi) for p in (p1, p2))
     if first > last:  # the other way round
         b, last = -b, 2 * np.pi - last
     return turning(c, a, b, np.zeros_like(c), float(last))
-
-
-def _normal_part(v: Array, a: Array) -> Array:
-    return np.asarray(v - (v @ a) / (a @ a) * a)
 
 
 def turning(c: Array, a: Array, b: Array, h: Array, angle: float) -> HarmonicCurve:

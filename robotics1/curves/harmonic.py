@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from robotics1.curves.curve import Curve, Side
+from robotics1.curves.interpolants import minimum_and_maximum
 from robotics1.inputs import Array, counting_number, real_number
-
-ROUNDING = 1e-12  # relative: two extremes so near are one, and the earlier counts
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,14 +52,11 @@ class HarmonicCurve(Curve):
         """
         order = counting_number("order", order)
         turn = self.omega * self.end
-        times, values = np.empty((2, self.dimension)), np.empty((2, self.dimension))
+        times, values = np.empty((2, 2, self.dimension))
         for j in range(self.dimension):
             s = np.array([0.0, *_stationary(self.a[j], self.b[j], self.h[j], order, turn), turn]) / self.omega
             s[-1] = self.end
-            x = self._derivative(s, order, "right")[:, j]
-            for row, y in enumerate((-x, x)):
-                first = int(np.argmax(y >= y.max() - ROUNDING * np.abs(x).max()))
-                times[row, j], values[row, j] = s[first], x[first]
+            times[:, j], values[:, j] = minimum_and_maximum(s, self._derivative(s, order, "right")[:, j])
         return times, values
 
     def stretched(self, factor: float) -> "HarmonicCurve":

@@ -68,8 +68,17 @@ def largest(f: Callable[..., Array], ends: Iterable[float], *, floor: float = 0.
         places += [("right", float(a)), *(("right", x) for x in roots(piece.deriv())), ("left", float(b))]
     places.sort(key=lambda place: place[1])
     values = np.array([float(f(np.array([x]), side=side)[0]) for side, x in places])
-    first = int(np.argmax(values >= values.max() - SAME * np.abs(values).max()))
+    first = _first_largest(values)
     return Extreme(float(values[first]), places[first][1], resolved=resolved)
+
+
+def minimum_and_maximum(t: Array, x: Array) -> Array:
+    """Return where the values x (k,) of the ascending t are least and largest, (2,), and these values, (2,)."""
+    return np.array([t, x])[:, [_first_largest(-x), _first_largest(x)]]
+
+
+def _first_largest(values: Array) -> int:
+    return int(np.argmax(values >= values.max() - SAME * np.abs(values).max()))
 
 
 def roots(piece: Chebyshev) -> list[float]:

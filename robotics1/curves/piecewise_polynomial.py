@@ -11,12 +11,12 @@ from numpy.polynomial import polynomial
 
 from robotics1.caching import cached_property
 from robotics1.curves.curve import Curve, Side, piece_at
+from robotics1.curves.interpolants import minimum_and_maximum
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, dimensions, positive_number, real_array, real_number
 
 JUMP, NOISE = 1e-9, 1e-13  # of a coordinate's largest value in the two pieces, and in all: a smaller jump is rounding
 NEWTON = 3  # steps: from three digits to all
-ROUNDING = 1e-12  # relative: two extremes so near are one, and the earlier counts
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,16 +148,14 @@ class PiecewisePolynomial(Curve):
         """
         c = self._differentiated(counting_number("order", order))[::-1]
         c = c.reshape(*c.shape[:2], self.dimension)
-        times, values = np.empty((2, self.dimension)), np.empty((2, self.dimension))
+        times, values = np.empty((2, 2, self.dimension))
         for j in range(self.dimension):
             polynomials = c[:, :, j].T
             taus = [stationary_points(a) if self.end else np.zeros(1) for a in polynomials]
             pieces = zip(self.x, self.durations, taus, strict=False)
             t = np.concatenate([start + T * tau for start, T, tau in pieces])
             x = np.concatenate([polynomial.polyval(tau, a) for tau, a in zip(taus, polynomials, strict=True)])
-            for row, y in enumerate((-x, x)):
-                first = int(np.argmax(y >= y.max() - ROUNDING * np.abs(x).max()))
-                times[row, j], values[row, j] = t[first], x[first]
+            times[:, j], values[:, j] = minimum_and_maximum(t, x)
         return times.reshape(2, *self.shape), values.reshape(2, *self.shape)
 
     def stretched(self, factor: float) -> "PiecewisePolynomial":

@@ -47,7 +47,7 @@ class FormulaPath(Curve):
         return {}
 
     def _derivative(self, t: Array, order: int, side: Side) -> Array:
-        from robotics1.symbolic.writing.numeric_functions import numpy_function
+        from robotics1.symbolic.writing.printing import numpy_function
 
         try:
             if order not in self._functions:

@@ -1,23 +1,17 @@
-"""Damped least squares inside the joint limits in Python, for any task: from its error and its Jacobian alone."""
+"""Damped least squares inside the joint limits, for any task: from its error and its Jacobian alone."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
-from robotics1.errors import InputError, TaskError
-from robotics1.ik.scaled_task import ScaledTask, scaled_task
-from robotics1.ik.search import Ends, Found, Table
+from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
-from robotics1.kernels.chain import Indices
 from robotics1.least_squares import generalized_inverse
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
 
 REACHED = 1e-9  # |e| of a solution, lengths relative to the arm
 HOPELESS = 1e9  # |e| in lengths of the arm: there rounding hides what the joints do
@@ -26,29 +20,11 @@ FLOOR = 1e-20  # λ² that is left at the target: above rounding, and small besi
 LARGE = 1e-2  # |e| of a miss at which the curvature of the task counts
 PATIENCE = 8  # steps without progress, after which a descent is given up
 REMEMBERED = 100  # errors
-GRACE, LONGER = 0.05, 0.1  # seconds, or of the time limit, that the nearest miss may take longer ...
-QUICK = 1e-3  # ... where an evaluation takes less than that [s]
-GROUP = 8  # random starts; the one with the least error is taken
-PREPARING = 0.2  # of the time limit, that a look at the task may take
 End = tuple[Array, float]
 
 
 class OutOfTime(Exception):  # noqa: N818 (it is no error: the best so far is the answer)
     """The time for a descent is over."""
-
-
-def no_limit() -> None:
-    """Let a descent take the time that it needs."""
-
-
-def until(end: float) -> Callable[[], None]:
-    """Return a clock that raises OutOfTime after an instant of `perf_counter` [s]."""
-
-    def look() -> None:
-        if perf_counter() > end:
-            raise OutOfTime
-
-    return look
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,24 +34,28 @@ class TaskDescent:
     Attributes:
         problem: the task without units, in its box.
         target: r_d.
-        clock: called before each evaluation of the task; raises OutOfTime when there is no time left.
+        end: the instant of `perf_counter` [s] after which no evaluation of the task begins.
         known: the errors of the last few configurations, by their bytes.
     """
 
     problem: ScaledTask
     target: Any
-    clock: Callable[[], None] = no_limit
+    end: float = np.inf
     known: dict[bytes, Array] = field(default_factory=dict, repr=False)
 
     def until(self, end: float) -> "TaskDescent":
         """Return the same descent, which ends at an instant of `perf_counter` [s]."""
-        return replace(self, clock=until(end))
+        return replace(self, end=end)
+
+    def _check_time(self) -> None:
+        if perf_counter() > self.end:
+            raise OutOfTime
 
     def task_error(self, q: Array) -> Array:
         """Return r_d − f(q), (m,), in the task's units; of the last few configurations it is remembered."""
         known = self.known.get(q.tobytes())
         if known is None:
-            self.clock()
+            self._check_time()
             known = self.problem.task.error(self.problem.robot, q, self.target)
             if len(self.known) > REMEMBERED:
                 self.known.clear()
@@ -85,6 +65,10 @@ class TaskDescent:
     def error(self, q: Array) -> Array:
         """Return e(q), (m,), without units."""
         return self.problem.without_units(self.task_error(q))
+
+    def error_norm(self, q: Array) -> float:
+        """Return |r_d − f(q)| in the task's units, also when the time is over."""
+        return float(np.hypot.reduce(self.until(np.inf).task_error(q)))
 
     def relative_error(self, q: Array) -> float:
         """Return |e(q)| relative to the size of the arm at q."""
@@ -170,7 +154,7 @@ class TaskDescent:
 
     def jacobian(self, q: Array) -> Array:
         """Return J(q), (m, n), without units; of a function without derivative by differences of its wrapped error."""
-        self.clock()
+        self._check_time()
         problem, task = self.problem, self.problem.task
         form = task.frame_map()
         if form is None or not form.by_differences:
@@ -178,7 +162,7 @@ class TaskDescent:
         r = task.value(problem.robot, q)  # from which the wrapped error is small
 
         def error(x: Array) -> Array:
-            self.clock()
+            self._check_time()
             return problem.error(x, r)
 
         return np.asarray(-configuration_derivative(error, problem.robot, q) * problem.box.unit)
@@ -202,99 +186,3 @@ class TaskDescent:
             if not leaving.any():
                 return step
             held = held | leaving
-
-
-class PythonDescent:
-    """Damped least squares on the task's own error and Jacobian; a goal is the `TaskDescent` to a target.
-
-    Attributes:
-        quick: whether the task is evaluated so fast that the best of some starts is worth its price.
-    """
-
-    at_once = cores = 1
-    enough = 0.6  # the rest of the time is for the nearest miss
-
-    def __init__(self, robot: Robot, task: Task, *, prefer: str, seed: int, tolerance: float, time_limit: float):
-        if prefer != "any":
-            raise InputError(f"prefer={prefer!r} needs a task on one frame, such as PoseTask; this one takes 'any'")
-        task.check_integrable(robot)
-        if robot.nv == 0:
-            raise TaskError("nothing moves this task: the robot has no joint")
-        import scipy.optimize  # noqa: F401  (now, and not while the time runs)
-
-        self.robot, self.task, self.tolerance = robot, task, tolerance
-        self.seed, self.grace = seed, max(GRACE, LONGER * time_limit)
-        self.problem = scaled_task(robot, task, open_ranges=True, seconds=PREPARING * time_limit)
-        begin = perf_counter()
-        task.value(robot, self.problem.middle)
-        self.quick = perf_counter() - begin < QUICK
-
-    def goals(self, targets: list[Any], first: int | None) -> npt.NDArray[Any]:
-        """Return the descents to the targets."""
-        goals = np.empty(len(targets), dtype=object)
-        goals[:] = [TaskDescent(self.problem, self.task.target(target)) for target in targets]
-        return goals
-
-    def tables(self) -> Iterator[Table]:
-        """Yield groups of random starts."""
-        rng = np.random.default_rng((self.seed, 0))
-        while True:
-            yield self.problem.random(rng, GROUP), GROUP
-
-    def begin(self, found: Found, tables: Iterator[Table], seconds: float) -> None:
-        """Descend from q0, or from the best of the first random starts."""
-        around = None if found.starts is None else found.starts[0]
-        starts = next(tables) if around is None else (self.problem.box.nearest(around)[None], 1)
-        found.q, found.tried, found.error = self.again(found, np.arange(1), starts, seconds)
-
-    def again(self, found: Found, left: Indices, starts: Table, seconds: float) -> Ends:
-        """Return where the best of some starts leads."""
-        descent = found.goals[left[0]].until(perf_counter() + seconds)
-        around = None if found.starts is None else found.starts[left[0]]
-        q, _ = descent.descend(self._best(descent, starts[0]))
-        q = self._wound(descent, q, around)
-        return q[None], np.ones(1, dtype=np.int64), np.array([self._error(descent, q)])
-
-    def unreachable(self, goals: npt.NDArray[Any], seconds: float) -> npt.NDArray[np.bool_]:
-        """Return that nothing is proven: of such a task nothing is known."""
-        return np.zeros(len(goals), dtype=bool)
-
-    def miss(self, found: Found, never: Indices, seconds: float) -> None:
-        """Move what was found to where |e| is least around it; that may take a little longer than the time."""
-        grace = self.grace if self.quick else 0.0
-        for i in never:
-            descent = found.goals[i].until(perf_counter() + seconds + grace)
-            q = self._wound(descent, descent.nearest_miss(found.q[i]), None)
-            error = self._error(descent, q)
-            if error < found.error[i]:
-                found.q[i], found.error[i] = q, error
-
-    def prefer(self, found: Found) -> None:
-        """Do nothing: the first solution is as good as any."""
-
-    def _best(self, descent: TaskDescent, starts: Array) -> Array:
-        """Return the best of some random starts, of a slow function the first one."""
-        if not self.quick or len(starts) == 1:
-            return np.asarray(starts[0])
-        errors = [float(np.hypot.reduce(self.problem.error(q, descent.target))) for q in starts]
-        return np.asarray(starts[int(np.nanargmin(errors))])
-
-    def _wound(self, descent: TaskDescent, q: Array, around: Array | None) -> Array:
-        """Return q with joints turned as the target counts turns, and the others to within half a turn of `around`."""
-        problem, turns = self.problem, self.problem.turns
-        try:
-            wound = turns.wound(q, descent.task_error(q), problem.lower, problem.upper)
-        except OutOfTime:  # before the task was evaluated once
-            return q
-        q = q if wound is None else wound
-        if around is None:
-            return q
-        near = turns.near(q, around, problem.lower, problem.upper)
-        return near if self._error(descent, near) <= max(self.tolerance, self._error(descent, q)) else q
-
-    def _error(self, descent: TaskDescent, q: Array) -> float:
-        """Return |r_d − f(q)|, whatever the clock says."""
-        error = descent.known.get(q.tobytes())
-        if error is None:
-            error = self.task.error(self.robot, q, descent.target)
-        return float(np.hypot.reduce(error))

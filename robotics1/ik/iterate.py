@@ -11,7 +11,7 @@ from robotics1.errors import TaskError
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
-from robotics1.results import Frozen, made_again, require, same_entries
+from robotics1.results import Frozen, require, tuple_with_arrays
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -19,6 +19,7 @@ METHODS = ("newton", "pseudoinverse", "gradient", "damped")
 TOO_FAR = 1e6  # a joint value beyond this says that the iteration diverges [rad, or lengths of the arm and of the way]
 
 
+@tuple_with_arrays
 class IKIterate(NamedTuple):
     """One row of the table: k, q, r = f(q), |e|, det J (NaN if J is not square), and the least singular value."""
 
@@ -28,18 +29,6 @@ class IKIterate(NamedTuple):
     error_norm: float
     det: float
     sigma_min: float
-
-    def __eq__(self, other: object) -> bool:
-        return same_entries(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not self == other
-
-    def __hash__(self) -> int:
-        return hash(tuple(self))  # which says that an array has none
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return made_again, (type(self), *self)
 
 
 @dataclass(frozen=True, eq=False)

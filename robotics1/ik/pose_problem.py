@@ -10,7 +10,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
 from robotics1.kernels.inverse import start_table
 from robotics1.kinematics import reference_axes
-from robotics1.robot.box import JointBox, joint_box
+from robotics1.robot.box import JointBox, joint_box, within_two_turns
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameMap, PoseError, Task
 
@@ -79,13 +79,11 @@ def pose_problem(robot: Robot, task: Task, limits: tuple[Array, Array] | None = 
     lower, upper = (robot.lower, robot.upper) if limits is None else limits
     circular = robot.revolute & whole & (upper - lower >= TURN - 1e-12)
     units = np.where(robot.revolute, 1.0, unit)
-    wider = box.circular & ~circular
-    box = replace(
-        box,
-        lower=np.where(wider, np.maximum(lower, -2 * TURN), box.lower),
-        upper=np.where(wider, np.minimum(upper, 2 * TURN), box.upper),
-        circular=box.circular & circular,
+    low, high = (
+        np.where(box.circular & ~circular, near, end)
+        for near, end in zip(within_two_turns(lower, upper), (box.lower, box.upper), strict=True)
     )
+    box = replace(box, lower=low, upper=high, circular=box.circular & circular)
     return PoseProblem(
         robot,
         form,

@@ -96,13 +96,10 @@ class ReachBound:
         Of coordinates that do not count nothing is known, so just the others, counted (6,), enter |p_d − o|.
         """
         with np.errstate(over="ignore"):  # ∞ is far too
-            return self._excess(goal, counted)
-
-    def _excess(self, goal: Array, counted: Array) -> float:
-        away = np.linalg.norm((goal[:3, 3] - self.o) * counted[:3])
-        far = [away - self.length, self.least - away if counted[:3].all() else -np.inf]
-        if self.hand is not None and counted.all():
-            far.append(np.linalg.norm(goal[:3, :3] @ self.hand + goal[:3, 3] - self.o) - self.length_to_hand)
+            away = np.linalg.norm((goal[:3, 3] - self.o) * counted[:3])
+            far = [away - self.length, self.least - away if counted[:3].all() else -np.inf]
+            if self.hand is not None and counted.all():
+                far.append(np.linalg.norm(goal[:3, :3] @ self.hand + goal[:3, 3] - self.o) - self.length_to_hand)
         return float(max(far))
 
 

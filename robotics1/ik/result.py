@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.results import Frozen, made_again, require, same_entries
+from robotics1.results import Frozen, require, tuple_with_arrays
 
 
 class IKStatus(Enum):
@@ -29,6 +29,7 @@ class IKStatus(Enum):
     )
 
 
+@tuple_with_arrays
 class IKResult(NamedTuple):
     """The answer for one target; a tuple, since a frozen dataclass takes longer to make than a tracking step to solve.
 
@@ -43,18 +44,6 @@ class IKResult(NamedTuple):
     q: Array
     error_norm: float
     starts: int
-
-    def __eq__(self, other: object) -> bool:
-        return same_entries(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not self == other
-
-    def __hash__(self) -> int:
-        return hash(tuple(self))  # which says that an array has none
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return made_again, (type(self), *self)
 
     @property
     def converged(self) -> bool:

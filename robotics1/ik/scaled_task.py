@@ -11,7 +11,7 @@ import numpy.typing as npt
 from robotics1.angles import TURN
 from robotics1.ik.turns import WholeTurns, is_own_function, unknown_turns, whole_turns
 from robotics1.inputs import Array
-from robotics1.robot.box import JointBox, intervals, joint_box, refuse_open_ranges
+from robotics1.robot.box import JointBox, intervals, joint_box, refuse_open_ranges, within_two_turns
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -170,12 +170,9 @@ def _circles(robot: Robot, near: JointBox, lower: Array, upper: Array, period: A
     """Return the box whose circles are the joints that a period of their own brings back, inside the limits."""
     circular = robot.revolute & np.isfinite(period) & (upper - lower >= period - 1e-9)
     low, high = near.lower.copy(), near.upper.copy()
-    for j in np.flatnonzero(robot.revolute):
-        if circular[j]:
-            low[j] = max(lower[j], min(-0.5 * period[j], upper[j] - period[j]))
-            high[j] = low[j] + period[j]
-        else:
-            low[j], high[j] = max(lower[j], -2 * TURN), min(upper[j], 2 * TURN)
-            if low[j] > high[j]:
-                low[j], high[j] = lower[j], upper[j]
+    turning = robot.revolute & ~circular
+    low[turning], high[turning] = within_two_turns(lower[turning], upper[turning])
+    for j in np.flatnonzero(circular):
+        low[j] = max(lower[j], min(-0.5 * period[j], upper[j] - period[j]))
+        high[j] = low[j] + period[j]
     return replace(near, lower=low, upper=high, circular=circular, period=np.where(circular, period, TURN))

@@ -142,7 +142,7 @@ class Search:
         )
         tables = self.descent.tables()
         self.descent.begin(found, tables, self.descent.enough * self.time_limit)
-        left = self._missed(found)
+        left = np.flatnonzero(~(found.error <= self.descent.tolerance))  # NaN is a miss
         if left.size:
             spent = self._restart(found, left, tables, (perf_counter() - begin) * self._share(k))
             never = np.flatnonzero(found.error > self.descent.tolerance)  # what the kernel refused has no error
@@ -150,9 +150,6 @@ class Search:
                 self.descent.miss(found, never, self.time_limit - spent)
         self.descent.prefer(found)
         return found.batch(self.descent.tolerance)
-
-    def _missed(self, found: Found) -> Indices:
-        return np.flatnonzero(~(found.error <= self.descent.tolerance))  # NaN is a miss
 
     def _share(self, k: int) -> float:
         """Return the part of the time that passes for k targets which each of them has."""

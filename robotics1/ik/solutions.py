@@ -158,6 +158,8 @@ def _answer(
     singular: list[bool],
 ) -> IKSolutions:
     robot = problem.robot
+    e = problem.task.error(robot, closest, target)
+    e = np.where(problem.turns.angle, problem.turns.wrapped(e), e)  # whole turns of an angle are no error
     return IKSolutions(
         q=np.array(found).reshape(len(found), robot.nq),
         singular=np.array(singular, dtype=bool),
@@ -165,17 +167,11 @@ def _answer(
         complete=status is IKStatus.UNREACHABLE or not (dimension or problem.moving.any()),
         method="search",
         closest=closest,
-        error_norm=float(np.hypot.reduce(_least(problem, closest, target))),
+        error_norm=float(np.hypot.reduce(e)),
         free_joints=problem.free_joints,
         dimension=dimension,
         within_limits=np.array([robot.within_limits(q) for q in found], dtype=bool),
     )
-
-
-def _least(problem: ScaledTask, q: Array, target: Any) -> Array:
-    """Return the error at q in the task's units; of a row that is an angle without whole turns."""
-    e = problem.task.error(problem.robot, q, target)
-    return np.where(problem.turns.angle, problem.turns.wrapped(e), e)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,8 +7,8 @@ from typing import Any
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.ik.descent import PythonDescent
 from robotics1.ik.kernel_descent import KernelDescent, PoseSolver
+from robotics1.ik.python_descent import PythonDescent
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.search import Search
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
@@ -54,13 +54,12 @@ class IKSolver:
     ) -> None:
         a_robot_and_a_task(robot, task)
         self.robot, self.task = robot, task
-        options: dict[str, Any] = {
+        self._options: dict[str, Any] = {
             "prefer": one_of("prefer", prefer, PREFERENCES),
             "seed": counting_number("seed", seed),
             "tolerance": real_number("tolerance", tolerance, positive=True),
             "time_limit": real_number("time_limit", time_limit, positive=True),
         }
-        self._options = options
         self._prepare()
 
     def _prepare(self) -> None:

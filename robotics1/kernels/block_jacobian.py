@@ -1,4 +1,4 @@
-"""Where the frame of a chain is, and its Jacobian, at a block of configurations; `forward` is the same at one.
+"""Where the frame of a chain is, and its Jacobian, at a block of configurations; `pose` is the same at one.
 
 What belongs to one configuration is spread: each number of it, such as an entry of J, stands in a row of its own, with
 one place for each configuration of the block. An operation is then a loop along a row, that LLVM turns into vector
@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import Indices
+from robotics1.kernels.chain import ChainArrays
 from robotics1.kernels.compilation import compiled
 
 BLOCK = 64  # with 16 and 32, LLVM unrolls the loops, and the rate is 0.6 of this; with 128 it is 1.05 times this
@@ -55,22 +55,13 @@ def cosines_and_sines(angle: Array, cosine: Array, sine: Array) -> None:
 
 
 @compiled()  # not contract, which would be handed on to the reduction of the angles
-def place_block(
-    placements: Array,
-    prismatic: Indices,
-    coordinate: Indices,
-    ratio: Array,
-    q: Array,
-    T: Array,
-    joint_axes: Array,
-    z: Array,
-) -> None:
+def place_block(chain: ChainArrays, q: Array, T: Array, joint_axes: Array, z: Array) -> None:
     """Write the poses to T, (3, 4, BLOCK), and of each joint its axis and a point on it to joint_axes, (k, 6, BLOCK).
 
     T ← T P, then Z: a turn about z mixes the first two columns, a motion along z moves p along the third.
 
     Args:
-        placements, prismatic, coordinate, ratio: as in `ChainArrays`.
+        chain: its constants.
         q: (n, BLOCK) configurations.
         T: (3, 4, BLOCK), to be written.
         joint_axes: (k, 6, BLOCK), to be written.
@@ -79,16 +70,16 @@ def place_block(
     for i in range(3):
         for j in range(4):
             for c in range(BLOCK):
-                T[i, j, c] = placements[0, i, j]
-    for joint in range(len(coordinate)):
-        row, factor = coordinate[joint], ratio[joint]
+                T[i, j, c] = chain.placements[0, i, j]
+    for joint in range(len(chain.ratio)):
+        row, factor = chain.coordinate[joint], chain.ratio[joint]
         for i in range(3):
             for c in range(BLOCK):
                 joint_axes[joint, i, c], joint_axes[joint, 3 + i, c] = T[i, 2, c], T[i, 3, c]
         for c in range(BLOCK):
             z[0, c] = factor * q[row, c]
-        P = placements[joint + 1]
-        if prismatic[joint]:
+        P = chain.placements[joint + 1]
+        if chain.prismatic[joint]:
             for i in range(3):
                 for c in range(BLOCK):
                     T[i, 3, c] += z[0, c] * T[i, 2, c]
@@ -108,9 +99,7 @@ def place_block(
 
 
 @compiled(contract=True)
-def jacobian_block(
-    prismatic: Indices, coordinate: Indices, ratio: Array, T: Array, joint_axes: Array, J: Array
-) -> None:
+def jacobian_block(chain: ChainArrays, T: Array, joint_axes: Array, J: Array) -> None:
     """Write J, (6, n, BLOCK), from what `place_block` found: the columns (z × (p − o), z) and, of a prismatic joint,
     (z, 0). Joints that share a coordinate add up.
     """
@@ -118,19 +107,16 @@ def jacobian_block(
         for j in range(J.shape[1]):
             for c in range(BLOCK):
                 J[i, j, c] = 0.0
-    for joint in range(len(coordinate)):
-        column, factor = coordinate[joint], ratio[joint]
-        if prismatic[joint]:
+    for joint in range(len(chain.ratio)):
+        column, factor = chain.coordinate[joint], chain.ratio[joint]
+        if chain.prismatic[joint]:
             for i in range(3):
                 for c in range(BLOCK):
                     J[i, column, c] += factor * joint_axes[joint, i, c]
             continue
         for c in range(BLOCK):
-            x, y, z = (
-                factor * joint_axes[joint, 0, c],
-                factor * joint_axes[joint, 1, c],
-                factor * joint_axes[joint, 2, c],
-            )
+            x, y = factor * joint_axes[joint, 0, c], factor * joint_axes[joint, 1, c]
+            z = factor * joint_axes[joint, 2, c]
             dx, dy = T[0, 3, c] - joint_axes[joint, 3, c], T[1, 3, c] - joint_axes[joint, 4, c]
             dz = T[2, 3, c] - joint_axes[joint, 5, c]
             J[0, column, c] += y * dz - z * dy

@@ -8,8 +8,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import CIRCULAR, LOWER, UPPER
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
-from robotics1.kernels.forward import forward_kinematics, geometric_jacobian
-from robotics1.kernels.pose_error import leave_out, pose_error
+from robotics1.kernels.pose import forward_kinematics, geometric_jacobian, leave_out, pose_error
 
 DAMPING = 1e-9  # λ² at the target: small beside σ_min² of what still counts as regular
 DAMPING_SLOPE = 0.05  # λ² = DAMPING + DAMPING_SLOPE |e|²: far away a short step, near the target Newton's

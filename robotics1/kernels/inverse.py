@@ -8,8 +8,7 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import CIRCULAR, LOWER, UNIT, UPPER, Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy, descend
-from robotics1.kernels.forward import forward_kinematics
-from robotics1.kernels.pose_error import task_parts
+from robotics1.kernels.pose import forward_kinematics, task_parts
 
 NO_POSE, NO_START = -1, -2  # instead of a number of starts: the goal is no pose, the start is not finite
 ORTHONORMAL = 1.001e-6  # |RᵀR − 1| of what is taken for a rotation: 1e-6, as everywhere, and room for rounding

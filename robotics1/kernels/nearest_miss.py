@@ -8,9 +8,8 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import CIRCULAR, COORDINATE, LOWER, PRISMATIC, RATIO, UPPER, Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.descent import copy
-from robotics1.kernels.forward import forward_kinematics
 from robotics1.kernels.inverse import from_units, in_units, inside, to_units
-from robotics1.kernels.pose_error import pose_error, task_parts
+from robotics1.kernels.pose import forward_kinematics, pose_error, task_parts
 
 STEPS = 60
 STATIONARY = 1e-14  # relative decrease of |e|² that is rounding

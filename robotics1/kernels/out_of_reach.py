@@ -6,8 +6,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
-from robotics1.kernels.forward import forward_kinematics
-from robotics1.kernels.pose_error import pose_error, task_parts
+from robotics1.kernels.pose import forward_kinematics, pose_error, task_parts
 
 OPEN = -1  # instead of a number of boxes: the proof does not succeed
 ROUNDING = 1e-12  # of a pose, in units: boxes are not halved below

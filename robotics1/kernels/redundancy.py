@@ -9,9 +9,8 @@ from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.damped_step import damped_step
 from robotics1.kernels.descent import DAMPING, descend, move
-from robotics1.kernels.forward import forward_kinematics, geometric_jacobian
 from robotics1.kernels.inverse import from_units, in_units, to_units, wind
-from robotics1.kernels.pose_error import TOLERANCE, leave_out, pose_error, task_parts
+from robotics1.kernels.pose import TOLERANCE, forward_kinematics, geometric_jacobian, leave_out, pose_error, task_parts
 
 STEPS_ASIDE = 200  # along the null space of a solution, at most
 LONGEST_ASIDE = 0.2  # of one of them [rad]

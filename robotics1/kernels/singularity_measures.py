@@ -7,7 +7,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.kernels.block_jacobian import BLOCK, jacobian_block, place_block, task_rows_block
-from robotics1.kernels.chain import ChainArrays, Indices
+from robotics1.kernels.chain import ChainArrays
 from robotics1.kernels.compilation import COMPILED, compiled
 from robotics1.kernels.extreme_singular_values import largest_eigenvalues, smallest_eigenvalues
 
@@ -51,7 +51,7 @@ def singularity_measures(
     squares = np.empty((2 * k, count if largest else 0))
     rows, columns = np.ascontiguousarray(S), np.ascontiguousarray(q)  # other layouts would be compiled anew
     given = np.empty((0, 0, 0)) if J is None else J
-    measure_blocks(*chain, rows, columns, given, squares, answer.smallest, answer.product)
+    measure_blocks(chain, rows, columns, given, squares, answer.smallest, answer.product)
     if largest:
         largest_blocks(squares, answer.largest)
     return answer
@@ -65,16 +65,7 @@ def measures_of(J: Array, rank: int) -> SingularityMeasures:
 
 @compiled()
 def measure_blocks(
-    placements: Array,
-    prismatic: Indices,
-    coordinate: Indices,
-    ratio: Array,
-    S: Array,
-    q: Array,
-    J: Array,
-    squares: Array,
-    smallest: Array,
-    product: Array,
+    chain: ChainArrays, S: Array, q: Array, J: Array, squares: Array, smallest: Array, product: Array
 ) -> None:
     """Go through the configurations block by block; the last block is filled up with its last configuration.
 
@@ -82,7 +73,7 @@ def measure_blocks(
     """
     n, count, m = q.shape[0], q.shape[1], S.shape[0]
     k = min(m, n)
-    T, joint_axes, work = np.empty((3, 4, BLOCK)), np.empty((len(coordinate), 6, BLOCK)), np.empty((6, BLOCK))
+    T, joint_axes, work = np.empty((3, 4, BLOCK)), np.empty((len(chain.ratio), 6, BLOCK)), np.empty((6, BLOCK))
     block, frame, A = np.empty((n, BLOCK)), np.empty((6, n, BLOCK)), np.empty((k, max(m, n), BLOCK))
     Q, E = np.empty((k, BLOCK)), np.zeros((k, BLOCK))
     for start in range(0, count, BLOCK):
@@ -90,8 +81,8 @@ def measure_blocks(
         for i in range(n):
             for c in range(BLOCK):
                 block[i, c] = q[i, start + min(c, size - 1)]
-        place_block(placements, prismatic, coordinate, ratio, block, T, joint_axes, work)
-        jacobian_block(prismatic, coordinate, ratio, T, joint_axes, frame)
+        place_block(chain, block, T, joint_axes, work)
+        jacobian_block(chain, T, joint_axes, frame)
         task_rows_block(S, frame, A)
         if J.size > 0:
             _keep(A, start, size, J)
@@ -212,7 +203,8 @@ def task_jacobians(chain: ChainArrays, S: Array, q: Array) -> Array:
     n, count = q.shape
     T = np.repeat(chain.placements[0][:, :, None], count, axis=2)
     axes, points = [], []
-    for P, prismatic, motion in zip(chain.placements[1:], chain.prismatic, _motions(chain, q), strict=True):
+    motions = chain.ratio[:, None] * q[chain.coordinate]
+    for P, prismatic, motion in zip(chain.placements[1:], chain.prismatic, motions, strict=True):
         axes.append(T[:, 2].copy())
         points.append(T[:, 3].copy())
         if prismatic:
@@ -232,8 +224,3 @@ def task_jacobians(chain: ChainArrays, S: Array, q: Array) -> Array:
             J[:3, column] += factor * np.cross(z, T[:, 3] - o, axis=0)
             J[3:, column] += factor * z
     return np.asarray(np.einsum("ir,rjc->ijc", S, J))
-
-
-def _motions(chain: ChainArrays, q: Array) -> Array:
-    """Return the motion of each joint, (k, N)."""
-    return np.asarray(chain.ratio[:, None] * q[chain.coordinate])

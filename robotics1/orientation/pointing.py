@@ -72,7 +72,8 @@ def align_direction(a: npt.ArrayLike, d: npt.ArrayLike, *, start: npt.ArrayLike 
     if sine <= ROUNDING and cosine > 0:
         return Alignment(_least_turn(b, d) @ R, None, 0.0, True, d)
     unique = sine > ROUNDING
-    axis = _across(b, n if unique else np.eye(3)[np.argmin(np.abs(b))])
+    normal = n if unique else np.eye(3)[np.argmin(np.abs(b))]
+    axis = unit_vector("normal", normal - (b @ normal) * b)
     R0 = _least_turn(b, d) if cosine >= 0 else _least_turn(-b, d) @ (2 * np.outer(axis, axis) - np.eye(3))
     return Alignment(R0 @ R, axis, float(np.arctan2(sine, cosine)) if unique else float(np.pi), unique, d)
 
@@ -147,8 +148,3 @@ def _least_turn(b: Array, d: Array) -> Array:
     """Return 1 + [n]× + [n]×²/(1 + c), (3, 3), n = b × d, c = b·d ≥ 0: the least turn of b to d."""
     N = cross_matrix(np.cross(b, d))
     return np.asarray(np.eye(3) + N + N @ N / (1 + b @ d))
-
-
-def _across(b: Array, v: Array) -> Array:
-    """Return the unit vector along the part of v normal to b."""
-    return unit_vector("normal", v - (b @ v) * b)

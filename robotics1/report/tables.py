@@ -1,4 +1,4 @@
-"""Tables in the form of a written exam."""
+"""Tables of the terminal: of texts, of a matrix, of an iteration as on paper."""
 
 from collections.abc import Iterable, Sequence
 
@@ -6,11 +6,9 @@ import numpy as np
 import pinocchio as pin
 from rich.table import Table
 
-from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.ik.iterate import IKIteration
 from robotics1.inputs import Array
 from robotics1.notation import number, vector
-from robotics1.robot.model import Robot
 
 
 def table(
@@ -43,26 +41,3 @@ def iteration_table(run: IKIteration, title: str = "") -> Table:
         last = row.det if square else row.sigma_min
         rows.append((str(row.k), vector(row.q), vector(r), f"{row.error_norm:.5f}", number(last)))
     return table(("k", "q", "r", "|e|", "det J" if square else "σ_min"), rows, title)
-
-
-def polynomial_table(robot: Robot, trajectory: PiecewisePolynomial) -> Table:
-    """Return the coefficients of q and q̇ in powers of τ = t/T and of t, joint by joint."""
-    polynomials = (
-        ("q(τ)", trajectory.coefficients, "τ"),
-        ("q(t)", trajectory.coefficients_t, "t"),
-        ("q̇(τ)", trajectory.rate.coefficients, "τ"),
-        ("q̇(t)", trajectory.rate.coefficients_t, "t"),
-    )
-    rows = [(name, *(polynomial_text(c, variable) for c in columns.T)) for name, columns, variable in polynomials]
-    headings = ("", *robot.joint_names)
-    return table(headings, rows, f"T = {trajectory.duration:.4f} s, τ = t/T", left=headings)
-
-
-def polynomial_text(coefficients: Array, variable: str) -> str:
-    """Return a polynomial as it is written, ascending, without the terms that vanish."""
-    powers = ("", variable, *(f"{variable}{exponent}" for exponent in "²³⁴⁵⁶⁷⁸⁹"))
-    terms = [(float(c), power) for c, power in zip(coefficients, powers, strict=False) if abs(c) > 1e-12]
-    if not terms:
-        return "0"
-    text = " ".join(f"{'−' if c < 0 else '+'} {abs(c):.4f} {power}".rstrip() for c, power in terms)
-    return text.removeprefix("+ ").replace("− ", "−", 1) if text.startswith("−") else text.removeprefix("+ ")

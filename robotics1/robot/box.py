@@ -85,8 +85,9 @@ def joint_box(
         lower = np.where(robot.revolute | np.isfinite(lower), lower, -unlimited * robot.reach)
         upper = np.where(robot.revolute | np.isfinite(upper), upper, unlimited * robot.reach)
     never = robot.revolute & ~np.isfinite(turns)
-    lower = np.where(never & ~np.isfinite(lower), np.minimum(-2 * TURN, upper - 4 * TURN), lower)
-    upper = np.where(never & ~np.isfinite(upper), np.maximum(2 * TURN, lower + 4 * TURN), upper)
+    low, high = within_two_turns(lower, upper)
+    lower = np.where(never & ~np.isfinite(lower), low, lower)
+    upper = np.where(never & ~np.isfinite(upper), high, upper)
     period = TURN * np.where(robot.revolute & ~never, turns, 1.0)
     circular = robot.revolute & ~never & (upper - lower >= period - 1e-9)
     turned = circular & ~given
@@ -94,6 +95,16 @@ def joint_box(
     upper[turned] = (lower + period)[turned]
     refuse_open_ranges(robot, lower, upper)
     return JointBox(lower, upper, circular, robot.units, period)
+
+
+def within_two_turns(lower: Array, upper: Array) -> tuple[Array, Array]:
+    """Return the part of [lower, upper], (n,) each, within two turns of zero; of what ends before, or begins behind
+    zero, up to four turns.
+    """
+    return (
+        np.maximum(lower, np.minimum(-2 * TURN, upper - 4 * TURN)),
+        np.minimum(upper, np.maximum(2 * TURN, lower + 4 * TURN)),
+    )
 
 
 def nearest_turn(q: Array, around: Array, lower: Array, upper: Array, period: Array | float = TURN) -> Array:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import cast
 
 from robotics1.robot.checking_parts import check_joint, check_link
-from robotics1.robot.markup import Element, children, linked
+from robotics1.robot.markup import Element, child, children, linked
 from robotics1.robot.report import LARGEST, Findings
 
 MOST_LINKS = 1000  # Pinocchio's parser recurses: 5000 links in a row crash it
@@ -133,7 +133,7 @@ def _check_tree(findings: Findings, root: Element, links: list[Element], joints:
 def _check_ends(findings: Findings, joint: Element, names: set[str | None]) -> None:
     for end in ("parent", "child"):
         name = linked(joint, end)
-        at = cast("Element | None", joint.find(end))
+        at = child(joint, end)
         if name is None:
             findings.error(joint, f"has no <{end} link='...'/>", at)
         elif name not in names:

@@ -6,7 +6,7 @@ from typing import cast
 
 import numpy as np
 
-from robotics1.robot.markup import Element
+from robotics1.robot.markup import Element, child, children
 from robotics1.robot.report import Findings
 
 JOINT_TYPES = ("revolute", "prismatic", "continuous", "fixed", "floating", "planar")
@@ -38,28 +38,24 @@ def check_joint(findings: Findings, joint: Element, types: Mapping[str | None, s
 
 def check_link(findings: Findings, link: Element) -> None:
     """Check the inertia and the shapes of a link."""
-    inertial = _child(link, "inertial")
+    inertial = child(link, "inertial")
     if inertial is not None:
         _check_inertial(findings, link, inertial)
     for kind in ("visual", "collision"):
-        for shape in link.findall(kind):
-            _check_origin(findings, link, cast("Element", shape))
-            _check_geometry(findings, link, cast("Element", shape))
-
-
-def _child(parent: Element, tag: str) -> Element | None:
-    return cast("Element | None", parent.find(tag))
+        for shape in children(link, kind):
+            _check_origin(findings, link, shape)
+            _check_geometry(findings, link, shape)
 
 
 def _check_origin(findings: Findings, owner: Element, parent: Element) -> None:
-    origin = _child(parent, "origin")
+    origin = child(parent, "origin")
     if origin is not None:
         findings.numbers(owner, origin, "xyz", 3)
         findings.numbers(owner, origin, "rpy", 3)
 
 
 def _check_axis(findings: Findings, joint: Element) -> None:
-    axis = _child(joint, "axis")
+    axis = child(joint, "axis")
     planar = joint.get("type") == "planar"
     if axis is None:
         if planar:
@@ -79,7 +75,7 @@ def _check_axis(findings: Findings, joint: Element) -> None:
 
 
 def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
-    limit = _child(joint, "limit")
+    limit = child(joint, "limit")
     if limit is None:
         if kind != "continuous":
             findings.error(joint, f"is {kind} and has no <limit>; write <limit lower upper velocity effort>")
@@ -104,7 +100,7 @@ def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
 
 
 def _check_dynamics(findings: Findings, joint: Element) -> None:
-    dynamics = _child(joint, "dynamics")
+    dynamics = child(joint, "dynamics")
     if dynamics is not None:
         findings.numbers(joint, dynamics, "damping")
         friction = findings.numbers(joint, dynamics, "friction")
@@ -113,7 +109,7 @@ def _check_dynamics(findings: Findings, joint: Element) -> None:
 
 
 def _check_mimic(findings: Findings, joint: Element, types: Mapping[str | None, str | None]) -> None:
-    mimic = _child(joint, "mimic")
+    mimic = child(joint, "mimic")
     if mimic is None:
         return
     if joint.get("type") == "fixed":
@@ -134,7 +130,7 @@ def _check_mimic(findings: Findings, joint: Element, types: Mapping[str | None, 
 
 def _check_inertial(findings: Findings, link: Element, inertial: Element) -> None:
     _check_origin(findings, link, inertial)
-    mass, inertia = _child(inertial, "mass"), _child(inertial, "inertia")
+    mass, inertia = child(inertial, "mass"), child(inertial, "inertia")
     if mass is None or inertia is None:
         findings.warn(link, "has an <inertial> without mass or inertia; it is left out", inertial)
         return
@@ -162,7 +158,7 @@ def _check_inertial(findings: Findings, link: Element, inertial: Element) -> Non
 
 
 def _check_geometry(findings: Findings, link: Element, shape: Element) -> None:
-    geometry = _child(shape, "geometry")
+    geometry = child(shape, "geometry")
     if geometry is None or not len(geometry):
         findings.error(link, f"has a <{shape.tag}> without a shape in its <geometry>", shape)
         return

@@ -1,6 +1,6 @@
 """The joints of a robot as numbers, read once from its file: model, formulas and DH tables are made of these."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -75,3 +75,9 @@ def root_of(links: Sequence[str], joints: Sequence[Joint]) -> str:
     """Return the link that hangs on no joint."""
     children = {joint.child for joint in joints}
     return next((link for link in links if link not in children), "")
+
+
+def tips(links: Iterable[str], joints: Sequence[Joint]) -> tuple[str, ...]:
+    """Return the links that carry no other link."""
+    parents = {joint.parent for joint in joints}
+    return tuple(link for link in links if link not in parents)

@@ -12,12 +12,12 @@ from robotics1.errors import InputError, MissingExtraError, RobotFileError, Robo
 from robotics1.inputs import by_name
 from robotics1.robot.building import build_model
 from robotics1.robot.checking import check_urdf
-from robotics1.robot.joints import Joint
+from robotics1.robot.joints import Joint, tips
 from robotics1.robot.locking import lock, rebase
 from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
 from robotics1.robot.mimic import follow_leaders, narrow_leaders
-from robotics1.robot.model import Robot, frame_number, tips
+from robotics1.robot.model import Robot, frame_number, links_of
 from robotics1.robot.parameters import Parameters, Placements, agree, fitted_placements
 from robotics1.robot.report import Finding, NotComparable, RobotReport, difference_from_yourdfpy
 from robotics1.robot.sources import robot_file, robot_text
@@ -149,7 +149,7 @@ class RobotText:
             model.name,
             model,
             joints,
-            _tool(model, self.tool),
+            _tool(model, joints, self.tool),
             Parameters(parameters),
             urdf_text(model.name, links, own_joints),
             self.path,
@@ -219,14 +219,14 @@ def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
 
 
-def _tool(model: pin.Model, named: str | None) -> str | None:
+def _tool(model: pin.Model, joints: Sequence[Joint], named: str | None) -> str | None:
     """Return the tool frame: the named one, the only tip, or the tip with a usual name."""
+    links = links_of(model)
     if named is not None:
         if frame_number(model, named) is None:
-            links = [frame.name for frame in model.frames if frame.type == pin.FrameType.BODY]
             raise UnknownNameError(f"frame of robot {model.name!r} named", named, links)
         return named
-    candidates = tips(model)
+    candidates = tips(links, joints)
     if len(candidates) == 1:
         return candidates[0]
     return next((name for name in USUAL_TOOLS if name in candidates), None)

@@ -45,17 +45,22 @@ class Element(ET.Element):
         return f"{self.tag} {name!r}" if name else f"<{self.tag}>"
 
 
-def parse_xml(text: str, path: Path) -> Element:
+def parse_xml(text: str, path: Path, *, largest: int = LARGEST_FILE) -> Element:
     """Return the root element of an XML text.
 
     No DOCTYPE is taken, so no entity is expanded and nothing is read from elsewhere. Prefixes stay in the tags.
+
+    Args:
+        text: the text.
+        path: the file from which it is.
+        largest: the most characters that it may have.
 
     Raises:
         RobotFileError: it is not well-formed, has a DOCTYPE, or exceeds a limit of size, which is counted while it
             is read.
     """
-    if len(text) > LARGEST_FILE:
-        raise RobotFileError(f"it has {len(text)} characters; at most {LARGEST_FILE} are read", path=path)
+    if len(text) > largest:
+        raise RobotFileError(f"it has {len(text)} characters; at most {largest} are read", path=path)
     parser = expat.ParserCreate("utf-8")  # whatever the file declares, this is what it is now
     reader = _Reader(parser, path)
     parser.StartElementHandler = reader.start
@@ -73,6 +78,11 @@ def parse_xml(text: str, path: Path) -> Element:
 def children(parent: ET.Element, tag: str) -> list[Element]:
     """Return the children of a tag."""
     return cast("list[Element]", parent.findall(tag))
+
+
+def child(parent: ET.Element, tag: str) -> Element | None:
+    """Return the first child of a tag, or None."""
+    return cast("Element | None", parent.find(tag))
 
 
 def linked(joint: ET.Element, end: str) -> str | None:

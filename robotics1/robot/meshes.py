@@ -32,6 +32,7 @@ FILE = "file://"
 SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:(?!\\)")  # of two letters or more: C: is a drive
 PARTS_OF_A_PACKAGE = ("urdf", "xacro", "robot", "robots", "model", "models", "description", "descriptions")
 MESH_FOLDERS = ("meshes", "mesh")
+UNDRAWN = "undrawn"
 
 
 class Packages:
@@ -57,7 +58,8 @@ class Packages:
         if not NAME.fullmatch(package):
             return None
         candidates = chain(self._given(package), self._around(package))
-        return next((c for c in candidates if _is_it(c, package) and exists(c / holding)), None)
+        named = (c for c in candidates if c.is_dir() and package in (c.name, _name(c)))
+        return next((c for c in named if exists(c / holding)), None)
 
     def _given(self, package: str) -> Iterator[Path]:
         for folder in self.folders:
@@ -75,7 +77,8 @@ class Packages:
 def find_meshes(root: ET.Element, path: Path, packages: Iterable[Path], *, trusted: bool = False) -> list[str]:
     """Write the place of every mesh into the tree, leave out those that cannot be drawn, and return why, in sentences.
 
-    `trusted` allows every file of this computer.
+    A <visual> that is left out becomes <undrawn>, which no reader of URDF takes for a shape. `trusted` allows every
+    file of this computer.
     """
     known = Packages(path, packages)
     places: dict[str, Path | str] = {}
@@ -86,7 +89,10 @@ def find_meshes(root: ET.Element, path: Path, packages: Iterable[Path], *, trust
                 if name not in places:
                     places[name] = _place(name, known, trusted=trusted)
                 if isinstance(places[name], str):
-                    link.remove(shape)
+                    if shape.tag == "visual":
+                        shape.tag = UNDRAWN
+                    else:
+                        link.remove(shape)
                     break
                 mesh.set("filename", str(places[name]))
     return [place for place in places.values() if isinstance(place, str)]
@@ -160,10 +166,6 @@ def _inside(folder: Path) -> Iterator[Path]:
     for depth in range(1, DEEPEST + 1):
         for manifest in sorted(folder.glob("*/" * depth + MANIFEST)):
             yield manifest.parent
-
-
-def _is_it(folder: Path, package: str) -> bool:
-    return folder.is_dir() and package in (folder.name, _name(folder))
 
 
 def _name(folder: Path) -> str | None:

@@ -13,7 +13,7 @@ import pinocchio as pin
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
-from robotics1.robot.joints import Joint, joints_to
+from robotics1.robot.joints import Joint, joints_to, tips
 from robotics1.robot.parameters import Placements, constant_placements
 
 
@@ -32,7 +32,8 @@ class Robot:
     """A robot as Pinocchio sees it.
 
     Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. Its
-    limits are its own: they stay as they are when those of the model are changed.
+    limits are its own: they stay as they are when those of the model are changed. What else is written to the model
+    changes this robot, and a solver that is ready may not see it: change a copy, `robot.model.copy()`.
 
     Attributes:
         name: the robot's name in its file.
@@ -143,7 +144,7 @@ class Robot:
     @cached_property
     def frame_names(self) -> tuple[str, ...]:
         """The links of the robot; each is a frame."""
-        return tuple(frame.name for frame in self.model.frames if frame.type == pin.FrameType.BODY)
+        return links_of(self.model)
 
     @cached_property
     def revolute(self) -> npt.NDArray[np.bool_]:
@@ -208,7 +209,7 @@ class Robot:
             if frame is None:
                 raise InputError(
                     f"robot {self.name!r} has several tips: name the tool, as in load_robot(..., tool='...'); "
-                    f"the tips are {', '.join(map(repr, tips(self.model)))}"
+                    f"the tips are {', '.join(map(repr, tips(self.frame_names, self.joints)))}"
                 )
         number = frame_number(self.model, frame)
         if number is None:
@@ -257,6 +258,11 @@ def _length(vector: Array) -> float:
     return float(np.hypot.reduce(vector))
 
 
+def links_of(model: pin.Model) -> tuple[str, ...]:
+    """Return the links of a model, in its order."""
+    return tuple(frame.name for frame in model.frames if frame.type == pin.FrameType.BODY)
+
+
 def frame_number(model: pin.Model, name: object) -> int | None:
     """Return Pinocchio's number of the link of a name, else of the joint of that name, or None.
 
@@ -266,17 +272,3 @@ def frame_number(model: pin.Model, name: object) -> int | None:
         if isinstance(name, str) and model.existFrame(name, kind):
             return int(model.getFrameId(name, kind))
     return None
-
-
-def tips(model: pin.Model) -> tuple[str, ...]:
-    """Return the links that carry no other link."""
-    bodies = [frame for frame in model.frames if frame.type == pin.FrameType.BODY]
-    parents = {_parent_body(model, frame) for frame in bodies}
-    return tuple(frame.name for frame in bodies if frame.name not in parents)
-
-
-def _parent_body(model: pin.Model, frame: pin.Frame) -> str:
-    parent = model.frames[frame.parentFrame]
-    while parent.type != pin.FrameType.BODY and parent.parentFrame != model.frames[parent.parentFrame].parentFrame:
-        parent = model.frames[parent.parentFrame]
-    return str(parent.name)

@@ -23,8 +23,13 @@ def urdf_folder() -> Path:
 
 def named_robots() -> dict[str, Path]:
     """Return name → file of the robots in `urdf/` (`prr.urdf.xacro` has the name `prr`) and of example-robot-data."""
-    own = {path.name.split(".")[0]: path for path in sorted(urdf_folder().glob("*.urdf*"))}
+    own = own_robots()
     return own | {name: path for name, path in example_robots().items() if name not in own}
+
+
+def own_robots() -> dict[str, Path]:
+    """Return name → file of the robots in `urdf/`."""
+    return {path.name.split(".")[0]: path for path in sorted(urdf_folder().glob("*.urdf*"))}
 
 
 def example_robots() -> dict[str, Path]:
@@ -103,7 +108,9 @@ def robot_file(source: str | Path) -> Path:
     if isinstance(source, Path) or path.suffix or "/" in source or "\\" in source:
         _check_file(path)
         return path
-    robots = named_robots()
+    robots = own_robots()
+    if source not in robots:  # the others take longer to list
+        robots = named_robots()
     if source not in robots:
         note = "" if example_robots() else "; more have names with pip install 'robotics1[robots]'"
         raise UnknownNameError("robot named", source, robots, note)

@@ -15,15 +15,16 @@ import pinocchio as pin
 from robotics1.robot.checking_parts import MOMENTS, ON_AN_AXIS
 from robotics1.robot.joints import Joint, Triple
 from robotics1.robot.markup import linked
+from robotics1.robot.meshes import UNDRAWN
 
-SHAPES = ("visual", "collision")
+SHAPES = ("visual", "collision", UNDRAWN)
 WITHOUT_LIMIT = 1e308  # what stands for infinity in files, since urdfdom refuses that
 FAR = 1000.0  # m or rad: what a file says where one limit is missing, for URDF takes no infinity
 
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """A link: its inertia about its own axes, and its elements <inertial>, <visual> and <collision>."""
+    """A link: its inertia about its own axes, and its elements <inertial>, <visual>, <collision> and <undrawn>."""
 
     inertia: pin.Inertia
     parts: tuple[ET.Element, ...] = ()
@@ -198,8 +199,6 @@ def _ends(lower: float, upper: float) -> dict[str, str]:
     """Return the limits of a motion; where one is missing, far away."""
     low = lower if math.isfinite(lower) else min(-FAR, upper - FAR)
     high = upper if math.isfinite(upper) else max(FAR, lower + FAR)
-    if math.isinf(lower) and math.isinf(upper):
-        low, high = -FAR, FAR
     return {"lower": repr(low), "upper": repr(high)}
 
 

@@ -4,7 +4,7 @@ from .find import find_singularities
 from .intersections import find_intersections
 from .other_lengths import parameter_conditions
 from .reduction import MeasureDistribution
-from .result import Intersections, SingularBranch, SingularSet
+from .result import Intersections, SingularBranch, SingularSet, SingularSetStatus
 from .rounding import RoundedConfiguration, singularity_within_rounding
 from .scan import scan_singularities
 from .scan_result import RefinedGroup, Refinement, SingularityScan
@@ -20,6 +20,7 @@ __all__ = [
     "RoundedConfiguration",
     "SingularBranch",
     "SingularSet",
+    "SingularSetStatus",
     "SingularityScan",
     "Subspaces",
     "balancing_torque",

@@ -30,9 +30,9 @@ def set_sentences(found: "SingularSet") -> str:
             "everywhere; "
             f"below, singular means a rank lower than {rank}."
         )
+    status = found.status.value[0].upper() + found.status.value[1:]
     if not found.branches:
-        never = "There is no singular configuration" if found.complete else "No singular configuration was found"
-        none = f"{never}{' inside the joint limits' if found.outside else ''}."
+        none = f"{status}{' inside the joint limits' if found.outside else ''}."
         return "\n".join([*lines, none, *_almost_everywhere(found), *_besides(found)])
     lines += [*_names(found), *_turns(found)]
     if found.free_joints:
@@ -40,12 +40,7 @@ def set_sentences(found: "SingularSet") -> str:
         free = _called(found.free_joints, found.robot, symbols=found.jacobian is not None)
         lines.append(f"{enumeration(free)} never {verb}.")
     lines += [f"{number}. {branch.explain()}" for number, branch in enumerate(found.branches, start=1)]
-    lines.append(
-        "These are all singular configurations."
-        if found.complete
-        else "This was a search: it does not prove that there are no others."
-    )
-    return "\n".join([*lines, *_besides(found)])
+    return "\n".join([*lines, f"{status}.", *_besides(found)])
 
 
 def _almost_everywhere(found: "SingularSet") -> list[str]:
@@ -206,15 +201,11 @@ def _written(formulas: "BranchFormulas", name: str) -> str | None:
         basis = getattr(formulas, name)
     except FormulaError:
         return None
-    if _operations(basis) > LONGEST * max(basis.cols, 1):
+    if sum(entry.count_ops() for entry in basis) > LONGEST * max(basis.cols, 1):
         return None
     from robotics1.symbolic.writing.printing import line_text
 
     return " and ".join(line_text(basis.col(i)) for i in range(basis.cols))
-
-
-def _operations(basis: Any) -> int:
-    return int(sum(entry.count_ops() for entry in basis))
 
 
 def directions(basis: Array) -> str:

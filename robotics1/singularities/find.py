@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from robotics1.errors import FormulaError, TaskError
+from robotics1.errors import FormulaError
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
 from robotics1.robot.box import JointBox, joint_box
 from robotics1.robot.model import Robot
 from robotics1.singularities.numeric import numeric_branches
-from robotics1.singularities.points import NOTHING_MOVES, singular_points
+from robotics1.singularities.points import singular_points
 from robotics1.singularities.result import SingularBranch, SingularSet
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.tasks.task import Task, turns_of
@@ -93,9 +93,7 @@ def _numeric(
     robot: Robot, task: Task, where: JointBox, count: int, seed: int, limit: TimeLimit, note: str
 ) -> SingularSet:
     rng = np.random.default_rng(seed)
-    points = singular_points(robot, task, where, rng)
-    if points.rank == 0:
-        raise TaskError(NOTHING_MOVES)
+    points = singular_points(robot, task, where, rng).require_motion()
     branches = numeric_branches(points, count, rng, limit)
     return SingularSet(robot, task, where, points.rank, branches, "numeric", False, note, time_limit=limit.seconds)
 

@@ -35,14 +35,13 @@ def find_intersections(found: SingularSet, *, time_limit: float | None = None) -
     seconds = found.time_limit if time_limit is None else real_number("time_limit", time_limit, positive=True)
     if found.jacobian is None:
         return Intersections((), complete=False)
-    limit = TimeLimit(seconds)
     rng = np.random.default_rng(0)
     met: list[SingularBranch] = []
     complete = True
     try:
-        with limit.kept():
+        with TimeLimit(seconds).kept():
             points = singular_points(found.jacobian.robot, found.task, found.box, np.random.default_rng(0))
-            search = _Search(points, found.jacobian, CommonZeros(found.jacobian.parameters, limit), rng, {})
+            search = _Search(points, found.jacobian, CommonZeros(found.jacobian.parameters), rng, {})
             for pieces in search.crossings(found.branches):
                 met += pieces
     except OutOfTime:

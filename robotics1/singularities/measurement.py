@@ -1,7 +1,7 @@
 """How near to singular a task is at many configurations: by the kernels, or one configuration at a time."""
 
 from dataclasses import dataclass
-from typing import ClassVar, Protocol
+from typing import ClassVar
 
 import numpy as np
 
@@ -17,19 +17,6 @@ from robotics1.kernels.singularity_measures import (
 from robotics1.kinematics import reference_axes
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameMap, Task
-
-
-class Measurement(Protocol):
-    """What a chunk of configurations is asked.
-
-    Attributes:
-        sendable: whether it can be sent to another process.
-    """
-
-    sendable: ClassVar[bool]
-
-    def measures(self, q: Array, names: tuple[str, ...]) -> dict[str, Array]:
-        """Return measure → values (N,) at the configurations q (nq, N); NaN where the task has no Jacobian."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +91,9 @@ class WithoutJoints:
         """Return measure → values (N,) at the configurations q (0, N)."""
         values = {"sigma_min": np.inf, "condition": 1.0, "manipulability": 1.0}
         return {name: np.full(q.shape[1], values[name]) for name in names}
+
+
+Measurement = KernelMeasurement | TaskMeasurement | WithoutJoints  # of a chunk; `sendable`: to another process
 
 
 def measurement_of(robot: Robot, task: Task, rank: int, length: float) -> Measurement:

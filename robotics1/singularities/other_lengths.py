@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy
 
+from robotics1.errors import InputError
 from robotics1.inputs import real_number
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.evaluation import Evaluated
@@ -41,8 +42,10 @@ def parameter_conditions(found: "SingularSet", *, time_limit: float | None = Non
         time_limit: [s], by default that of the set.
 
     Raises:
-        InputError: the time limit is not positive.
+        InputError: the set is none, or the time limit is not positive.
     """
+    if not hasattr(found, "without_solution") or isinstance(found, type):
+        raise InputError(f"parameter_conditions wants the answer of find_singularities, not {found!r}")
     seconds = found.time_limit if time_limit is None else real_number("time_limit", time_limit, positive=True)
     if found.jacobian is None:
         return ()
@@ -62,7 +65,7 @@ def parameter_conditions(found: "SingularSet", *, time_limit: float | None = Non
         with limit.kept():
             for x, zero in list(unsigned.items())[:MOST]:
                 other = _lengths_with_a_solution(zero, J.parameters, J.box)
-                if other is not None and _adds_branches(J, found.generic_rank, *other, known, limit):
+                if other is not None and _adds_branches(J, found.generic_rank, *other, known):
                     more.append(sympy.Eq(x, 0))
     except OutOfTime:
         pass  # what has been tried stands
@@ -91,11 +94,11 @@ def _lengths_with_a_solution(zero: Zero, parameters: Parameters, box: JointBox) 
 
 
 def _adds_branches(
-    J: "SymbolicJacobian", rank: int, where: Locus, parameters: Parameters, known: Sequence[Piece], limit: TimeLimit
+    J: "SymbolicJacobian", rank: int, where: Locus, parameters: Parameters, known: Sequence[Piece]
 ) -> bool:
     """Whether there are branches at other lengths that are no part of the known ones."""
     rng = np.random.default_rng(0)
-    cases = CommonZeros(parameters, limit)
+    cases = CommonZeros(parameters)
     pieces, _ = largest_pieces(singular_loci(J.rows.M, rank, where, cases), cases, J.box, rng)
     there = [replace(piece, parameters=parameters) for piece in known]
     samples = [sampler.draw(rng) for sampler in pieces]

@@ -1,6 +1,6 @@
 """Points on the singular set, found by Newton's method on the part of J that loses rank."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,12 +12,12 @@ from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
+from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.tasks.task import Task, unitless_jacobian
 
 ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
-NOTHING_MOVES = "no joint moves the task at all: its Jacobian is zero everywhere"
 MOVES = 1e-12  # σ₁ of a Jacobian without units that is not rounding
 LONGEST_STEP = 0.5  # of one iteration, in the box's units
 INDEPENDENT = 1e-10  # of a singular value of the linearised block, beside its largest; differences are exact to 1e-13
@@ -45,6 +45,16 @@ class SingularPoints:
     rank: int
     scale: float
 
+    def require_motion(self) -> "SingularPoints":
+        """Return self if a joint moves the task, or there is none.
+
+        Raises:
+            TaskError: J is zero everywhere.
+        """
+        if self.rank == 0 and self.robot.nv > 0:
+            raise TaskError("no joint moves the task at all: its Jacobian is zero everywhere")
+        return self
+
     def jacobian(self, q: Array) -> Array:
         """Return J(q), (m, n), without units."""
         return unitless_jacobian(self.robot, self.task, q)
@@ -68,6 +78,14 @@ class SingularPoints:
     def rank_at(self, q: Array) -> int:
         """Return the rank of J(q); singular values that are rounding beside the usual σ₁ count as zero."""
         return numeric_rank(np.append(self.scale, np.linalg.svd(self.jacobian(q), compute_uv=False))) - 1
+
+    def moved(self, q: Array, step: Array) -> Array:
+        """Return the configuration in the box that is nearest to q plus a step, in the box's units."""
+        return self.box.nearest(q + self.box.unit * step)
+
+    def neighbour(self, q: Array, step: Array) -> Array | None:
+        """Return a configuration on the set near one of its points, q, and a step from it; None as `project`."""
+        return self.project(self.moved(q, step), iterations=12)
 
     def project(self, q: Array, iterations: int = 60) -> Array | None:
         """Return a configuration on the set near q, or None when Newton's method finds none inside the box, or meets
@@ -94,11 +112,11 @@ class SingularPoints:
             if (gap < 1e-15 and longest < EXACT) or (best_gap < ON_THE_SET and gap > best_gap):
                 break  # exact, or at the level of rounding
             step *= min(1.0, LONGEST_STEP / max(longest, 1e-300))
-            ahead = self.box.nearest(q + self.box.unit * step)
+            ahead = self.moved(q, step)
             ratio = _shrinking(before, step)
             before = step
             if ratio is not None:
-                further = self.box.nearest(q + self.box.unit * step / (1 - ratio))
+                further = self.moved(q, step / (1 - ratio))
                 multiple = step if ratio > OF_ORDER_3 else multiple
                 if self.relative_sigma(further) < self.relative_sigma(ahead):
                     ahead, before = further, None
@@ -115,15 +133,15 @@ class SingularPoints:
         """Return a zero of order m ≥ 3 to about 1e-7, q being near it: there σ is rounding, so that the steps are
         taken from a little aside, and followed to where they lead.
         """
-        at = self.box.nearest(q - ASIDE * self.box.unit * direction / np.linalg.norm(direction))
+        at = self.moved(q, -ASIDE * direction / np.linalg.norm(direction))
         before = None
         for _ in range(3):
             step = self._newton_step(at)
             ratio = _shrinking(before, step)
             if ratio is None:
-                at, before = self.box.nearest(at + self.box.unit * step), step
+                at, before = self.moved(at, step), step
             else:
-                found = self.box.nearest(at + self.box.unit * step / (1 - ratio))
+                found = self.moved(at, step / (1 - ratio))
                 near = np.abs(self.box.difference(found, q)).max() < 0.1 * ASIDE
                 return found if near and self.relative_sigma(found) <= ON_THE_SET else q
         return q
@@ -137,13 +155,36 @@ class SingularPoints:
         n = len(q)
         moves = []
         for direction in rng.standard_normal((2 * n, n)):
-            p = self.project(self.box.nearest(q + radius * self.box.unit * direction), iterations=12)
+            p = self.neighbour(q, radius * direction)
             if p is not None:
                 moves.append(self.box.difference(p, q))
         if not moves:
             return np.zeros((n, 0))
         _, lengths, Vt = np.linalg.svd(np.array(moves), full_matrices=False)
         return np.asarray(Vt[lengths > 0.03 * radius].T)
+
+    def branch(
+        self, samples: Sequence[Array], dimension: int, values: Mapping[int, float], free: list[int], limits: JointBox
+    ) -> SingularBranch:
+        """Return a branch from samples in the box, constant joint → value, and the free joints. Its bases are those at
+        the first sample of the largest rank; `limits` are those of the joints.
+        """
+        names = self.robot.joint_names
+        ranks = list(map(self.rank_at, samples))
+        best = int(np.argmax(ranks))
+        return SingularBranch(
+            robot=self.robot,
+            task=self.task,
+            box=self.box,
+            generic_rank=self.rank,
+            dimension=dimension,
+            values={names[i]: float(value) for i, value in values.items()},
+            free_joints=tuple(names[i] for i in free),
+            samples=np.array(samples),
+            q=samples[best],
+            rank=ranks[best],
+            note=_note_on_limits(np.array(samples), limits, names),
+        )
 
     def linearised(self, q: Array) -> tuple[Array, Array]:
         """Return (A, b): near q the block that vanishes on the set is b + A dx, with dx in the box's units."""
@@ -172,7 +213,7 @@ def singular_points(robot: Robot, task: Task, box: JointBox, rng: np.random.Gene
     return SingularPoints(robot, task, box, rank, max(float(sigma[0]) for sigma in sigmas))
 
 
-def note_on_limits(samples: Array, limits: JointBox, names: Sequence[str]) -> str:
+def _note_on_limits(samples: Array, limits: JointBox, names: Sequence[str]) -> str:
     """Return which limits all samples (k, n) are at; or, if none of them is inside, which they are outside of, by less
     than 1e-6. "" if neither.
     """

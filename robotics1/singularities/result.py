@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import pi_fraction
-from robotics1.results import Frozen
+from robotics1.results import Frozen, require
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces_of_rank
@@ -130,13 +131,22 @@ class SingularBranch(Frozen):
 
     def contains(self, q: Array) -> bool:
         """Return whether q (nq,) is on the branch; False of a branch that was found by numbers."""
-        return self.formulas is not None and self.formulas.contains(q)
+        return self.formulas is not None and self.formulas.contains(self.robot.configuration(q))
 
     def explain(self) -> str:
         """Return what the branch means for the robot, in sentences."""
         from robotics1.singularities.explain import branch_sentences
 
         return printable(branch_sentences(self), keep="\n")
+
+
+class SingularSetStatus(Enum):
+    """Which of the singular configurations inside the joint limits are known."""
+
+    COMPLETE = "these are all singular configurations"
+    NOWHERE_SINGULAR = "there is no singular configuration"
+    INCOMPLETE = "this was a search: it does not prove that there are no others"
+    NOT_FOUND = "no singular configuration was found"
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,6 +180,13 @@ class SingularSet:
     jacobian: "SymbolicJacobian | None" = field(default=None, repr=False)
     without_solution: "tuple[Zero, ...]" = field(default=(), repr=False)
 
+    @property
+    def status(self) -> SingularSetStatus:
+        """COMPLETE, or NOWHERE_SINGULAR where there is no branch; of a search INCOMPLETE or NOT_FOUND."""
+        if self.complete:
+            return SingularSetStatus.COMPLETE if self.branches else SingularSetStatus.NOWHERE_SINGULAR
+        return SingularSetStatus.INCOMPLETE if self.branches else SingularSetStatus.NOT_FOUND
+
     @cached_property
     def generic_bases(self) -> "BranchFormulas | None":
         """The bases of N(J), R(J) and N(Jᵀ) in symbols where J has rank ρ; they hold almost everywhere, as all entries
@@ -192,6 +209,14 @@ class SingularSet:
     def explain(self) -> str:
         """Return the singularities in sentences, with the conditions on lengths of `parameter_conditions`."""
         return self._explanation
+
+    def require(self) -> "SingularSet":
+        """Return self if it is proven that there are no other singular configurations inside the joint limits.
+
+        Raises:
+            NotConverged: the answer is that of a search.
+        """
+        return require(self, self.complete)
 
     @cached_property
     def _explanation(self) -> str:

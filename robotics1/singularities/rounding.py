@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import Robotics1Error
-from robotics1.inputs import Array
+from robotics1.inputs import Array, a_robot_and_a_task
 from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration, joint_value, pi_fraction
 from robotics1.results import Frozen
@@ -55,12 +55,12 @@ class RoundedConfiguration(Frozen):
         rank = f"rank {self.spaces.rank} of {min(self.spaces.J.shape)}"
         if self.singular_q is None or self.at_singularity is None:
             return f"{self.status.value} ({rank})"
-        moved = np.flatnonzero(self.singular_q != self.q)
-        joints = [
-            f"{self.joint_names[i]} = {_printed(self.q[i], self.half_units[i])} is within {self.half_units[i]:.0e} of "
-            f"{self.singular_q[i]:.10g}{_as_pi(self.singular_q[i])}"
-            for i in moved
-        ]
+        joints = []
+        for i in np.flatnonzero(self.singular_q != self.q):
+            value, half_unit, there = self.q[i], self.half_units[i], self.singular_q[i]
+            printed = f"{value:.{round(-np.log10(2 * half_unit))}f}"
+            as_pi = f" ({joint_value(there)})" if pi_fraction(there) else ""
+            joints.append(f"{self.joint_names[i]} = {printed} is within {half_unit:.0e} of {there:.10g}{as_pi}")
         sigma = self.spaces.singular_values[self.at_singularity.rank]
         return (
             f"{self.status.value}: {enumeration(joints)}, where the rank is {self.at_singularity.rank}, not "
@@ -83,6 +83,7 @@ def singularity_within_rounding(robot: Robot, task: Task, q: npt.ArrayLike) -> R
         InputError: q has the wrong shape or is not finite.
         TaskError: the task does not fit the robot.
     """
+    a_robot_and_a_task(robot, task)
     return rounded_configuration(lambda x: task.jacobian(robot, x), robot, q)
 
 
@@ -153,11 +154,3 @@ def _newton(matrix: Callable[[Array], Array], robot: Robot, q: Array, rank: int,
     except Robotics1Error:  # the task has no value there
         return None
     return x if singular and (np.abs(x - q) <= (1 + SLACK) * within).all() else None
-
-
-def _printed(value: float, half_unit: float) -> str:
-    return f"{value:.{round(-np.log10(2 * half_unit))}f}"
-
-
-def _as_pi(value: float) -> str:
-    return f" ({joint_value(value)})" if pi_fraction(value) else ""

@@ -57,13 +57,12 @@ def samples_of(
 
 def _random_chunks(box: JointBox, count: int, seed: int) -> Iterator[Chunk]:
     for number, start in enumerate(range(0, count, CHUNK)):
-        yield partial(_random_points, box.lower, box.upper, seed, number, min(CHUNK, count - start))
+        yield partial(_random_points, box, seed, number, min(CHUNK, count - start))
 
 
-def _random_points(lower: Array, upper: Array, seed: int, number: int, size: int) -> Array:
+def _random_points(box: JointBox, seed: int, number: int, size: int) -> Array:
     stream = np.random.SFC64(np.random.SeedSequence([seed, number]))
-    unit = np.random.Generator(stream).random((len(lower), CHUNK))[:, :size]
-    return _in_box(lower, upper, np.ascontiguousarray(unit))
+    return _in_box(box, np.random.Generator(stream).random((len(box.lower), CHUNK))[:, :size])
 
 
 def _sobol_chunks(box: JointBox, count: int, seed: int) -> Iterator[Chunk]:
@@ -72,8 +71,7 @@ def _sobol_chunks(box: JointBox, count: int, seed: int) -> Iterator[Chunk]:
 
     sequence = qmc.Sobol(len(box.lower), rng=seed, bits=max(30, count.bit_length()))
     for start in range(0, count, CHUNK):
-        unit = sequence.random(CHUNK)[: count - start]
-        yield partial(np.asarray, _in_box(box.lower, box.upper, np.ascontiguousarray(unit.T)))
+        yield partial(np.asarray, _in_box(box, sequence.random(CHUNK)[: count - start].T))
 
 
 def _grid_points(axes: tuple[Array, ...], start: int, stop: int) -> Array:
@@ -81,10 +79,12 @@ def _grid_points(axes: tuple[Array, ...], start: int, stop: int) -> Array:
     return np.array([axis[place] for axis, place in zip(axes, places, strict=True)])
 
 
-def _in_box(lower: Array, upper: Array, unit: Array) -> Array:
-    unit *= (upper - lower)[:, None]
-    unit += lower[:, None]
-    return unit
+def _in_box(box: JointBox, unit: Array) -> Array:
+    """Return configurations (n, N) of a box from numbers in [0, 1)."""
+    q = np.ascontiguousarray(unit)
+    q *= (box.upper - box.lower)[:, None]
+    q += box.lower[:, None]
+    return q
 
 
 def _grid_axes(box: JointBox, samples: int | float | Sequence[int], moving: npt.NDArray[np.bool_]) -> tuple[Array, ...]:

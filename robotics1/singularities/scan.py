@@ -10,9 +10,9 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
-from robotics1.robot.box import JointBox, joint_box
+from robotics1.robot.box import joint_box
 from robotics1.robot.model import Robot
-from robotics1.singularities.points import MOVES, NOTHING_MOVES, SingularPoints, singular_points
+from robotics1.singularities.points import MOVES, SingularPoints, singular_points
 from robotics1.singularities.reduction import MEASURES, Reduction, reduced
 from robotics1.singularities.refinement import refine as refine_worst
 from robotics1.singularities.samples import METHODS, Chunk, samples_of
@@ -89,7 +89,7 @@ def scan_singularities(
     _check_callables(executor, progress)
     task.check(robot)
     where = joint_box(robot, box, turns=turns_of(robot, task))
-    points = _singular_points(robot, task, where, seed)
+    points = singular_points(robot, task, where, np.random.default_rng(seed)).require_motion()
     count, chunks = samples_of(method, where, samples, seed, _moving(points))
     from robotics1.singularities.measurement import measurement_of
 
@@ -129,13 +129,6 @@ def _check_callables(executor: object, progress: object) -> None:
         raise InputError(f"executor must be one of concurrent.futures, such as a ThreadPoolExecutor, not {executor!r}")
     if progress is not None and not callable(progress):
         raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
-
-
-def _singular_points(robot: Robot, task: Task, box: JointBox, seed: int) -> SingularPoints:
-    points = singular_points(robot, task, box, np.random.default_rng(seed))
-    if points.rank == 0 and robot.nv > 0:
-        raise TaskError(NOTHING_MOVES)
-    return points
 
 
 def _moving(points: SingularPoints) -> npt.NDArray[np.bool_]:

@@ -7,11 +7,11 @@ import numpy as np
 import sympy
 
 from robotics1.angles import TURN
-from robotics1.errors import FormulaError, TaskError
+from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
-from robotics1.singularities.points import NEAR, NOTHING_MOVES, SingularPoints, note_on_limits, singular_points
+from robotics1.singularities.points import NEAR, SingularPoints, singular_points
 from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import subspaces
 from robotics1.symbolic.kinematics.exact import exact_robot
@@ -69,7 +69,7 @@ def symbolic_branches(
     with exact.kept():
         found = _with_exact_jacobian(robot, task, box, rng)
     J = found.jacobian
-    cases = CommonZeros(J.parameters, exact, found.without_solution)
+    cases = CommonZeros(J.parameters, found.without_solution)
     loci: list[Locus] = []
     try:
         with exact.kept():
@@ -77,7 +77,7 @@ def symbolic_branches(
     except OutOfTime:
         found.complete = False
     with limit.kept():
-        pieces, all_drawn = largest_pieces(loci, replace(cases, limit=limit), J.box, rng)
+        pieces, all_drawn = largest_pieces(loci, cases, J.box, rng)
         try:
             for sampler in pieces:
                 _place(found, sampler, rng)
@@ -94,9 +94,7 @@ def _with_exact_jacobian(robot: Robot, task: Task, box: JointBox, rng: np.random
     """Return what is known before the search: the Jacobian in exact form, verified, and ρ."""
     formula = formulas(robot, task)
     exact, _ = exact_robot(robot)
-    points = singular_points(exact, task, box, rng)
-    if points.rank == 0:
-        raise TaskError(NOTHING_MOVES)
+    points = singular_points(exact, task, box, rng).require_motion()
     in_world = isinstance(task, FrameTask) and task.reference == "world"
     rows = _rows(formula, in_world)
     parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
@@ -183,7 +181,7 @@ def branch_of(
     Raises:
         FormulaError: a configuration of the piece is not singular.
     """
-    piece, names = sampler.piece, points.robot.joint_names
+    piece = sampler.piece
     samples = samples_of(points, sampler, rng, POINTS)
     dimension = piece.dimension(samples[0])
     if dimension:
@@ -197,19 +195,7 @@ def branch_of(
     worst = max(map(points.relative_sigma, samples))
     if worst > CONFIRMED:
         raise FormulaError(f"the formulas of a singularity are not confirmed: σ_min is {worst:.1e} σ₁ there")
-    ranks = list(map(points.rank_at, samples))
-    best = int(np.argmax(ranks))
-    return SingularBranch(
-        robot=points.robot,
-        task=points.task,
-        box=sampler.box,
-        generic_rank=points.rank,
-        dimension=dimension,
-        values={names[i]: float(samples[0][i]) for i in (piece.constant if dimension else piece.locus.joints)},
-        free_joints=tuple(name for i, name in enumerate(names) if i not in piece.locus.joints),
-        samples=np.array(samples),
-        q=samples[best],
-        rank=ranks[best],
-        formulas=BranchFormulas(jacobian, piece, ranks[best]),
-        note=note_on_limits(np.array(samples), points.box, names),
-    )
+    values = {i: samples[0][i] for i in (piece.constant if dimension else piece.locus.joints)}
+    free = [i for i in range(points.robot.nq) if i not in piece.locus.joints]
+    branch = replace(points, box=sampler.box).branch(samples, dimension, values, free, points.box)
+    return replace(branch, formulas=BranchFormulas(jacobian, piece, branch.rank))

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, counting_number, real_array
+from robotics1.inputs import Array, a_robot, counting_number, real_array
 from robotics1.kinematics import forward_kinematics
 from robotics1.orientation.expressions import wrapped
 from robotics1.robot.model import Robot
@@ -75,6 +75,7 @@ class FunctionTask:
         Raises:
             TaskError: f fails, or returns something else than m finite numbers.
         """
+        a_robot(robot)
         return self._evaluate(self.f, robot, robot.configuration(q), (self.rows,))
 
     def target(self, target: Any) -> Array:
@@ -90,6 +91,7 @@ class FunctionTask:
         if self.derivative is None:
             r = self.value(robot, q)  # from which an angle differs little, also where it jumps from π to −π
             return configuration_derivative(lambda x: self._difference(self.value(robot, x), r), robot, q)
+        a_robot(robot)
         return self._evaluate(self.derivative, robot, robot.configuration(q), (self.rows, robot.nv))
 
     def check(self, robot: Robot) -> None:

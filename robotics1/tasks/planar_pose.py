@@ -8,11 +8,11 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, one_of, real_array
+from robotics1.inputs import Array, a_robot, one_of, real_array
 from robotics1.kinematics import frame_jacobian
 from robotics1.orientation.expressions import angle_of, wrapped
 from robotics1.robot.model import Robot
-from robotics1.tasks.position import AXES
+from robotics1.tasks.position import numbers_of
 from robotics1.tasks.task import FrameTask, PoseError
 
 
@@ -46,12 +46,12 @@ class PlanarPoseTask(FrameTask):
 
     def g(self, p: Array, R: Array) -> Array:
         """Return (p·a, p·b, atan2(x·b, x·a)), (3,)."""
-        a, b = (AXES.index(axis) for axis in self.plane)
+        a, b = numbers_of(self.plane)
         return np.array([p[a], p[b], angle_of(R[b, 0], R[a, 0])])
 
     def S(self, p: Array, R: Array) -> Array:
         """Return the rows a·v, b·v, n·ω, (3, 6)."""
-        a, b = (np.eye(3)[AXES.index(axis)] for axis in self.plane)
+        a, b = np.eye(3)[numbers_of(self.plane)]
         zero = np.zeros(3)
         return np.array([[*a, *zero], [*b, *zero], [*zero, *np.cross(a, b)]])
 
@@ -72,26 +72,27 @@ class PlanarPoseTask(FrameTask):
 
     def pose_error(self) -> PoseError:
         """Return the coordinates, and the turn about n."""
-        a, b = (AXES.index(axis) for axis in self.plane)
+        a, b = numbers_of(self.plane)
         return PoseError((a, b, 6 - a - b), self._goal)
 
     def _goal(self, robot: Robot, target: Any) -> Array:
         """Return the pose of the target; the tilt out of the plane is that of every pose of the robot."""
         r = self.target(target)
         here = self._pose(robot, pin.neutral(robot.model))
-        a, b = (np.eye(3)[AXES.index(axis)] for axis in self.plane)
+        a, b = np.eye(3)[numbers_of(self.plane)]
         turn = pin.exp3((r[2] - self.g(here.translation, here.rotation)[2]) * np.cross(a, b))
         return np.asarray(pin.SE3(turn @ here.rotation, r[0] * a + r[1] * b).homogeneous)
 
     def check(self, robot: Robot) -> None:
         """Raise TaskError if the frame leaves the plane, or its x axis stands on it."""
+        a_robot(robot)
         _check_planar(robot, self)
 
 
 @lru_cache(maxsize=256)
 def _check_planar(robot: Robot, task: PlanarPoseTask) -> None:
     """The rows of J that leave the plane vanish, and x is not along n: seen at three configurations."""
-    a, b = (AXES.index(axis) for axis in task.plane)
+    a, b = numbers_of(task.plane)
     n = 3 - a - b
     for seed in range(3):
         step = np.random.default_rng(seed).uniform(-1, 1, robot.nv)

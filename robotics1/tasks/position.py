@@ -13,6 +13,11 @@ from robotics1.tasks.task import FrameTask, PoseError
 AXES = "xyz"
 
 
+def numbers_of(axes: str) -> list[int]:
+    """Return the numbers of axes that are letters of "xyz": 0, 1 or 2."""
+    return [AXES.index(axis) for axis in axes]
+
+
 @dataclass(frozen=True)
 class PositionTask(FrameTask):
     """r = the chosen coordinates of the frame's origin [m]; ṙ = the same rows of v.
@@ -42,11 +47,11 @@ class PositionTask(FrameTask):
 
     def g(self, p: Array, R: Array) -> Array:
         """Return the chosen coordinates of p, (m,)."""
-        return p[self._rows]
+        return p[numbers_of(self.axes)]
 
     def S(self, p: Array, R: Array) -> Array:
         """Return the chosen rows of [1 0], (m, 6)."""
-        return np.eye(6)[self._rows]
+        return np.eye(6)[numbers_of(self.axes)]
 
     @property
     def has_constant_rows(self) -> bool:
@@ -63,14 +68,10 @@ class PositionTask(FrameTask):
 
     def pose_error(self) -> PoseError:
         """Return the chosen rows of p_d − p."""
-        return PoseError(tuple(self._rows), self._goal)
+        return PoseError(tuple(numbers_of(self.axes)), self._goal)
 
     def _goal(self, robot: Robot, target: Any) -> Array:
         """Return a pose with the coordinates of the target."""
         T = np.eye(4)
-        T[self._rows, 3] = self.target(target)
+        T[numbers_of(self.axes), 3] = self.target(target)
         return T
-
-    @property
-    def _rows(self) -> list[int]:
-        return [AXES.index(axis) for axis in self.axes]

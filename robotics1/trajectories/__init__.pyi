@@ -1,6 +1,7 @@
 """The public names of `robotics1.trajectories`, and where they are."""
 
 from .bounds_along_path import TimingBounds, timing_bounds
+from .elementary import cosine, cubic, cycloidal, quintic, septic
 from .following.followed_trajectory import FollowedTrajectory, FollowingStatus
 from .following.joint_rates import JointAcceleration, JointVelocity, RateStatus, joint_acceleration, joint_velocity
 from .following.path_following import follow_trajectory, follow_trajectory_by_acceleration
@@ -12,11 +13,8 @@ from .limits import LimitUse, MotionLimits, NormLimits, limit_violations
 from .meeting import MeetingBranch, MeetingStatus, Rendezvous, rendezvous
 from .norms import AccelerationSplit, acceleration_split, peak_norm
 from .polynomial_splines import polynomial_spline, polynomial_through, virtual_point_spline
-from .polynomials import cubic, quintic, septic
 from .profiles import VelocityProfile, bang_bang, cruise_profile, double_s, trapezoidal
-from .scaling import TimeScaling, scale_to_limits
-from .shortest import minimum_duration
-from .sines import cosine, cycloidal
+from .scaling import TimeScaling, minimum_duration, scale_to_limits
 from .splines import cubic_hermite_spline, cubic_spline, knot_times, spline_path
 from .symbolic_polynomial import PolynomialFormula, polynomial_formula
 from .target_motion import FunctionMotion, LinearMotion, TargetMotion

@@ -7,12 +7,11 @@ from typing import Protocol
 
 from robotics1.curves.curve import Curve
 from robotics1.errors import InputError
+from robotics1.trajectories.elementary import cosine, cubic, cycloidal, quintic, septic
 from robotics1.trajectories.limits import MotionLimits
-from robotics1.trajectories.polynomials import cubic, quintic, septic
 from robotics1.trajectories.profiles import VelocityProfile, bang_bang_law, profile, steady
 from robotics1.trajectories.ramps import ramp_under
-from robotics1.trajectories.shortest import minimum_duration
-from robotics1.trajectories.sines import cosine, cycloidal
+from robotics1.trajectories.scaling import minimum_duration
 from robotics1.trajectories.transfer import Transfer
 
 SAME_DURATION = 1e-12  # relative

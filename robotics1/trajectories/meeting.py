@@ -21,8 +21,8 @@ from robotics1.robot.box import nearest_turn
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
 from robotics1.tasks.task import Task
+from robotics1.trajectories.elementary import cubic
 from robotics1.trajectories.limits import LimitUse, limit_violations
-from robotics1.trajectories.polynomials import cubic
 from robotics1.trajectories.target_motion import TargetMotion
 
 INSTANTS = 4000  # at which an event is looked at before its zero is refined
@@ -145,7 +145,7 @@ def rendezvous(
     a_robot_and_a_task(robot, task)
     q0 = robot.configuration(q0)
     qdot0 = per_joint("qdot0", qdot0, robot.nv)
-    if not callable(target_motion) or not hasattr(target_motion, "velocity"):
+    if isinstance(target_motion, type) or not callable(target_motion) or not hasattr(target_motion, "velocity"):
         raise InputError("target_motion must give p(t) and velocity(t); use LinearMotion or FunctionMotion")
     T = meeting_time(target_motion, meet, horizon)
     position = task.target(target_motion(T))
@@ -167,6 +167,8 @@ def meeting_time(
     Raises:
         InputError: the time is not positive, or the event has no zero before the horizon.
     """
+    if isinstance(meet, type) or hasattr(meet, "velocity"):
+        raise InputError(f"meet must be a time, or a function g(t, p) that is zero at it; it is {meet!r}")
     if not callable(meet):
         return real_number("the meeting time", meet, positive=True)
     event = meet

@@ -10,7 +10,8 @@ import numpy.typing as npt
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.curves.stack import JointTrajectory
 from robotics1.errors import InputError
-from robotics1.inputs import joint_numbers, joint_rates, moderate, positive_bound, positive_number, real_number
+from robotics1.inputs import Array, moderate, positive_bound, real_number
+from robotics1.trajectories.elementary import boundary
 from robotics1.trajectories.ramps import ConstantAcceleration, Phase, Ramp, ramp_under
 from robotics1.trajectories.transfer import Transfer
 
@@ -95,18 +96,16 @@ def trapezoidal(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.1.
     """
-    T = positive_number("duration", duration)
+    ends = boundary(q0, q1, duration, v0=v0, v1=v1)
     if (acceleration is None) == (velocity is None):
         raise InputError("give either the acceleration or the cruise velocity; with a duration, the other follows")
     if acceleration is not None:
         return _each(
-            lambda s0, d, v, w, A: _lasting(s0, Transfer(d, v, w, ramp_under(A, inf)), T),
-            (q0, q1, v0, v1),
+            lambda T, s0, d, v, w, A: _lasting(s0, Transfer(d, v, w, ramp_under(A, inf)), T),
+            ends,
             acceleration=acceleration,
         )
-    return _each(
-        lambda s0, d, v, w, V: _cruising(s0, d, (v, w), copysign(V, d), T), (q0, q1, v0, v1), velocity=velocity
-    )
+    return _each(lambda T, s0, d, v, w, V: _cruising(s0, d, (v, w), copysign(V, d), T), ends, velocity=velocity)
 
 
 def bang_bang(
@@ -127,8 +126,8 @@ def bang_bang(
 
     Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 3.2.
     """
-    T = positive_number("duration", duration)
-    return _each(lambda s0, d, v, w: bang_bang_law(s0, d, (v, w), T), (q0, q1, v0, v1))
+    ends = boundary(q0, q1, duration, v0=v0, v1=v1)
+    return _each(lambda T, s0, d, v, w: bang_bang_law(s0, d, (v, w), T), ends)
 
 
 def bang_bang_law(start: float, distance: float, ends: tuple[float, float], T: float) -> VelocityProfile:
@@ -170,10 +169,9 @@ def double_s(
 
     Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 3.4.
     """
-    T = positive_number("duration", duration)
     return _each(
-        lambda s0, d, v, w, A, J: _lasting(s0, Transfer(d, v, w, ramp_under(A, J)), T),
-        (q0, q1, v0, v1),
+        lambda T, s0, d, v, w, A, J: _lasting(s0, Transfer(d, v, w, ramp_under(A, J)), T),
+        boundary(q0, q1, duration, v0=v0, v1=v1),
         acceleration=acceleration,
         jerk=jerk,
     )
@@ -230,13 +228,10 @@ def _cruising(start: float, distance: float, ends: tuple[float, float], V: float
 
 
 def _each(
-    law: Callable[..., VelocityProfile], ends: tuple[npt.ArrayLike, ...], **bounds: npt.ArrayLike | None
+    law: Callable[..., VelocityProfile], ends: tuple[float, list[Array]], **bounds: npt.ArrayLike | None
 ) -> JointTrajectory:
-    """Return law(q0, Δ, v0, v1, bounds...) of each joint, the bounds being positive."""
-    q0 = joint_numbers("q0", ends[0])
-    n = len(q0)
-    q1 = joint_numbers("q1", ends[1], n)
-    v0, v1 = joint_rates("v0", ends[2], n), joint_rates("v1", ends[3], n)
-    limits = [positive_bound(name, value, n) for name, value in bounds.items()]
-    columns = np.array([q0, q1 - q0, v0, v1, *limits]).T.tolist()
-    return JointTrajectory(tuple(law(*row) for row in columns))
+    """Return law(T, q0, Δ, v0, v1, bounds...) of each joint, the bounds being positive."""
+    T, states = ends
+    limits = [positive_bound(name, value, len(states[0])) for name, value in bounds.items()]
+    columns = np.array([*states, *limits]).T.tolist()
+    return JointTrajectory(tuple(law(T, *row) for row in columns))

@@ -64,7 +64,7 @@ class FunctionMotion:
 
     def __post_init__(self) -> None:
         """Refuse what cannot be called."""
-        if not (callable(self.position) and callable(self.rate)):
+        if not all(callable(f) and not isinstance(f, type) for f in (self.position, self.rate)):
             raise InputError("FunctionMotion takes two functions of t: the position and its velocity")
 
     def __call__(self, t: float) -> Any:

@@ -1,140 +1,179 @@
-"""A motion as an animated page: the robot, the tool's trail, and the target it meets."""
+"""Pages of a robot: at a configuration, with several solutions, or in motion."""
 
-from itertools import pairwise
-from math import ceil
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.curves.given import Motion, joint_motion
+from robotics1.curves.given import Motion
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array, real_number
-from robotics1.kinematics import forward_kinematics
+from robotics1.inputs import Array, text
 from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
 from robotics1.trajectories.target_motion import TargetMotion
-from robotics1.viewer.page import write_page
-from robotics1.viewer.scene import Color, Scene
+from robotics1.viewer.arm_data import arm_data, is_planar
+from robotics1.viewer.page import Page, page_of
+from robotics1.viewer.plot_figures import names_of
+from robotics1.viewer.samples import recorded, samples_of, target_samples
+from robotics1.viewer.shapes import Shapes
 
-FRAME_RATE = 60.0  # at most; a browser shows no more
-MOST_FRAMES = 1200  # a long motion gets fewer frames a second, so that its page stays small
-HOLD = 0.7  # the end is held before the motion starts again [s]
-THIN = 0.005  # radius of the trail and of the dots, of the arm's reach
-TRAIL: Color = (0.80, 0.15, 0.15)
-TARGET: Color = (0.10, 0.60, 0.25)
+APART = 0.2  # between two robots side by side, of the reach
+TINTS = (
+    (0.13, 0.42, 0.71),
+    (0.93, 0.55, 0.14),
+    (0.17, 0.54, 0.24),
+    (0.53, 0.18, 0.61),
+)  # of several motions of one arm
 
 
 def animate(
-    robot: Robot,
-    trajectory: Motion,
-    path: str | Path,
+    robot: Robot | Sequence[Robot],
+    motion: Motion | Sequence[Motion] | None = None,
+    file: str | Path | None = None,
     *,
+    times: npt.ArrayLike | None = None,
+    q: npt.ArrayLike | None = None,
     target: TargetMotion | None = None,
+    task: Task | None = None,
+    names: Sequence[str] | None = None,
     title: str | None = None,
     caption: str = "",
-) -> Path:
-    """Write an animated page of the motion, one offline HTML file, and return its path.
+) -> Page:
+    """Return an animated page of a motion, and write it if a file is given: one offline HTML file.
 
     The robot moves in real time and its tool leaves a trail; the target, if there is one, runs along its dotted path.
+    Under the scene there are a bar to play, and plots of q, q̇, σ_min and the distance to the target. Several motions
+    of one robot are drawn in one place, in different colours; those of several robots side by side.
 
     Args:
-        robot: the robot, with a tool.
-        trajectory: q(t), any of the robot's joints.
-        path: the file to write.
+        robot: the robot; or several, one for each motion.
+        motion: q(t), any motion of the robot's joints; or several.
+        file: the file to write.
+        times, q: recorded instants (k,) [s] and configurations (k, n), in the place of a motion.
         target: a moving point p(t) with two (x, y) or three coordinates [m].
+        task: the task whose Jacobian the page shows; by default the position or the pose of the tool.
+        names: one for each of several motions; by default the robots' names.
         title: by default the robot's name.
         caption: lines under the title.
 
     Raises:
-        MissingExtraError: Meshcat is not installed.
-        InputError: the trajectory is not of the robot's joints, it or the target is not finite, or the file cannot be
-            written there.
+        MissingExtraError: Meshcat or trimesh is not installed.
+        InputError: a motion is not of its robot's joints, it or the target is not finite, the instants do not grow, or
+            the file cannot be written there.
 
     Warns:
-        RobotWarning: a mesh cannot be read, and is not drawn.
+        RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
-    motion = joint_motion("trajectory", trajectory, robot.nv)
-    T = real_number("the trajectory's duration", motion.end, positive=True)
-    count = max(2, min(ceil(T * FRAME_RATE), MOST_FRAMES))
-    times = np.linspace(0.0, T, count + 1)
-    rate = count / T
-    last = count + max(1, round(HOLD * rate))
-    states = real_array("q(t) of the trajectory", motion(times), (len(times), robot.nv))
-    course = None if target is None else np.array([_in_space(target(float(t))) for t in times])
-    scene = Scene(robot, rate)
-    trail = np.array([forward_kinematics(robot, q).translation for q in states])
-    seen = [trail]
-    for frame, q in [*enumerate(states), (last, states[-1])]:
-        scene.pose(q, frame)
-        seen.append(scene.corners())
-    scene.pose(states[0])
-    for frame, (start, end) in enumerate(pairwise(trail), start=1):
-        scene.rod(f"trail/{frame}", start, end, THIN * robot.reach, TRAIL)
-        scene.appear(f"trail/{frame}", frame, last)
-    if course is not None:
-        _show_target(scene, course, last, robot.reach)
-        seen.append(course)
-    scene.animate()
-    camera, look_at = point_of_view(np.vstack(seen))
-    return write_page(
-        path,
-        scene.window.commands,
-        title=title or robot.name,
-        caption=caption,
-        duration=T,
-        camera=camera,
-        look_at=look_at,
-    )
+    robots, motions = _pairs(robot, motion, recorded_values=times is not None or q is not None)
+    labels = names_of("names", names, [one.name for one in robots])
+    in_one_place = isinstance(robot, Robot) and len(motions) > 1
+    shapes = Shapes()
+    arms, actors, across = [], [], -(1 + APART) * robots[0].reach
+    for i, (one, moved, label) in enumerate(zip(robots, motions, labels, strict=True)):
+        across += (1 + APART) * one.reach  # from the edge of the robot before
+        samples = samples_of(moved, one) if moved is not None else recorded(times, q, one)
+        arms.append(_arm(one, samples.q[0], task, shapes, label))
+        actors.append(
+            {
+                **_actor(i, samples.q[0]),
+                "motion": samples.packed(),
+                "target": None if target is None else target_samples(target, samples.times[-1]).packed(),
+                "offset": [0.0 if in_one_place else across, 0.0, 0.0],
+                "tint": TINTS[i % len(TINTS)] if in_one_place else None,
+            }
+        )
+        across += one.reach
+    return _page(robots, arms, actors, shapes, (), title=title, caption=caption, file=file)
 
 
-def view(robot: Robot, q: npt.ArrayLike, path: str | Path, *, title: str | None = None, caption: str = "") -> Path:
-    """Write a page that shows the robot at q, one offline HTML file, and return its path.
+def view(
+    robot: Robot,
+    q: npt.ArrayLike | None = None,
+    file: str | Path | None = None,
+    *,
+    task: Task | None = None,
+    solutions: Sequence[npt.ArrayLike] | Mapping[str, npt.ArrayLike] = (),
+    title: str | None = None,
+    caption: str = "",
+) -> Page:
+    """Return a page to play with a robot, and write it if a file is given: one offline HTML file.
+
+    The page has a slider for each joint and a handle to drag the tool by, and shows what the Jacobian says there.
+
+    Args:
+        robot: the robot.
+        q: (nq,) where it is at first; by default the first of the solutions, or zero, or what is next to it inside the
+            limits.
+        file: the file to write.
+        task: the task whose Jacobian the page shows; by default the position or the pose of the tool.
+        solutions: configurations (n,) to leaf through, such as those of an inverse kinematics; or label →
+            configuration.
+        title: by default the robot's name.
+        caption: lines under the title.
 
     Raises:
-        MissingExtraError: Meshcat is not installed.
-        InputError: q has the wrong shape or is not finite, or the file cannot be written there.
+        MissingExtraError: Meshcat or trimesh is not installed.
+        InputError: q or a solution has the wrong shape or is not finite, or the file cannot be written there.
 
     Warns:
-        RobotWarning: a mesh cannot be read, and is not drawn.
+        RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
-    q = robot.configuration(q)
-    scene = Scene(robot)
-    scene.pose(q)
-    camera, look_at = point_of_view(scene.corners())
-    return write_page(
-        path,
-        scene.window.commands,
-        title=title or robot.name,
-        caption=caption,
-        duration=0.0,
-        camera=camera,
-        look_at=look_at,
-    )
+    found = solutions.items() if isinstance(solutions, Mapping) else [("", solution) for solution in solutions]
+    states = [(text("the label of a solution", label), robot.configuration(at, "a solution")) for label, at in found]
+    start = robot.configuration(q) if q is not None else states[0][1] if states else _resting(robot)
+    shapes = Shapes()
+    arms = [_arm(robot, start, task, shapes, robot.name)]
+    return _page([robot], arms, [_actor(0, start)], shapes, states, title=title, caption=caption, file=file)
 
 
-def point_of_view(seen: Array) -> tuple[Array, Array]:
-    """Return where to put the camera and what to look at, (3,) each [m], so that the points (k, 3) are seen.
-
-    What happens in a horizontal plane is seen from above, the rest from the side.
-    """
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    centre = (low + high) / 2
-    size = max(float(np.linalg.norm(high - low)), 0.5)
-    flat = high[2] - low[2] < 0.2 * size
-    direction = np.array([0.0, -0.35, 1.0]) if flat else np.array([0.75, -1.0, 0.45])
-    return centre + 0.66 * size * direction / np.linalg.norm(direction), centre
+def _pairs(robot: Any, motion: Any, *, recorded_values: bool) -> tuple[list[Robot], list[Any]]:
+    """Return the robots and the motion of each."""
+    if (motion is None) != recorded_values:
+        raise InputError("give a motion, or times and q of a recorded one")
+    motions = list(motion) if isinstance(motion, list | tuple) else [motion]
+    robots = [robot] * len(motions) if isinstance(robot, Robot) else list(robot)
+    if not motions or len(robots) != len(motions):
+        raise InputError(f"each motion wants its robot: there are {len(robots)} robots and {len(motions)} motions")
+    return robots, motions
 
 
-def _show_target(scene: Scene, course: Array, last: int, reach: float) -> None:
-    scene.dots("target/path", course[::4], THIN * reach, TARGET)
-    scene.ball("target/ball", 5 * THIN * reach, TARGET)
-    for frame, position in [*enumerate(course), (last, course[-1])]:
-        scene.move("target/ball", position, frame)
-    scene.move("target/ball", course[0])
+def _resting(robot: Robot) -> Array:
+    """Return zero, or what is next to it inside the limits."""
+    if robot.nq != robot.nv:
+        import pinocchio as pin
+
+        return np.asarray(pin.neutral(robot.model))
+    return np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
 
 
-def _in_space(p: npt.ArrayLike) -> Array:
-    point = real_array("p(t) of the target", p, (None,), "two or three coordinates")
-    if point.size not in (2, 3):
-        raise InputError(f"p(t) of the target must have two or three coordinates; it has {point.size}")
-    return np.pad(point, (0, 3 - point.size))
+def _arm(robot: Robot, q: Array, task: Task | None, shapes: Shapes, label: str) -> dict[str, Any]:
+    return {**arm_data(robot, q, task), "label": label, "shapes": shapes.of(robot)}
+
+
+def _actor(arm: int, q: Array) -> dict[str, Any]:
+    """Return a robot of the page that stands still at q."""
+    return {"arm": arm, "q": q.tolist(), "motion": None, "target": None, "offset": [0.0, 0.0, 0.0], "tint": None}
+
+
+def _page(
+    robots: Sequence[Robot],
+    arms: Sequence[dict[str, Any]],
+    actors: Sequence[dict[str, Any]],
+    shapes: Shapes,
+    solutions: Sequence[tuple[str, Array]],
+    *,
+    title: str | None,
+    caption: str,
+    file: str | Path | None,
+) -> Page:
+    data = {
+        "planar": all(map(is_planar, robots)),
+        "arms": arms,
+        "actors": actors,
+        "meshes": shapes.meshes,
+        "solutions": [{"label": label, "q": q.tolist()} for label, q in solutions],
+    }
+    name = title or ", ".join(dict.fromkeys(robot.name for robot in robots))
+    return page_of(data, title=name, caption=caption, notes="\n".join(shapes.notes), file=file)

@@ -1,61 +1,83 @@
-"""A scene as one HTML file that needs no server and no network."""
+"""A page: one HTML file that needs no server and no network."""
 
-import base64
 import html
 import json
-from collections.abc import Sequence
+from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 from string import Template
+from typing import Any
 
-import numpy as np
-
+from robotics1.errors import MissingExtraError
 from robotics1.files import write_file
-from robotics1.inputs import Array
 from robotics1.names import printable
 
+SCRIPTS = (
+    *("linear", "kinematics", "inverse", "stage", "drawing", "motion"),
+    *("panel", "handle", "abilities", "solutions", "plots", "main"),
+)
+HEIGHT = 620  # of a page in a notebook [px]
 
-def write_page(
-    path: str | Path,
-    commands: Sequence[bytes],
-    *,
-    title: str,
-    caption: str,
-    duration: float,
-    camera: Array,
-    look_at: Array,
-) -> Path:
-    """Write the page that plays back Meshcat commands, and return its path.
 
-    Args:
-        path: the file to write.
-        commands: the packed commands, in order.
-        title: shown in the corner.
-        caption: the lines under it.
-        duration: of the motion [s]; with 0 there are no controls.
-        camera, look_at: (3,) where the camera is and what it looks at, in world axes [m].
+@dataclass(frozen=True)
+class Page:
+    """A page that shows a robot.
+
+    A notebook shows it inline.
+
+    Attributes:
+        file: where it is written; None if it is not.
+        title: its title.
+        html: its text.
+    """
+
+    file: Path | None
+    title: str
+    html: str = field(repr=False)
+
+    def save(self, file: str | Path) -> "Page":
+        """Write the page, one offline HTML file, and return it with its file.
+
+        Raises:
+            InputError: the file cannot be written there.
+        """
+        return Page(write_file(file, self.html), self.title, self.html)
+
+    def _repr_html_(self) -> str:
+        """Return the page in a frame of its own, for a notebook."""
+        return f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="{HEIGHT}" style="border:0"></iframe>'
+
+
+def page_of(data: dict[str, Any], *, title: str, caption: str, notes: str, file: str | Path | None) -> Page:
+    """Return a page of what `main.js` draws, and write it if there is a file.
 
     Raises:
+        MissingExtraError: Meshcat, whose Three.js draws the scene, is not installed.
         InputError: the file cannot be written there.
     """
-    import meshcat
-
-    library = Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js"
-    template = Template(files("robotics1.viewer").joinpath("page.html").read_text(encoding="utf-8"))
-    text = template.substitute(
+    folder = files("robotics1.viewer") / "page"
+    text = Template((folder / "page.html").read_text(encoding="utf-8")).substitute(
         title=html.escape(printable(title)),
         caption=html.escape(printable(caption, keep="\n")),
-        duration=json.dumps(duration),
-        controls="flex" if duration > 0 else "none",
-        meshcat=library.read_text(encoding="utf-8"),
-        commands=json.dumps([base64.b64encode(command).decode() for command in commands]),
-        camera=json.dumps(_three(camera)),
-        lookat=json.dumps(_three(look_at)),
+        notes=html.escape(printable(notes, keep="\n")),
+        style=(folder / "style.css").read_text(encoding="utf-8"),
+        script="\n".join((folder / f"{name}.js").read_text(encoding="utf-8") for name in SCRIPTS),
+        meshcat=_meshcat(),
+        data=_json(data),
     )
-    return write_file(path, text)
+    page = Page(None, title, text)
+    return page if file is None else page.save(file)
 
 
-def _three(p: Array) -> list[float]:
-    """Return a world position in the axes of Meshcat's camera, whose y is the world's z."""
-    x, y, z = (float(v) for v in np.asarray(p))
-    return [x, z, -y]
+def _meshcat() -> str:
+    try:
+        import meshcat
+    except ImportError as error:
+        raise MissingExtraError("meshcat", "viewer") from error
+    return (Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js").read_text(encoding="utf-8")
+
+
+def _json(data: dict[str, Any]) -> str:
+    """Return data as JSON in which no name can end the element that it stands in."""
+    text = json.dumps(data, allow_nan=False, separators=(",", ":"))
+    return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")

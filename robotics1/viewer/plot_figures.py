@@ -1,4 +1,4 @@
-"""Figures as SVG files: made without pyplot's state, the same bytes each time, lines that differ without colour."""
+"""Figures as SVG, PDF or PNG files: without pyplot's state, always the same bytes, lines that differ without colour."""
 
 from collections.abc import Sequence
 from io import BytesIO
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 STYLES = ("-", "--", "-.", ":")  # so that lines differ without colour
 MARKERS = ("", "o", "s", "^", "x")  # of the fifth line, the ninth, ...
+METADATA: dict[str, dict[str, None]] = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
 SAMPLES = 201  # on each smooth piece
 
 
@@ -52,18 +53,21 @@ def panels_of(ax: Any, count: int) -> Any:
 
 
 def drawn(axes: Any, file: str | Path | None) -> Any:
-    """Return the axes; write their figure as SVG, if there is a file.
+    """Return the axes; write their figure if there is a file, in the format of its suffix: .svg (or none), .pdf, .png.
 
     Raises:
-        InputError: the file cannot be written there.
+        InputError: the file has another suffix, or cannot be written there.
     """
     if file is not None:
         from matplotlib import rc_context
 
-        svg = BytesIO()
+        suffix = Path(str(file)).suffix.lower() or ".svg"
+        if suffix not in METADATA:
+            raise InputError(f"a figure is written as {', '.join(METADATA)}; the file is {str(file)!r}")
+        picture = BytesIO()
         with rc_context({"svg.hashsalt": "robotics1"}):  # the same figure gives the same bytes
-            np.ravel(axes)[0].figure.savefig(svg, format="svg", metadata={"Date": None})
-        write_file(file, svg.getvalue())
+            np.ravel(axes)[0].figure.savefig(picture, format=suffix[1:], dpi=150, metadata=METADATA[suffix])
+        write_file(file, picture.getvalue())
     return axes
 
 

@@ -11,7 +11,7 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.frenet import frenet_frame
 from robotics1.curves.given import as_curve, as_law
 from robotics1.errors import InputError
-from robotics1.inputs import Array, counting_number, text
+from robotics1.inputs import Array, a_robot, counting_number, text
 from robotics1.robot.model import Robot
 from robotics1.trajectories.limits import MotionLimits
 from robotics1.trajectories.target_motion import TargetMotion
@@ -53,7 +53,7 @@ def plot_trajectory(
     Args:
         trajectory: of joints, of points, of poses.
         ax: the Matplotlib axes to draw in, one for the position and each derivative; by default those of a new figure.
-        file: where to write the figure as SVG.
+        file: where to write the figure, as .svg, .pdf or .png.
         robot: whose joints move; it gives the names and units.
         names: of the coordinates; by default those of the robot's joints, (x, y, z, θx, θy, θz) of poses, or numbers.
         units: of the coordinates, such as "m" for all, or ["m", "rad"]; by default those of the joints or of poses.
@@ -63,8 +63,8 @@ def plot_trajectory(
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: names or units are too many or too few, the axes are of another number, or the file cannot be
-            written there.
+        InputError: names or units are too many or too few, the axes are of another number, or the file has another
+            suffix or cannot be written there.
     """
     motion = as_curve("trajectory", trajectory, derivatives=min(counting_number("derivatives", derivatives), 3))
     pieces = smooth_samples(motion.ends)
@@ -112,14 +112,14 @@ def plot_timing_law(
     Args:
         law: s(t).
         ax: four Matplotlib axes to draw in; by default those of a new figure.
-        file: where to write the figure as SVG.
+        file: where to write the figure, as .svg, .pdf or .png.
         limits: the bounds on velocity, acceleration and jerk.
         unit: of s: "m", "rad", or "1".
         title: above the plots.
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: the limits are for several joints, or the file cannot be written there.
+        InputError: the limits are for several joints, or the file has another suffix or cannot be written there.
     """
     text("unit", unit)
     law = as_law("law", law)
@@ -167,7 +167,7 @@ def plot_path(
     Args:
         curve: a path of two or three coordinates, a path of poses, or a trajectory of either.
         ax: the Matplotlib axes to draw in, three-dimensional for a path in space; by default those of a new figure.
-        file: where to write the figure as SVG.
+        file: where to write the figure, as .svg, .pdf or .png.
         frames: how many frames to draw along it: of poses theirs, x solid, y dashed, z dotted; of paths the Frenet
             frame, the tangent solid, the normal dashed, the binormal dotted.
         target: a moving point, dotted, at the instants of the trajectory.
@@ -176,7 +176,7 @@ def plot_path(
 
     Raises:
         MissingExtraError: Matplotlib is not installed.
-        InputError: it has not two or three coordinates, or the file cannot be written there.
+        InputError: it has not two or three coordinates, or the file has another suffix or cannot be written there.
     """
     counting_number("frames", frames)
     text("unit", unit)
@@ -241,6 +241,7 @@ def _labels(start: Any, n: int, rates: int, robot: Robot | None) -> tuple[list[s
     if n != rates:
         raise InputError(f"the trajectory has {n} coordinates and {rates} velocities; both must be as many")
     if robot is not None:
+        a_robot(robot)
         if robot.nv != n:
             raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
         return list(map(legend_text, robot.joint_names)), ["rad" if angle else "m" for angle in robot.revolute]

@@ -1,17 +1,17 @@
 """The formulas of the solution of 13 January 2025, computed, each beside the published one."""
 
+from collections.abc import Iterable
 from math import degrees
 
 import sympy
 
 from robotics1 import formulas
 from robotics1.notation import vector
-from robotics1.report.tables import polynomial_text
 from robotics1.singularities import SingularSet
-from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 from robotics1.trajectories import MeetingBranch, polynomial_formula
 
 from ..formula_table import FormulaRow, FormulaTable
+from ..polynomials import polynomial_text
 from .answers import ANGLE, FORCE, GOAL, P0, POINT, POSE, SPACE, SPEED, Exercise1, Exercise2, Exercise3
 
 nu, mu, phi = sympy.symbols("nu mu phi", real=True)
@@ -66,11 +66,11 @@ def _singular_poses(one: Exercise1) -> list[FormulaRow]:
     at_minus = "Matrix([[1, l2 + l3*cos(q3), l3*cos(q3)], [0, l3*sin(q3), l3*sin(q3)], [0, 1, 1]])"
     lost = sympy.Ne(plus.left_null.dot(rdot), 0)
     return [
-        FormulaRow("1", "Jᵣ at q₂ = π/2", "J_r", _at(J, plus), at_plus),
+        FormulaRow("1", "Jᵣ at q₂ = π/2", "J_r", _at(J, plus.conditions), at_plus),
         _line("1a", "null space of Jᵣ at q₂ = π/2", "qdot", nu, plus.null, "[l2, 1, -1]"),
         _line("1b", "null space of Jᵣᵀ at q₂ = π/2", "rdot_0", mu, plus.left_null, "[0, 1, l3*sin(q3)]"),
         FormulaRow("1b", "ṙ cannot be realised at q₂ = π/2 if", "", lost, "Ne(rdot3*l3*sin(q3) + rdot2, 0)"),
-        FormulaRow("1", "Jᵣ at q₂ = −π/2", "J_r", _at(J, minus), at_minus),
+        FormulaRow("1", "Jᵣ at q₂ = −π/2", "J_r", _at(J, minus.conditions), at_minus),
         _line("1a", "null space of Jᵣ at q₂ = −π/2", "qdot", nu, minus.null, "[l2, -1, 1]"),
         _line("1b", "null space of Jᵣᵀ at q₂ = −π/2", "rdot_0", mu, minus.left_null, "[0, -1, l3*sin(q3)]"),
     ]
@@ -93,7 +93,7 @@ def _statics(one: Exercise1) -> list[FormulaRow]:
     """The forces on the tool in the configuration q_s with positive joint values."""
     positive = (branch for branch in one.point.branches if all(value > 0 for value in branch.values.values()))
     q_s = next(positive).require_formulas()
-    J = _at(formulas(one.robot, POINT).jacobian, q_s)
+    J = _at(formulas(one.robot, POINT).jacobian, q_s.conditions)
     at_q_s = "Matrix([[1, l3 - l2, l3], [0, 0, 0]])"
     torque, any_torque = ((-J.T * sympy.Matrix([FORCE[0], y])).applyfunc(sympy.factor) for y in (FORCE[1], phi))
     return [
@@ -120,9 +120,9 @@ def _values(found: SingularSet) -> sympy.Contains:
     return sympy.Contains(sympy.Tuple(*joints[0]), sympy.FiniteSet(*(sympy.Tuple(*value) for value in values)))
 
 
-def _at(formula: sympy.Matrix, branch: BranchFormulas) -> sympy.Matrix:
-    """Return a formula on a branch."""
-    return formula.subs({condition.lhs: condition.rhs for condition in branch.conditions})
+def _at(formula: sympy.Matrix, conditions: Iterable[sympy.Eq]) -> sympy.Matrix:
+    """Return a formula on the branch with these conditions."""
+    return formula.subs({condition.lhs: condition.rhs for condition in conditions})
 
 
 def formulas_2(two: Exercise2) -> FormulaTable:

@@ -1,22 +1,24 @@
 """The worked answers of the exam of 13 January 2025, as a person reads them, with figures and pages."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
 
 from robotics1 import PositionTask, animate, plot_path, plot_trajectory
 from robotics1.files import make_folder
 from robotics1.notation import count, vector
-from robotics1.report.formula_page import write_formula_page
-from robotics1.report.tables import iteration_table, polynomial_table
+from robotics1.report.tables import iteration_table, table
 from robotics1.singularities.explain import directions
 from robotics1.trajectories import TaskTrajectory
 
 from ..comparison import Comparison
+from ..formula_page import write_formula_page
 from ..formula_table import FormulaTable
+from ..overview import write_overview
+from ..polynomials import polynomial_table
 from .answers import (
     TARGET,
     Exercise1,
@@ -28,6 +30,8 @@ from .answers import (
 )
 from .formulas import formula_tables
 from .published import compare
+
+TITLE = "Robotics 1, 13 January 2025"
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,12 +80,13 @@ class WorkedExam:
 
 
 def work_exam(folder: Path) -> WorkedExam:
-    """Solve the exam, check it, and write its formulas, figures 2 to 5 and two animated pages into the folder."""
+    """Solve the exam, check it, and write its formulas, figures 2 to 5, an animated page and an overview of all."""
     make_folder(folder)  # first, for the exercises take seconds
     one, two, three = exercise_1(), exercise_2(), exercise_3()
     tables = formula_tables(one, two, three)
     sections = [table.section() for table in tables]
-    files = [write_formula_page(folder / "formulas.html", sections, title="Robotics 1, 13 January 2025: formulas")]
+    formulas = write_formula_page(folder / "formulas.html", sections, title=f"{TITLE}: formulas")
+    figures: list[Path] = []
     for first, name, branch in ((2, "right", three.right), (4, "left", three.left)):
         title = f"2R robot, {name} arm at the rendez-vous"
         joints = folder / f"figure-{first}-{name}-arm-joints.svg"
@@ -90,19 +95,34 @@ def work_exam(folder: Path) -> WorkedExam:
         plot_trajectory(motion, file=joints, robot=robot, derivatives=1, title=title)
         tool = TaskTrajectory(robot, PositionTask("xy"), motion)
         plot_path(tool, file=path, target=TARGET, title=title)
-        files += [
-            joints,
-            path,
-            animate(
-                robot,
-                motion,
-                folder / f"rendezvous-{name}-arm.html",
-                target=TARGET,
-                title=f"Rendez-vous with the {name} arm",
-                caption=f"The tool (red) meets the target (green) at t = {three.meeting.time:.3f} s, at its velocity.",
-            ),
-        ]
-    return WorkedExam(one, two, three, tables, compare(one, two, three, tables), tuple(files))
+        figures += [joints, path]
+    page = folder / "rendezvous.html"
+    animate(
+        three.robot,
+        [three.right.trajectory, three.left.trajectory],
+        page,
+        names=["right arm", "left arm"],
+        target=TARGET,
+        title="Rendez-vous of a 2R robot",
+        caption=f"Each tool (red) meets the target (green) at t = {three.meeting.time:.3f} s, at its velocity.",
+    )
+    worked = WorkedExam(one, two, three, tables, compare(one, two, three, tables), (formulas, *figures, page))
+    index = write_overview(
+        folder / "index.html",
+        title=TITLE,
+        comparison=worked.comparison,
+        answers=_as_text(worked),
+        pages={"The formulas": formulas, "The two arms at the rendez-vous, to play with": page},
+        figures=figures,
+    )
+    return replace(worked, files=(index, *worked.files))
+
+
+def _as_text(worked: WorkedExam) -> str:
+    """Return what is printed, but for the names of the files."""
+    text = StringIO()
+    replace(worked, files=()).print(Console(file=text, width=110))
+    return text.getvalue()
 
 
 def _print_formulas(console: Console, table: FormulaTable) -> None:
@@ -158,14 +178,13 @@ def _print_exercise_3(console: Console, three: Exercise3) -> None:
 def _print_checks(console: Console, comparison: Comparison) -> None:
     console.rule("Published values")
     kinds = [check.agreement for check in comparison.checks]
-    table = Table()
-    for heading in ("exercise", "formulas", "rounded", "truncated", "print errors", "not reproduced"):
-        table.add_column(heading, justify="right")
+    rows = []
     for exercise in sorted({check.exercise[0] for check in comparison.checks}):
         mine = [check.agreement for check in comparison.checks if check.exercise[0] == exercise]
         counts = [mine.count(kind) for kind in ("formula", "rounded", "truncated", "erratum", None)]
-        table.add_row(exercise, *map(str, counts))
-    console.print(table)
+        rows.append((exercise, *map(str, counts)))
+    headings = ("exercise", "formulas", "rounded", "truncated", "print errors", "not reproduced")
+    console.print(table(headings, rows))
     for check in comparison.checks:
         if check.agreement == "erratum":
             console.print(f"print error: {check.name} is printed {check.printed}, and is {check.computed:.4f}")

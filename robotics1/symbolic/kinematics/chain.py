@@ -14,15 +14,18 @@ from robotics1.angles import twelfths_of_pi
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
+from robotics1.kinematics import frame_jacobian
 from robotics1.robot.joints import Joint
 from robotics1.robot.mimic import MOST_TURNS, fraction_of, turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placement, Polynomial
 from robotics1.symbolic.kinematics.exact import FINE, exact_axis, exact_length
 from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, Matrix, TrigPolynomial, TrigRing, gaussian, reduced
+from robotics1.symbolic.writing.sums_of_angles import Groups
 
 Pose = tuple[Matrix, Matrix]  # rotation (3, 3), position (3,)
 MOST_JOINTS = 12  # on the way to a frame
+PARALLEL = 1e-9  # |ω × ω'| of unit axes that counts as none
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +71,24 @@ class Chain:
         )
 
     @cached_property
+    def groups(self) -> Groups:
+        """The places of the angles that are added up, as in cos(q2 + q3): of consecutive joints with parallel axes."""
+        robot = self.robot
+        own = [robot.joint_names.index(joint.leader) for joint in self.joints if joint.kind == "revolute"]
+        columns = [i for i in dict.fromkeys(own) if robot.revolute[i]]
+        places = {i: self.trig_ring.angles.index(self.q[i]) for i in columns}
+        rng = np.random.default_rng(0)
+        axes = [frame_jacobian(robot, rng.uniform(-2, 2, robot.nq), frame=self.frame)[3:] for _ in range(2)]
+        groups: list[list[int]] = []
+        for before, i in zip([None, *columns], columns, strict=False):
+            if before is not None and all(np.linalg.norm(np.cross(w[:, before], w[:, i])) < PARALLEL for w in axes):
+                groups[-1].append(places[i])
+            else:
+                groups.append([places[i]])
+        rest = [[j] for j in range(len(self.trig_ring.angles)) if j not in places.values()]
+        return tuple(map(tuple, groups + rest))
+
+    @cached_property
     def still(self) -> Pose:
         """The identity."""
         one, zero = self.trig_ring.constant(1), self.trig_ring.constant(0)
@@ -105,11 +126,15 @@ class Chain:
     def motion(self, joint: Joint) -> Pose:
         """Return the motion of a joint, about or along its axis."""
         R, p = self.still
+        if joint.kind == "fixed":
+            return R, p
+        F, axis = self.trig_ring, np.array(joint.axis)
+        q = self.q[self.robot.joint_names.index(joint.leader)]
         if joint.kind == "revolute":
-            return self._rotation(np.array(joint.axis), self._joint_turn(joint)), p
-        if joint.kind == "prismatic":
-            return R, self._vector(np.array(joint.axis)) * self._joint_length(joint)
-        return R, p
+            turn = F.exponential({q: round(joint.multiplier * F.turns_of(q))})
+            return self._rotation(axis, turn * self._constant_turn(joint.offset)), p
+        slope, offset = F.ring(_rational(joint.multiplier)), F.ring(_rational(joint.offset))
+        return R, self._vector(axis) * F.constant(slope * F.ring(q) + offset)
 
     def _vector(self, axis: Array) -> Matrix:
         return np.array([self.trig_ring.constant(n) for n in self._axis(axis)], dtype=object)
@@ -137,17 +162,6 @@ class Chain:
             raise FormulaError(f"rpy of joint {joint.name!r} is no sum of whole multiples of parameters")
         whole = {sympy.Symbol(m[0], real=True): round(c) for m, c in multiples.items()}
         return self.trig_ring.exponential(whole) * self._constant_turn(number.get((), 0.0))
-
-    def _joint_turn(self, joint: Joint) -> TrigPolynomial:
-        i = self.robot.joint_names.index(joint.leader)
-        multiple = round(joint.multiplier * self.trig_ring.turns_of(self.q[i]))
-        return self.trig_ring.exponential({self.q[i]: multiple}) * self._constant_turn(joint.offset)
-
-    def _joint_length(self, joint: Joint) -> TrigPolynomial:
-        i = self.robot.joint_names.index(joint.leader)
-        ring = self.trig_ring.ring
-        slope, offset = ring(_rational(joint.multiplier)), ring(_rational(joint.offset))
-        return self.trig_ring.constant(slope * ring(self.q[i]) + offset)
 
     def _constant_turn(self, angle: float) -> TrigPolynomial:
         """Return exp(i angle): exact for multiples of π/12, else a rational point of the circle next to it.

@@ -62,7 +62,7 @@ class MidChainJacobian:
     leads_back: bool = True
 
     def velocity(self, u: Matrix) -> Matrix:
-        """Return X u: a task velocity (m,) in the task's own axes, at its own point."""
+        """Return X u: a task velocity (m,), or (m, n) as columns, in the task's own axes, at its own point."""
         if self.axes is None:
             return u
         R, p = self.axes
@@ -77,8 +77,7 @@ class MidChainJacobian:
         if self.axes is None:
             return np.asarray(M)
         R, p = map(at, self.axes)
-        v = M[:3] + np.cross(M[3:].T, p).T if self.kind == 6 else M
-        return np.vstack([R @ v, R @ M[3:]]) if self.kind == 6 else np.asarray(R @ v)
+        return np.asarray(replace(self, axes=(R, p)).velocity(M), dtype=float)
 
     def force(self, u: Matrix) -> Matrix:
         """Return X⁻ᵀ u: a force (m,), whose power uᵀ M q̇ stays what it is."""

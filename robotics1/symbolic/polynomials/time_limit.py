@@ -27,7 +27,7 @@ class OutOfTime(Exception):  # noqa: N818
 
 @dataclass
 class TimeLimit:
-    """A number of seconds from now; `check` raises OutOfTime when they are over."""
+    """A number of seconds from now."""
 
     seconds: float
     started: float = field(default_factory=time.monotonic)
@@ -36,16 +36,6 @@ class TimeLimit:
     def deadline(self) -> float:
         """When the time is over, on the clock of `time.monotonic` [s]."""
         return self.started + self.seconds
-
-    @property
-    def is_over(self) -> bool:
-        """Whether the time is over."""
-        return time.monotonic() > self.deadline
-
-    def check(self) -> None:
-        """Raise OutOfTime when the time is over."""
-        if self.is_over:
-            raise OutOfTime
 
     def part(self, fraction: float) -> "TimeLimit":
         """Return the limit that ends after a part of the time."""
@@ -65,9 +55,6 @@ class TimeLimit:
             _deadline.reset(token)
 
 
-UNLIMITED = TimeLimit(math.inf)
-
-
 def check_time() -> None:
     """Raise OutOfTime when the time of a limit that is kept is over."""
     deadline = _deadline.get()
@@ -75,30 +62,20 @@ def check_time() -> None:
         raise OutOfTime
 
 
-def time_left() -> float:
-    """Return the time until the limit that is kept is over [s]; infinite without one."""
-    deadline = _deadline.get()
-    return deadline - time.monotonic() if deadline < math.inf else math.inf
-
-
 def check_time_to_factor(N: "fmpq_mpoly") -> None:
     """Raise OutOfTime when there is a limit, and factoring the polynomial would probably last beyond it."""
-    _check(len(N), N, SECONDS)
+    _check_long_step(N, SECONDS)
 
 
 def check_time_to_divide(f: "fmpq_mpoly", g: "fmpq_mpoly") -> None:
     """Raise OutOfTime as above, for a common divisor or a remainder of two polynomials."""
-    longer = f if len(f) >= len(g) else g
-    _check(len(longer), longer, DIVISOR * SECONDS)
+    _check_long_step(f if len(f) >= len(g) else g, DIVISOR * SECONDS)
 
 
-def _check(terms: int, N: "fmpq_mpoly", seconds: float) -> None:
-    if terms <= SHORT:
+def _check_long_step(N: "fmpq_mpoly", seconds: float) -> None:
+    deadline = _deadline.get()
+    if len(N) <= SHORT or deadline == math.inf:
         return
-    left = time_left()
-    if left < terms**2 * _bits(N) * seconds:
+    bits = max(int(c.p).bit_length() + int(c.q).bit_length() for c in N.coeffs())
+    if deadline - time.monotonic() < len(N) ** 2 * bits * seconds:
         raise OutOfTime
-
-
-def _bits(N: "fmpq_mpoly") -> int:
-    return max(int(c.p).bit_length() + int(c.q).bit_length() for c in N.coeffs())

@@ -12,10 +12,10 @@ from itertools import combinations, islice
 
 import numpy as np
 import sympy
-from flint import fmpq_mpoly
 
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
+from robotics1.symbolic.polynomials.determinants import minors_of_order
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
 from robotics1.symbolic.polynomials.half_tangents import Degrees, in_half_angles
@@ -150,26 +150,10 @@ def vanishing_minors(vectors: Sequence[BasisVector]) -> list[TrigPolynomial]:
     """Return polynomials in whole angles that vanish together where the vectors lose their rank, and nowhere else."""
     F = vectors[0].trig_ring
     degrees = tuple(map(sum, zip(*(vector.degrees for vector in vectors), strict=True)))
-    found = []
-    for rows in combinations(range(len(vectors[0].row)), len(vectors)):
-        check_time()
-        minor = _determinant([[vector.row[i] for vector in vectors] for i in rows])
-        if not minor.is_zero():
-            found.append(IrreducibleFactor(F, minor, degrees).whole)
-    return found
-
-
-def _determinant(A: list[Row]) -> fmpq_mpoly:
-    """Return the determinant of a small matrix, expanded along its first row."""
-    if len(A) == 1:
-        return A[0][0]
-    total = A[0][0] - A[0][0]
-    for j, entry in enumerate(A[0]):
-        if not entry.is_zero():
-            check_time()
-            term = entry * _determinant([row[:j] + row[j + 1 :] for row in A[1:]])
-            total = total - term if j % 2 else total + term
-    return total
+    M = np.empty((len(vectors[0].row), len(vectors)), dtype=object)
+    for i, j in np.ndindex(M.shape):
+        M[i, j] = vectors[j].row[i]
+    return [IrreducibleFactor(F, minor, degrees).whole for minor in minors_of_order(M, len(vectors)) if minor]
 
 
 def scaled(vector: list[sympy.Expr]) -> list[sympy.Expr]:

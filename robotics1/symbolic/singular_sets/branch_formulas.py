@@ -138,10 +138,9 @@ class BranchFormulas:
         """
         vectors: list[BasisVector] = getattr(self, f"_{one_of('name', name, BASES)}")
         if name not in self._exceptions:
-            limit = TimeLimit(SECONDS)
             try:
-                with limit.kept():
-                    self._exceptions[name] = self._pieces_without_rank(vectors, limit)
+                with TimeLimit(SECONDS).kept():
+                    self._exceptions[name] = self._pieces_without_rank(vectors)
             except OutOfTime as error:
                 raise FormulaError(f"where the basis holds was not found in {SECONDS:g} s") from error
         return self._exceptions[name]
@@ -150,23 +149,19 @@ class BranchFormulas:
     def _exceptions(self) -> dict[str, tuple[tuple[sympy.Eq, ...], ...]]:
         return {}
 
-    def _pieces_without_rank(self, vectors: list[BasisVector], limit: TimeLimit) -> tuple[tuple[sympy.Eq, ...], ...]:
+    def _pieces_without_rank(self, vectors: list[BasisVector]) -> tuple[tuple[sympy.Eq, ...], ...]:
         if not vectors:
             return ()
         at = self.piece
-        cases = CommonZeros(at.parameters, limit)
+        cases = CommonZeros(at.parameters)
         loci = cases.common_zeros(vanishing_minors(vectors), at.locus)
         pieces, complete = largest_pieces(loci, cases, self.jacobian.box, np.random.default_rng(0))
         if not complete:
             raise OutOfTime
-        within = [sampler.piece for sampler in pieces if self._is_within(sampler)]
+        drawn = [(sampler.piece, sampler.draw(np.random.default_rng(0))) for sampler in pieces]
+        within = [piece for piece, q in drawn if q is not None and at.contains(q)]  # equations may allow other values
         kept = [piece for piece in within if len(special_points(self.jacobian.rows.M, piece, self.rank).q)]
         return tuple(replace(self, piece=piece).conditions for piece in kept)
-
-    def _is_within(self, sampler: LocusSampler) -> bool:
-        """Whether a piece of the locus has the values that are meant of those that its equations allow."""
-        q = sampler.draw(np.random.default_rng(0))
-        return q is not None and self.piece.contains(q)
 
     @cached_property
     def _null(self) -> list[BasisVector]:
@@ -227,7 +222,7 @@ class BranchFormulas:
 
     def _eliminated(self, M: Matrix) -> Echelon:
         at = self.piece
-        return echelon_form(M, at.locus, at.parameters, TimeLimit(SECONDS))
+        return echelon_form(M, at.locus, at.parameters)
 
     def _vectors(
         self, vectors: Iterable[Matrix], lead_back: Callable[[Matrix], Iterable[TrigPolynomial]]

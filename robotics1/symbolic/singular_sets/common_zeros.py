@@ -7,7 +7,7 @@ import numpy as np
 import sympy
 
 from robotics1.symbolic.polynomials.determinants import minors_of_order
-from robotics1.symbolic.polynomials.time_limit import TimeLimit
+from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, coincidences, zeros
@@ -19,12 +19,10 @@ class CommonZeros:
 
     Attributes:
         parameters: the lengths.
-        limit: of the time.
         excluded: equations that were met and have no solution at these lengths, such as a2 − a3.
     """
 
     parameters: Mapping[sympy.Symbol, float]
-    limit: TimeLimit
     excluded: list[Zero] = field(default_factory=list)
 
     def common_zeros(self, polynomials: Iterable[TrigPolynomial], locus: Locus) -> Iterator[Locus]:
@@ -34,26 +32,26 @@ class CommonZeros:
         of them is set to zero in turn, which leaves simpler polynomials. Pieces may hold others.
 
         Raises:
-            OutOfTime: the time is over before the last piece was found.
+            OutOfTime: the time of a limit that is kept is over before the last piece was found.
         """
         yield from self._common_zeros(polynomials, locus, set())
 
     def _common_zeros(self, polynomials: Iterable[TrigPolynomial], locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
         """Yield as `common_zeros`; what has been met, by setting the same factors to zero in another order, once."""
-        left = _distinct([f for f in map(locus.reduced, polynomials) if f])
-        case = locus.key, frozenset(frozenset(f.terms.items()) for f in left)
+        left = {frozenset(f.terms.items()): f for f in map(locus.reduced, polynomials) if f}
+        case = locus.key, frozenset(left)
         if case in met:
             return
         met.add(case)
         if not left:
             yield from self._at_equal_lengths(locus, met)
             return
-        for zero in min(map(self._cases, left), key=_cost):
+        for zero in min(map(self._cases, left.values()), key=_cost):
             if not zero.real:
                 self.excluded.append(zero)
                 continue
             part, reopened = locus.where(zero)
-            yield from self._common_zeros([*left, *reopened], part, met)
+            yield from self._common_zeros([*left.values(), *reopened], part, met)
 
     def _at_equal_lengths(self, locus: Locus, met: set[Hashable]) -> Iterator[Locus]:
         """Yield the locus, in pieces if one of its equations falls into factors because two lengths are equal:
@@ -75,7 +73,7 @@ class CommonZeros:
         yield locus
 
     def _cases(self, f: TrigPolynomial) -> list[Zero]:
-        self.limit.check()
+        check_time()
         return zeros(f, self.parameters)
 
 
@@ -84,17 +82,13 @@ def singular_loci(M: Matrix, rank: int, where: Locus, cases: CommonZeros) -> Ite
     minors of that order vanish.
 
     Raises:
-        OutOfTime: the time is over.
+        OutOfTime: the time of a limit that is kept is over.
     """
     M = np.array([row for row in ([where.reduced(entry) for entry in row] for row in M) if any(row)], dtype=object)
     if len(M) < rank:
         return iter([where])  # J has fewer rows than the rank that is looked for: all of the locus
     M = M[:, [j for j in range(M.shape[1]) if any(M[:, j])]]
-    return cases.common_zeros(list(minors_of_order(M, rank, cases.limit)), where)
-
-
-def _distinct(polynomials: list[TrigPolynomial]) -> list[TrigPolynomial]:
-    return list({frozenset(f.terms.items()): f for f in polynomials}.values())
+    return cases.common_zeros(list(minors_of_order(M, rank)), where)
 
 
 def _cost(cases: list[Zero]) -> tuple[int, int, int]:

@@ -8,9 +8,9 @@ import sympy
 from robotics1.angles import twelfths_of_pi
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, factors
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, polynomial
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
+from robotics1.symbolic.singular_sets.zeros import Substitution
 from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written, written_product
 
 ROUNDING = 1e-13  # of an angle [rad]
@@ -50,8 +50,9 @@ def _equations(piece: Piece, part: IrreducibleFactor, groups: Groups) -> tuple[s
     if pinned is None:
         return (plain,)
     symbol = part.trig_ring.q[joints[0]]
-    root = root_of(part, symbol, pinned, piece.parameters)
-    return (plain, sympy.Eq(symbol, sympy.Float(pinned))) if root is None else (sympy.Eq(symbol, root),)
+    turns = part.trig_ring.turns_of(symbol)  # the joint is at d φ if others follow it by fractions of its angle
+    root = _root_of(part, symbol, pinned / turns, piece.parameters)
+    return (plain, sympy.Eq(symbol, sympy.Float(pinned))) if root is None else (sympy.Eq(symbol, turns * root),)
 
 
 def _expression(part: IrreducibleFactor, groups: Groups) -> sympy.Expr:
@@ -72,23 +73,15 @@ def _angle_of_turn(turn: TrigPolynomial) -> sympy.Expr:
     return sympy.Rational(k if k != -12 else 12, 12) * sympy.pi
 
 
-def root_of(
-    part: IrreducibleFactor, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
-) -> sympy.Expr | None:
-    """Return the solution of part = 0 for its only joint that has the given value, or None if there is no short one.
-
-    A cos φ + B sin φ + C = 0 has the solutions φ = atan2(B, A) ± acos(−C / √(A² + B²)), A cos φ/2 + B sin φ/2 = 0
-    has φ = 2 atan2(−A, B), and a ℓ + b = 0 has −b/a. The joint is at φ, or at d φ if others follow it by fractions.
-    """
-    turns = part.trig_ring.turns_of(symbol)
-    root = _root_of(part, symbol, value / turns, parameters)
-    return None if root is None else turns * root
-
-
 def _root_of(
     part: IrreducibleFactor, symbol: sympy.Symbol, value: float, parameters: Mapping[sympy.Symbol, float]
 ) -> sympy.Expr | None:
-    """Return the solution for φ, or for the length, as `root_of`."""
+    """Return the solution φ, or ℓ, of part = 0 for its only joint that has the given value, or None if there is no
+    short one.
+
+    A cos φ + B sin φ + C = 0 has the solutions φ = atan2(B, A) ± acos(−C / √(A² + B²)), A cos φ/2 + B sin φ/2 = 0
+    has φ = 2 atan2(−A, B), and a ℓ + b = 0 has −b/a.
+    """
     F = part.trig_ring
     if any(part.parity):
         return _from_half_angle(part.in_half_angles)

@@ -20,7 +20,7 @@ from robotics1.symbolic.polynomials.half_tangents import (
     numerator,
     without_squares,
 )
-from robotics1.symbolic.polynomials.time_limit import TimeLimit, check_time, check_time_to_divide
+from robotics1.symbolic.polynomials.time_limit import check_time, check_time_to_divide
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.locus import Locus
 from robotics1.symbolic.singular_sets.zeros import Zero, vanishing_lengths
@@ -69,23 +69,21 @@ class Echelon:
         return in_whole_angles(self.trig_ring, row)
 
 
-def echelon_form(M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, float], limit: TimeLimit) -> Echelon:
+def echelon_form(M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, float]) -> Echelon:
     """Return the reduced echelon form of M on the locus, at given lengths; the simplest entry that is left is the
     next pivot. What only these lengths make zero, such as a2 − a3, is taken as zero.
 
     Raises:
-        OutOfTime: the time is over.
+        OutOfTime: the time of a limit that is kept is over.
     """
     while True:
-        form, relation = _at_lengths(M, locus, parameters, limit)
+        form, relation = _at_lengths(M, locus, parameters)
         if relation is None:
             return form
         locus, _ = locus.where(relation)
 
 
-def _at_lengths(
-    M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, float], limit: TimeLimit
-) -> tuple[Echelon, Zero | None]:
+def _at_lengths(M: Matrix, locus: Locus, parameters: Mapping[sympy.Symbol, float]) -> tuple[Echelon, Zero | None]:
     """Return the echelon form; or the relation between lengths that makes a pivot zero."""
     F = locus.trig_ring
     equations = [part.numerator for part in locus.implicit]
@@ -96,7 +94,7 @@ def _at_lengths(
         entries = [(i, j) for i, row in enumerate(left) for j, entry in enumerate(row) if not entry.is_zero()]
         if not entries:
             break
-        limit.check()
+        check_time()
         i, j = min(entries, key=lambda place: (_cost(F, left[place[0]][place[1]]), place))
         pivot = left.pop(i)
         relation = _relation(F, [pivot[j]], parameters)

@@ -13,9 +13,8 @@ from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_factor
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
-from robotics1.symbolic.singular_sets.zeros import Zero
+from robotics1.symbolic.singular_sets.zeros import Substitution, Zero
 
 ROUNDING = 1e-14  # of a coefficient, beside the largest
 HOLDS = 1e-10  # of an equation, beside the sum of its terms

@@ -16,13 +16,12 @@ from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.determinants import minors_of_order
 from robotics1.symbolic.polynomials.evaluation import evaluated_factor
-from robotics1.symbolic.polynomials.substitution import Substitution
-from robotics1.symbolic.polynomials.time_limit import OutOfTime
-from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, check_time
+from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
 from robotics1.symbolic.singular_sets.locus import Locus, Piece, pieces_of
 from robotics1.symbolic.singular_sets.locus_sampler import LocusSampler
-from robotics1.symbolic.singular_sets.zeros import Zero, angle_zero
+from robotics1.symbolic.singular_sets.zeros import Substitution, Zero, angle_zero
 
 POINTS = 4  # at which one piece is compared with another
 TOUCHES = 1e-3  # of a gradient, beside the sum of the terms: configurations are within 1e-4 of a zero of order three
@@ -54,7 +53,7 @@ def largest_pieces(
     try:
         pieces = [piece for locus in loci for piece in pieces_of(locus, cases.parameters)]
         for piece in sorted(pieces, key=lambda piece: len(piece.locus.implicit)):
-            cases.limit.check()
+            check_time()
             if piece.key not in met:
                 met[piece.key] = _drawn(piece, box, rng)
             sampler, points = met[piece.key]
@@ -152,13 +151,12 @@ def _special_zeros(piece: Piece, joints: list[int]) -> Array:
 
 
 def _with_values(locus: Locus, joints: list[int], values: Array) -> Locus:
+    F = locus.trig_ring
     for i, value in zip(joints, values, strict=True):
-        locus, _ = locus.where(_zero_at(locus.trig_ring, i, value))  # the equations hold, but for rounding
+        symbol = F.q[i]
+        if symbol in F.angles:
+            zero = angle_zero(symbol, F.turn(round(value * 12 / np.pi)))
+        else:
+            zero = Zero(F.constant(F.ring(symbol)), Substitution(symbol, F.constant(0)))
+        locus, _ = locus.where(zero)  # the equations hold, but for rounding
     return locus.rounded()
-
-
-def _zero_at(F: TrigRing, i: int, value: float) -> Zero:
-    symbol = F.q[i]
-    if symbol in F.angles:
-        return angle_zero(symbol, F.turn(round(value * 12 / np.pi)))
-    return Zero(F.constant(F.ring(symbol)), Substitution(symbol, F.constant(0)))

@@ -8,13 +8,65 @@ import sympy
 from sympy.polys.domains import QQ_I
 
 from robotics1.angles import twelfths_of_pi
+from robotics1.caching import cached_property
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_factor
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, irreducible_factors
-from robotics1.symbolic.polynomials.substitution import Substitution
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
 
 ZERO = 1e-12  # of a polynomial in the lengths, beside the sum of its terms
 ROUNDED = 1e-15  # of the same, where √2 and √3 are fractions to 1e-16: sin(q3) + 1 is that, and has a double zero
+
+
+@dataclass(frozen=True, eq=False)
+class Substitution:
+    """φ = α(other angles), or a length = its value.
+
+    Attributes:
+        symbol: φ, or a length or prismatic joint.
+        value: of an angle exp(i α), one term of modulus one; of a length the polynomial.
+    """
+
+    symbol: sympy.Symbol
+    value: TrigPolynomial
+
+    @cached_property
+    def is_angle(self) -> bool:
+        """Whether the symbol is an angle."""
+        return self.symbol in self.value.trig_ring.angles
+
+    def __call__(self, f: TrigPolynomial) -> TrigPolynomial:
+        """Return f with the symbol replaced."""
+        if self.symbol not in f.symbols:
+            return f
+        pieces = self._by_power_of_angle(f) if self.is_angle else self._by_power_of_length(f)
+        total = f.trig_ring.constant(0)
+        for power, piece in pieces.items():
+            total = total + piece * self._power(power)
+        return total
+
+    def _by_power_of_angle(self, f: TrigPolynomial) -> dict[int, TrigPolynomial]:
+        j = f.trig_ring.angles.index(self.symbol)
+        pieces: dict[int, TrigPolynomial] = {}
+        for k, c in f.terms.items():
+            pieces.setdefault(k[j], TrigPolynomial(f.trig_ring, {})).terms[(*k[:j], 0, *k[j + 1 :])] = c
+        return pieces
+
+    def _by_power_of_length(self, f: TrigPolynomial) -> dict[int, TrigPolynomial]:
+        ring = f.trig_ring.ring
+        i = ring.symbols.index(self.symbol)
+        pieces: dict[int, TrigPolynomial] = {}
+        for k, c in f.terms.items():
+            for m, a in c.terms():
+                terms = pieces.setdefault(m[i], TrigPolynomial(f.trig_ring, {})).terms
+                terms[k] = terms.get(k, ring.zero) + ring.from_dict({(*m[:i], 0, *m[i + 1 :]): a})
+        return pieces
+
+    def _power(self, power: int) -> TrigPolynomial:
+        base = self.value if power >= 0 else self.value.conjugate
+        found = self.value.trig_ring.constant(1)
+        for _ in range(abs(power)):
+            found = found * base
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,8 +146,10 @@ def _values(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -
         return []
     f = part.in_angles
     if len(f.symbols) == 1 and f.angles:
-        return _values_of_oneangle_zero(f)
-    return _value_of_length(part, parameters)
+        return _values_of_one_angle(f)
+    joints = any(symbol in f.symbols for symbol in f.trig_ring.q)
+    found = value_of_length(f) if joints or _can_vanish(part, parameters) else None
+    return [] if found is None else [Zero(f, found)]
 
 
 def _values_of_two_terms(half: TrigPolynomial) -> list[Zero]:
@@ -131,7 +185,7 @@ def _turns(c: TrigPolynomial, m: int) -> list[TrigPolynomial]:
     return found if len(found) == m else []
 
 
-def _values_of_oneangle_zero(f: TrigPolynomial) -> list[Zero]:
+def _values_of_one_angle(f: TrigPolynomial) -> list[Zero]:
     """Solve a polynomial in one joint's angle, without lengths, if all zeros are multiples of π/12."""
     F = f.trig_ring
     (symbol,) = f.symbols
@@ -147,16 +201,10 @@ def _values_of_oneangle_zero(f: TrigPolynomial) -> list[Zero]:
     return found if all(Evaluated(rest, {}).size <= rounding for rest in left) else []
 
 
-def _value_of_length(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, float]) -> list[Zero]:
-    """Solve f = a ℓ + rest for a prismatic joint ℓ, a being a number; or for a length, if f has no joint in it."""
-    f = part.in_angles
-    joints = any(symbol in f.symbols for symbol in f.trig_ring.q)
-    found = value_of_length(f) if joints or _can_vanish(part, parameters) else None
-    return [] if found is None else [Zero(f, found)]
-
-
 def value_of_length(f: TrigPolynomial) -> Substitution | None:
-    """Return the value of a prismatic joint, or of a length if f has no joint, at which f = a ℓ + rest = 0."""
+    """Return the value of a prismatic joint ℓ, or of a length if f has no joint, at which f = a ℓ + rest = 0, a being
+    a number.
+    """
     F = f.trig_ring
     joints = [symbol for symbol in F.q if symbol in f.symbols]
     for symbol in joints or F.ring.symbols:

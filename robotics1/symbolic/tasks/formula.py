@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 from robotics1.errors import FormulaError, InputError, UnknownNameError
-from robotics1.inputs import text
+from robotics1.inputs import a_robot, a_task, text
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain, chain_to
 from robotics1.symbolic.kinematics.exact import exact_robot
@@ -37,6 +37,9 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         FormulaError: the task's function cannot be read, the file's numbers depend on the parameters in a way that
             cannot be found, or a formula does not agree with Pinocchio to 1e-9.
     """
+    a_robot(robot)
+    if isinstance(task, type):
+        a_task(task)
     form, given = _on_a_frame(task), set(robot.parameters)
     if point is not None:
         robot, frame = with_point(robot, form.frame, point)
@@ -59,7 +62,9 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
 def _reading(robot: Robot, task: Task, places: tuple[int, ...]) -> SymbolicTask:
     """Return the task read in symbols."""
     form = _on_a_frame(task)
-    axes = _link_of_axes(robot, form.reference)
+    axes = None  # the link in whose axes the task is written
+    if form.reference != "world":
+        axes = robot.link_of(None if form.reference == "tool" else form.reference)
     chain = chain_to(robot, robot.link_of(form.frame), beside=axes)
     _check_names(robot, chain)
     joints = () if axes is None else robot.joints_to(axes)
@@ -87,11 +92,6 @@ def _on_a_frame(task: Task) -> FrameMap:
     if form is None:
         raise FormulaError(f"formulas are written for tasks on a frame and for FunctionTask, not for {task!r}")
     return form
-
-
-def _link_of_axes(robot: Robot, reference: str) -> str | None:
-    """Return the link in whose axes the task is written; None for the world."""
-    return None if reference == "world" else robot.link_of(None if reference == "tool" else reference)
 
 
 def _check_names(robot: Robot, chain: Chain) -> None:

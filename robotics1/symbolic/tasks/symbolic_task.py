@@ -17,7 +17,6 @@ from robotics1.symbolic.kinematics.mid_chain import (
     frame_motion,
     mid_chain_jacobian,
 )
-from robotics1.symbolic.kinematics.parallel import parallel_groups
 from robotics1.symbolic.polynomials.determinants import minors
 from robotics1.symbolic.polynomials.factoring import factors
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
@@ -25,7 +24,7 @@ from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomia
 from robotics1.symbolic.tasks.normal_form import NormalForm
 from robotics1.symbolic.tasks.task_map import TaskMap, each
 from robotics1.symbolic.tasks.task_rows import TaskRows, fractions, task_rows
-from robotics1.symbolic.writing.sums_of_angles import Groups, with_decimals, written_product
+from robotics1.symbolic.writing.sums_of_angles import with_decimals, written_product
 from robotics1.symbolic.writing.term_budget import TermBudget
 
 MOST_PRODUCTS = 20_000  # of terms, for an entry of the rows from which minors are made
@@ -49,14 +48,9 @@ class SymbolicTask:
     task: TaskMap
 
     @cached_property
-    def groups(self) -> Groups:
-        """The angles that are added up: of consecutive joints with parallel axes."""
-        return parallel_groups(self.chain)
-
-    @cached_property
     def budget(self) -> TermBudget:
         """How entries are added and multiplied."""
-        return TermBudget(self.chain.trig_ring, self.groups)
+        return TermBudget(self.chain.trig_ring, self.chain.groups)
 
     @cached_property
     def motion(self) -> FrameMotion:
@@ -117,17 +111,17 @@ class SymbolicTask:
 
         Without columns there is one, that of no rows and no columns, which is 1.
         """
-        L, limit = self.factored, TimeLimit(PATIENCE)
+        L = self.factored
         m, n = len(L.weights), len(self.chain.q)
         every = tuple(range(m))
         if n == 0:
             return {every: ((sympy.S.One, ()),)}
         try:
-            with limit.kept():
+            with TimeLimit(PATIENCE).kept():
                 if m > n:
-                    return self._tall_minors({out: factors(f) for out, f in minors(self.rows, limit).items()})
+                    return self._tall_minors({out: factors(f) for out, f in minors(self.rows).items()})
                 left = self._normal.written(L.left_minor(every, every))
-                return {out: ((left, factors(f)),) for out, f in minors(self.mid_chain.M, limit).items()}
+                return {out: ((left, factors(f)),) for out, f in minors(self.mid_chain.M).items()}
         except OutOfTime as error:
             raise FormulaError(f"the minors of J were not found within {PATIENCE:g} s") from error
 
@@ -159,11 +153,11 @@ class SymbolicTask:
         products = [(left, reduce(lambda a, b: a * b, found)) for ((left, found),) in self.minors.values()]
         total = sum((minor * minor for _, minor in products), start=zero)
         left = products[0][0]  # det L, of all of them
-        return left**2 * written_product(factors(total), self.groups) if total else sympy.S.Zero
+        return left**2 * written_product(factors(total), self.chain.groups) if total else sympy.S.Zero
 
     def written_minor(self, minor: Minor) -> sympy.Expr:
         """Return Σ l f₁ f₂ ... in SymPy."""
-        return with_decimals(sympy.Add(*(left * written_product(f, self.groups) for left, f in minor)))
+        return with_decimals(sympy.Add(*(left * written_product(f, self.chain.groups) for left, f in minor)))
 
     @cached_property
     def _normal(self) -> NormalForm:

@@ -160,7 +160,7 @@ class Formulas:
     @property
     def groups(self) -> Groups:
         """The angles that are added up: of consecutive joints with parallel axes."""
-        return self.symbolic_task.groups
+        return self.chain.groups
 
     @property
     def rows(self) -> Matrix:

@@ -14,7 +14,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.exact import exact_robot
-from robotics1.symbolic.writing.numeric_functions import numpy_function
+from robotics1.symbolic.writing.printing import numpy_function
 from robotics1.tasks.task import Task
 
 AGREES = 1e-9  # largest difference of a formula from Pinocchio, relative to the larger of 1 and the value

@@ -1,10 +1,10 @@
-"""Formulas as text: for the terminal, for LaTeX, for a page (MathML), and as a function in Python."""
+"""Formulas as text, for the terminal, for LaTeX and for a page (MathML); as functions of numbers, and their source."""
 
 import html
 import keyword
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy
@@ -56,6 +56,15 @@ class _MathML(MathMLPresentationPrinter):  # type: ignore[misc]
 
     def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> Any:
         return super()._print_Symbol(sympy.Symbol(html.escape(printable(symbol.name))), style=style)
+
+
+def numpy_function(symbols: Sequence[sympy.Symbol], formula: Any) -> Callable[..., Any]:
+    """Return a function of the symbols' values that evaluates an expression or a matrix with NumPy.
+
+    The symbols get other names first: SymPy's `lambdify` takes a symbol named sin for the function.
+    """
+    plain = [sympy.Dummy(f"x{i}", real=symbol.is_real) for i, symbol in enumerate(symbols)]
+    return sympy.lambdify(plain, formula.xreplace(dict(zip(symbols, plain, strict=True))), modules="numpy")  # type: ignore[no-any-return]
 
 
 def python_function(

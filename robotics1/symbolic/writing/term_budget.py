@@ -70,10 +70,7 @@ class TermBudget:
 
     def sum(self, A: Matrix, B: Matrix) -> Matrix:
         """Return A + B."""
-        found = np.empty(A.shape, dtype=object)
-        for index in np.ndindex(found.shape):
-            found[index] = self.total([], A[index], B[index])
-        return found
+        return np.asarray(np.frompyfunc(lambda a, b: self.total([], a, b), 2, 1)(A, B))
 
     def cross(self, A: Matrix, p: Matrix) -> Matrix:
         """Return a × p for the columns a of A, (3, n)."""

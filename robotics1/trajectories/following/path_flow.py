@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import partial
+from typing import ClassVar
 
 import numpy as np
 
@@ -19,14 +20,14 @@ class Command:
     """What is asked of the task at one instant, and what the joints make of it.
 
     Attributes:
-        qdot: (nv,) q̇.
+        joints: (nv,) what is chosen: q̇ of first order, q̈ of second.
         rate: the derivative of the state: q̇, or (q̇, u̇).
         error: (m,) r_d − r.
         residual: (m,) the part of the asked ṙ or r̈ that is not realised.
         jacobian: (m, k) A = J G.
     """
 
-    qdot: Array
+    joints: Array
     rate: Array
     error: Array
     residual: Array
@@ -56,6 +57,8 @@ class VelocityFlow:
     gain: Array
     wish: Wish
 
+    order: ClassVar = 1
+
     def command(self, t: float, state: Array, side: Side) -> Command:
         """Return what is asked at t and what the joints do."""
         error = self.task.error(self.robot, state, self.trajectory(t))
@@ -83,6 +86,8 @@ class AccelerationFlow:
     gains: Array
     wish: Wish
 
+    order: ClassVar = 2
+
     def command(self, t: float, state: Array, side: Side) -> Command:
         """Return what is asked at t and what the joints do."""
         q, u = state[: self.robot.nv], state[self.robot.nv :]
@@ -93,7 +98,7 @@ class AccelerationFlow:
         soft = partial(softness, self.robot, self.task)
         rates = resolved_acceleration(self.robot, self.task, self.resolution, (q, u), asked, self.wish, soft)
         residual = asked - rates.drift - rates.A @ rates.inputs
-        return Command(qdot, np.concatenate([qdot, rates.inputs]), error, residual, rates.A)
+        return Command(rates.joints, np.concatenate([qdot, rates.inputs]), error, residual, rates.A)
 
 
 def softness(robot: Robot, task: Task, A: Array) -> float:

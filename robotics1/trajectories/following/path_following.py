@@ -1,18 +1,21 @@
 """From a task trajectory to a joint trajectory, by integrating the inverse differential kinematics."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+from numpy.polynomial import chebyshev, polynomial
 
 from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
+from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, a_robot_and_a_task, non_negative_numbers, real_array
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
-from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory
-from robotics1.trajectories.following.integration import integrated
+from robotics1.tasks.task import Task, unitless_rows
+from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, FollowingStatus
+from robotics1.trajectories.following.integration import Segment, integrated
 from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow
 from robotics1.trajectories.following.resolution import Resolution, Wish, resolution_or_default
 
@@ -20,6 +23,10 @@ PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of
 RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity
 FIRST = 0.01  # of a segment: the first step that is tried
 STEPS = 1000  # from one switching time to the next: a well-behaved motion takes some tens
+NODES = (1 + chebyshev.chebpts1(10)) / 2  # of a step: polynomials through so many values of q̇ are exact to 1e-11
+PICARD = 2  # times q̇ is taken at them
+ON_PATH = 1e-6  # |r_d − r| in radians, and in reaches of the robot: less is no error
+INSTANTS = 201  # at which the error, the residual and σ are looked at
 
 
 def follow_trajectory(
@@ -106,22 +113,84 @@ def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> Followed
     """
     ends, n = flow.trajectory.ends, flow.robot.nv
     fastest = RUNAWAY * flow.robot.units / ends[-1]
-    if (np.abs(flow.command(0.0, start, "right").qdot) > fastest).any():
-        return FollowedTrajectory(flow, (), start, ends[-1])
+
+    def runs_away(rate: Array) -> bool:
+        return bool((np.abs(rate[:n]) > fastest).any())  # the first derivatives of the state are q̇
+
     inputs = flow.robot.units if flow.resolution.input_matrix is None else np.ones(len(start) - n)
     units = np.concatenate([flow.robot.units, inputs / flow.trajectory.duration])[: len(start)]
-    segments = integrated(
-        lambda t, state, side: flow.command(t, state, side).rate,
-        ends,
-        start,
-        method="DOP853",
-        rtol=PRECISION,
-        atol=PRECISION * units,
-        first_step=FIRST,
-        stop=lambda rates: bool((np.abs(rates[:n]) > fastest).any()),  # the first derivatives of the state are q̇
-        most_steps=STEPS,
+    first = flow.command(0.0, start, "right").rate
+    segments = (
+        ()
+        if runs_away(first)
+        else integrated(
+            lambda t, state, side: flow.command(t, state, side).rate,
+            ends,
+            start,
+            method="DOP853",
+            rtol=PRECISION,
+            atol=PRECISION * units,
+            first_step=FIRST,
+            stop=runs_away,
+            most_steps=STEPS,
+        )
     )
-    return FollowedTrajectory(flow, segments, start, ends[-1])
+    if not segments:
+        still = PiecewisePolynomial.from_pieces([(np.stack([start[:n], first[:n]]), 0.0)])
+        return _looked_at(flow, still, (Segment(0.0, 0.0, lambda t: start),))
+    steps = [(segment, *step) for segment in segments for step in pairwise(segment.state.ts.tolist())]
+    motion = PiecewisePolynomial.from_pieces([_polynomial(flow, *step) for step in steps])
+    return _looked_at(flow, motion, segments)
+
+
+def _polynomial(
+    flow: VelocityFlow | AccelerationFlow, segment: Segment, start: float, end: float
+) -> tuple[Array, float]:
+    """Return q(τ) in a step of the integration: the integral of a polynomial through q̇, or q̈, at its nodes.
+
+    q̇ is taken there again with the q that it gave, which is more exact than the solver's between its steps (Picard).
+    """
+    n, T = flow.robot.nv, end - start
+    times, state = start + T * NODES, segment.state(start)
+    states = [segment.state(t) for t in times]
+    for _ in range(PICARD if flow.order == 1 else 1):
+        chosen = [flow.command(t, x, "right").joints for t, x in zip(times, states, strict=True)]
+        c = polynomial.polyint(T**flow.order * polynomial.polyfit(NODES, chosen, len(NODES) - 1), flow.order)
+        c[0] = state[:n]
+        states = list(polynomial.polyval(NODES, c).T)
+    if flow.order == 2:
+        c[1] = T * flow.command(start, state, "right").rate[:n]
+    return c, T
+
+
+def _looked_at(
+    flow: VelocityFlow | AccelerationFlow, motion: PiecewisePolynomial, segments: tuple[Segment, ...]
+) -> FollowedTrajectory:
+    """Return a motion with its errors, its residuals and the singular values that it passes."""
+    ends = [segment.end for segment in segments]
+    times = np.unique(np.concatenate([np.linspace(0.0, ends[-1], INSTANTS), ends]))
+    states = [next(segment.state(t) for segment in segments if t <= segment.end) for t in times]
+    commands = [flow.command(float(t), state, "right") for t, state in zip(times, states, strict=True)]
+    errors = np.array([command.error for command in commands])
+    unitless = np.linalg.norm(unitless_rows(flow.robot, flow.task) * errors, axis=1)
+    asked = flow.trajectory.end
+    if ends[-1] < asked:
+        status = FollowingStatus.STOPPED
+    elif unitless[-1] > ON_PATH:
+        status = FollowingStatus.DEVIATES
+    else:
+        status = FollowingStatus.FOLLOWS if unitless.max() <= ON_PATH else FollowingStatus.RETURNS
+    return FollowedTrajectory(
+        motion.c,
+        motion.durations,
+        switching_times=np.array(ends[:-1]),
+        asked_duration=asked,
+        status=status,
+        times=times,
+        errors=errors,
+        residuals=np.array([command.residual for command in commands]),
+        singular_values=np.array([command.sigma for command in commands]),
+    )
 
 
 def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> tuple[Array, Curve]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -196,5 +196,5 @@ def wished(name: str, wish: Wish, A: Array, *state: Array) -> Array | None:
     """
     if wish is None:
         return None
-    value = wish(*state) if callable(wish) else wish
+    value: Any = wish(*state) if callable(wish) and not isinstance(wish, type) else wish
     return real_array(name, value, (A.shape[1],), "one number for each joint, or each input")

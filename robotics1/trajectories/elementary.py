@@ -1,8 +1,11 @@
-"""The polynomial between two states: cubic, quintic, septic."""
+"""Elementary motions between two states: cubic, quintic and septic polynomials, and the sines, cosine and cycloidal."""
+
+from math import pi
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.harmonic import HarmonicCurve
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.inputs import Array, joint_numbers, joint_rates, positive_number
 
@@ -28,11 +31,9 @@ def cubic(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.1.
     """
-    T = positive_number("duration", duration)
-    q0, delta, v0, v1 = _boundary(q0, q1, v0=v0, v1=v1)
-    return PiecewisePolynomial.from_pieces(
-        [(np.array([q0, v0 * T, 3 * delta - (2 * v0 + v1) * T, -2 * delta + (v0 + v1) * T]), T)]
-    )
+    T, (q0, delta, v0, v1) = boundary(q0, q1, duration, v0=v0, v1=v1)
+    v0, v1 = v0 * T, v1 * T
+    return PiecewisePolynomial.from_pieces([([q0, v0, 3 * delta - (2 * v0 + v1), -2 * delta + (v0 + v1)], T)])
 
 
 def quintic(
@@ -62,13 +63,12 @@ def quintic(
 
     Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 2.1.
     """
-    T = positive_number("duration", duration)
-    q0, delta, v0, v1, a0, a1 = _boundary(q0, q1, v0=v0, v1=v1, a0=a0, a1=a1)
+    T, (q0, delta, v0, v1, a0, a1) = boundary(q0, q1, duration, v0=v0, v1=v1, a0=a0, a1=a1)
     v0, v1, a0, a1 = v0 * T, v1 * T, a0 * T * T / 2, a1 * T * T / 2
     c3 = 10 * delta - (6 * v0 + 4 * v1) - (3 * a0 - a1)
     c4 = -15 * delta + (8 * v0 + 7 * v1) + (3 * a0 - 2 * a1)
     c5 = 6 * delta - 3 * (v0 + v1) - (a0 - a1)
-    return PiecewisePolynomial.from_pieces([(np.array([q0, v0, a0, c3, c4, c5]), T)])
+    return PiecewisePolynomial.from_pieces([([q0, v0, a0, c3, c4, c5], T)])
 
 
 def septic(
@@ -96,18 +96,62 @@ def septic(
 
     Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 2.1.
     """
-    T = positive_number("duration", duration)
-    q0, delta, v0, v1, a0, a1 = _boundary(q0, q1, v0=v0, v1=v1, a0=a0, a1=a1)
+    T, (q0, delta, v0, v1, a0, a1) = boundary(q0, q1, duration, v0=v0, v1=v1, a0=a0, a1=a1)
     v0, v1, a0, a1 = v0 * T, v1 * T, a0 * T * T / 2, a1 * T * T / 2
     c4 = 35 * delta - (20 * v0 + 15 * v1) - (10 * a0 - 5 * a1)
     c5 = -84 * delta + (45 * v0 + 39 * v1) + (20 * a0 - 14 * a1)
     c6 = 70 * delta - (36 * v0 + 34 * v1) - (15 * a0 - 13 * a1)
     c7 = -20 * delta + 10 * (v0 + v1) + 4 * (a0 - a1)
-    return PiecewisePolynomial.from_pieces([(np.array([q0, v0, a0, 0 * delta, c4, c5, c6, c7]), T)])
+    return PiecewisePolynomial.from_pieces([([q0, v0, a0, 0 * delta, c4, c5, c6, c7], T)])
 
 
-def _boundary(q0: npt.ArrayLike, q1: npt.ArrayLike, **rates: npt.ArrayLike) -> list[Array]:
-    """Return q0, q1 − q0 and the rates, each (n,)."""
+def cosine(q0: npt.ArrayLike, q1: npt.ArrayLike, duration: float) -> HarmonicCurve:
+    """Return the rest-to-rest motion q(t) = q0 + Δ (1 − cos πτ)/2, with Δ = q1 − q0 and τ = t/T.
+
+    |q̇| ≤ π/2 Δ/T, in the middle; |q̈| ≤ π²/2 Δ/T², at both ends, where it jumps from and to zero.
+
+    Args:
+        q0, q1: (n,) start and end [rad or m].
+        duration: T [s].
+
+    Raises:
+        InputError: shapes that do not agree, or a duration that is not positive.
+
+    Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 2.2.
+    """
+    T, (start, delta) = boundary(q0, q1, duration)
+    none = np.zeros_like(start)
+    return HarmonicCurve(start + delta / 2, -delta / 2, none, none, pi / T, T)
+
+
+def cycloidal(q0: npt.ArrayLike, q1: npt.ArrayLike, duration: float) -> HarmonicCurve:
+    """Return the rest-to-rest motion q(t) = q0 + Δ (τ − sin(2πτ)/2π), with Δ = q1 − q0 and τ = t/T.
+
+    |q̇| ≤ 2 Δ/T, in the middle; |q̈| ≤ 2π Δ/T², at a quarter and at three; it is zero at both ends.
+
+    Args:
+        q0, q1: (n,) start and end [rad or m].
+        duration: T [s].
+
+    Raises:
+        InputError: shapes that do not agree, or a duration that is not positive.
+
+    Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 2.2.
+    """
+    T, (start, delta) = boundary(q0, q1, duration)
+    radius = delta / (2 * pi)
+    return HarmonicCurve(start, np.zeros_like(start), -radius, radius, 2 * pi / T, T)
+
+
+def boundary(
+    q0: npt.ArrayLike, q1: npt.ArrayLike, duration: float, **rates: npt.ArrayLike
+) -> tuple[float, list[Array]]:
+    """Return the duration T, and q0, Δ = q1 − q0 and the rates at the ends, each (n,).
+
+    Raises:
+        InputError: shapes that do not agree, or a duration that is not positive.
+    """
+    T = positive_number("duration", duration)
     start = joint_numbers("q0", q0)
     end = joint_numbers("q1", q1, len(start))
-    return [start, end - start, *(joint_rates(name, value, len(start)) for name, value in rates.items())]
+    return T, [start, end - start, *(joint_rates(name, value, len(start)) for name, value in rates.items())]

@@ -2,14 +2,14 @@
 
 import html
 from collections.abc import Sequence
-from importlib.resources import files
 from pathlib import Path
 from string import Template
 
 from robotics1.files import write_file
 from robotics1.names import printable
-from robotics1.report.named_formulas import FormulaSection, NamedFormula
 from robotics1.symbolic.writing.printing import mathml_text
+
+from .named_formulas import FormulaSection, NamedFormula
 
 
 def write_formula_page(path: str | Path, sections: Sequence[FormulaSection], *, title: str) -> Path:
@@ -18,7 +18,7 @@ def write_formula_page(path: str | Path, sections: Sequence[FormulaSection], *, 
     Raises:
         InputError: the file cannot be written there.
     """
-    template = Template(files("robotics1.report").joinpath("formulas.html").read_text(encoding="utf-8"))
+    template = Template(Path(__file__).with_name("formulas.html").read_text(encoding="utf-8"))
     text = template.substitute(title=_escaped(title), body="\n".join(map(_section, sections)))
     return write_file(path, text)
 

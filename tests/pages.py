@@ -1,0 +1,56 @@
+"""Pages opened in a browser, and what is asked of them."""
+
+import time
+
+import numpy as np
+
+
+class OpenPage:
+    """A page in a window: its faults, and the numbers behind what it shows."""
+
+    def __init__(self, browser, path, width=900, height=700):
+        self.faults = []
+        self.tab = browser.new_page(viewport={"width": width, "height": height})
+        self.tab.on("pageerror", lambda error: self.faults.append(str(error)))
+        self.tab.on("console", lambda message: self.faults.append(message.text) if message.type == "error" else None)
+        self.tab.on("request", lambda request: self.faults.append(request.url) if "file:" not in request.url else None)
+        self.tab.goto(path.as_uri(), wait_until="commit", timeout=90_000)
+        self.wait("window.robotics1?.ready")
+
+    def wait(self, condition, seconds=90):
+        """Wait until a JavaScript expression is true; the page itself must not evaluate text."""
+        end = time.monotonic() + seconds
+        while not self.tab.evaluate(condition):
+            assert time.monotonic() < end, f"{condition} is not true after {seconds} s"
+            time.sleep(0.05)
+
+    def ask(self, expression, *arguments):
+        """Return the value of a JavaScript expression of `app` and of arguments a, b."""
+        return self.tab.evaluate(f"([a, b]) => {{ const app = window.robotics1.app; return {expression}; }}", [
+            *arguments, *[None] * (2 - len(arguments)),
+        ])  # fmt: skip
+
+    def place(self, name):
+        """Return the world position of the object of a name."""
+        found = self.ask(
+            "(() => { const o = app.stage.scene.getObjectByName(a); o.updateWorldMatrix(true, true);"
+            " return o.matrixWorld.toArray(); })()",
+            name,
+        )
+        return np.array(found).reshape(4, 4)[3, :3]
+
+    def move(self, q):
+        """Put the robot at q."""
+        self.ask("app.change(a)", [float(value) for value in q])
+
+    def seek(self, time):
+        """Drag the slider of time."""
+        self.tab.evaluate(
+            "t => { const s = document.getElementById('time'); s.value = t; s.dispatchEvent(new Event('input')); }",
+            time,
+        )
+
+    def inside(self):
+        """Return the least and the largest window coordinate (from −1 to 1) of the box of what is drawn."""
+        seen = self.ask("corners(app.stage.box).map(p => p.project(app.stage.viewer.camera)).map(p => [p.x, p.y])")
+        return np.min(seen), np.max(seen)

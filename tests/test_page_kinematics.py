@@ -1,0 +1,79 @@
+"""The page computes as Pinocchio does: forward kinematics, Jacobian, singular values, inverse kinematics."""
+
+import numpy as np
+import pytest
+from arms import arm, random_q
+from pages import OpenPage
+
+from robotics1 import (
+    PlanarPoseTask,
+    PoseTask,
+    PositionTask,
+    forward_kinematics,
+    view,
+)
+from robotics1.tasks.task import unitless_jacobian
+
+ARMS = ("prr", "cylindrical", "planar_2r", "planar_3r", "redundant", "six_r")
+TASKS = {
+    "prr": PlanarPoseTask("xy"),
+    "cylindrical": PositionTask("xyz"),
+    "planar_2r": PositionTask("xy"),
+    "planar_3r": PlanarPoseTask("xy"),
+    "redundant": PoseTask(),
+    "six_r": PoseTask(),
+}
+
+
+@pytest.fixture(scope="module")
+def opened(browser, tmp_path_factory):
+    """Return a function that opens the page of a robot once."""
+    folder, pages = tmp_path_factory.mktemp("pages"), {}
+
+    def open_page(name):
+        if name not in pages:
+            robot = arm(name)
+            page = OpenPage(browser, view(robot, None, folder / f"{name}.html", task=TASKS.get(name)).file)
+            pages[name] = (robot, page)
+        return pages[name]
+
+    yield open_page
+    for _, page in pages.values():
+        page.tab.close()
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_tool_of_the_page_is_where_fk_puts_it(opened, name):
+    robot, page = opened(name)
+    for seed in range(3):
+        q = random_q(robot, seed)
+        T = forward_kinematics(robot, q)
+        found = np.array(page.ask("app.arm.frame(app.arm.tool, app.arm.forward(a))", list(q))).reshape(3, 4)
+        assert found == pytest.approx(T.homogeneous[:3], abs=1e-12)
+        page.move(q)
+        assert page.place("tool frame") == pytest.approx(T.translation, abs=1e-5)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_jacobian_and_singular_values_of_the_page_are_those_of_the_task(opened, name):
+    robot, page = opened(name)
+    for seed in range(3):
+        q = random_q(robot, seed)
+        found = page.ask("app.arm.measure(a)", list(q))
+        assert np.array(found["J"]) == pytest.approx(TASKS[name].jacobian(robot, q), abs=1e-9)
+        sigma = np.linalg.svd(unitless_jacobian(robot, TASKS[name], q), compute_uv=False)
+        assert found["values"] == pytest.approx(sigma, abs=1e-12)
+        if TASKS[name].rows == robot.nv:
+            assert found["determinant"] == pytest.approx(np.linalg.det(TASKS[name].jacobian(robot, q)), abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["planar_2r", "redundant", "six_r"])
+def test_a_followed_target_is_reached_where_fk_says(opened, name):
+    robot, page = opened(name)
+    start, goal = random_q(robot, 0), random_q(robot, 0) + 0.2
+    wanted = forward_kinematics(robot, goal)
+    found = page.ask("follow(app.arm, a, b)", list(start), [float(v) for v in wanted.homogeneous[:3].ravel()])
+    assert found["verdict"]["kind"] == "reached"
+    e = TASKS[name].error(robot, found["q"], TASKS[name].value(robot, goal))
+    assert np.abs(e).max() < 1e-4
+    assert robot.within_limits(found["q"])

@@ -1,0 +1,57 @@
+"""Real robots in the page: every shape of the file has its triangles in the scene, and all is inside the window."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pages import OpenPage
+from sweeps import core_first
+
+import robotics1 as r1
+from robotics1.robot.visuals import MeshFile, read_visuals
+from robotics1.viewer.meshes import read_mesh
+
+ROBOTS = core_first(["ur5", "panda", "icub", "kinova", "tiago", "anymal", "talos_reduced"], {"ur5", "panda"})
+MOST = {"ur5": 3e6, "panda": 4e6}  # bytes of the page
+WINDOWS = ((1280, 800), (900, 700), (390, 800), (1600, 500))
+PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # a folder for pictures of the pages, to be looked at
+
+
+def triangles(robot):
+    """How many triangles the meshes of the file have, as they are read for the page."""
+    shapes = [visual.shape for visual in read_visuals(robot)]
+    parts = {path: read_mesh(path) for path in {s.path for s in shapes if isinstance(s, MeshFile) and s.found}}
+    return sum(len(part.faces) for s in shapes if isinstance(s, MeshFile) and s.found for part in parts[s.path])
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_every_mesh_of_a_real_robot_is_in_the_scene_and_inside_the_window(browser, name, tmp_path):
+    robot = r1.load_robot(name)
+    file = r1.view(robot, None, tmp_path / f"{name}.html").file
+    assert file.stat().st_size < MOST.get(name, 16e6)
+    page = OpenPage(browser, file)
+    drawn = page.ask(
+        "app.drawing.links.concat([app.drawing.base]).flatMap(g => g.children)"
+        ".filter(m => m.userData.drawn && m.userData.drawn.kind === 'mesh')"
+        ".map(m => m.geometry.attributes.position.count / 3)"
+    )
+    assert sum(drawn) == triangles(robot)
+    for width, height in WINDOWS:
+        page.tab.set_viewport_size({"width": width, "height": height})
+        page.ask("app.stage.fit()")
+        low, high = page.inside()
+        assert low > -1.001
+        assert high < 1.001
+    q = np.clip(np.full(robot.nq, 0.2), robot.lower, robot.upper) if robot.nq == robot.nv else None
+    if q is not None:
+        page.move(q)
+        frame = page.ask("app.arm.tool.name")
+        assert page.place("tool frame") == pytest.approx(
+            r1.forward_kinematics(robot, q, frame=frame).translation, abs=1e-5
+        )
+    if PICTURES:
+        page.tab.set_viewport_size({"width": 1280, "height": 800})
+        page.tab.screenshot(path=Path(PICTURES) / f"{name}.png")
+    assert page.faults == []
+    page.tab.close()
