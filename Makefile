@@ -9,7 +9,7 @@ WORDS := check cli dh documents errors exam fuzz malformed misuse notebooks page
 # Bytecode is kept: without it each process of a test compiles the package again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: exam test sweep portable check notebooks coverage fuzz bench clean
+.PHONY: exam test sweep portable check notebooks pictures coverage fuzz bench clean
 
 exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every published value
 	$(BIN)/robotics1 exam
@@ -34,6 +34,11 @@ check: $(INSTALLED)  ## style, types, layers
 
 notebooks: $(INSTALLED)  ## execute the notebooks
 	$(BIN)/python -m pytest tests/test_notebooks.py
+
+pictures: $(INSTALLED)  ## the pictures of the pages in docs/pictures, made by the tests of the pages
+	mkdir -p docs/pictures
+	ROBOTICS1_PICTURES=docs/pictures $(BIN)/python -m pytest -m "" tests/test_page_robots.py tests/test_page_motion.py \
+	    -k "ur5 or rendezvous"
 
 coverage: $(INSTALLED)  ## tests with a coverage report
 	$(BIN)/python -m pytest -n auto --dist loadfile --cov --cov-report=term-missing:skip-covered

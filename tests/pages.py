@@ -1,8 +1,12 @@
 """Pages opened in a browser, and what is asked of them."""
 
+import os
 import time
+from pathlib import Path
 
 import numpy as np
+
+PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # make pictures names docs/pictures
 
 
 class OpenPage:
@@ -29,6 +33,14 @@ class OpenPage:
         return self.tab.evaluate(f"([a, b]) => {{ const app = window.robotics1.app; return {expression}; }}", [
             *arguments, *[None] * (2 - len(arguments)),
         ])  # fmt: skip
+
+    def picture(self, name, width=1280, height=800):
+        """Save what is seen in the folder of the pictures, if one is named."""
+        if PICTURES:
+            self.tab.set_viewport_size({"width": width, "height": height})
+            self.ask("app.stage.fit()")
+            self.tab.wait_for_timeout(300)
+            self.tab.screenshot(path=Path(PICTURES) / f"{name}.png")
 
     def place(self, name):
         """Return the world position of the object of a name."""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pages import OpenPage
 
-from robotics1 import InputError, LinearMotion, animate, cubic, forward_kinematics, load_robot
+from robotics1 import InputError, LinearMotion, PositionTask, animate, cubic, forward_kinematics, load_robot, rendezvous
 from robotics1.curves import CurveSequence
 from robotics1.trajectories import bang_bang
 
@@ -122,6 +122,41 @@ def test_two_robots_stand_side_by_side_and_two_motions_in_one_place(browser, tmp
     page = OpenPage(browser, animate(planar, [first, cubic([0, 0], [-1, 1], 1.0)], tmp_path / "one.html").file)
     assert page.ask("app.actors.map(a => a.drawing.group.position.x)") == [0, 0]
     page.tab.close()
+
+
+def test_both_arms_of_a_rendezvous_are_at_the_target_when_they_meet_it(browser, tmp_path):
+    robot, target = load_robot("planar_2r"), LinearMotion([-2, 1], [1.449, 0.388])
+    meeting = rendezvous(robot, PositionTask("xy"), target, q0=[0, 0], meet=lambda t, p: p[0])
+    motions = [branch.trajectory for branch in meeting.branches]
+    options = {"target": target, "names": ["right arm", "left arm"], "title": "Rendez-vous of a 2R robot"}
+    page = OpenPage(browser, animate(robot, motions, tmp_path / "r.html", **options).file, 1280, 800)
+    page.seek(meeting.time)
+    tools = page.ask("app.actors.map(a => origin(a.arm.frame(a.arm.tool, a.arm.forward(a.q))))")
+    assert np.array(tools)[:, :2] == pytest.approx(np.array([meeting.position] * 2), abs=1e-9)
+    page.seek(0.7 * meeting.time)
+    page.tab.click("#plotting")
+    page.picture("rendezvous")
+    assert page.tab.locator("#choice option").all_text_contents() == ["right arm", "left arm"]
+    page.tab.select_option("#choice", "1")
+    assert page.ask("app.q") == page.ask("app.actors[1].q")
+    assert page.faults == []
+    page.tab.close()
+
+
+def test_no_value_that_is_not_finite_reaches_the_scene(page):
+    page.seek(0.3)
+    q = page.ask("app.q")
+    page.ask("app.change([NaN, 0, 0])")
+    page.ask("app.change([Infinity, 0, 0])")
+    assert page.ask("app.q") == q
+
+
+def test_a_browser_without_webgl_says_so(browser, file):
+    tab = browser.new_page()
+    tab.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    tab.goto(file.as_uri())
+    assert tab.inner_text("#loading") == "This browser shows no 3D graphics: WebGL is switched off or missing."
+    tab.close()
 
 
 def test_a_long_motion_is_resampled_so_that_its_page_stays_small(tmp_path):

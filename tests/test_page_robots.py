@@ -1,8 +1,5 @@
 """Real robots in the page: every shape of the file has its triangles in the scene, and all is inside the window."""
 
-import os
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pages import OpenPage
@@ -15,7 +12,6 @@ from robotics1.viewer.meshes import read_mesh
 ROBOTS = core_first(["ur5", "panda", "icub", "kinova", "tiago", "anymal", "talos_reduced"], {"ur5", "panda"})
 MOST = {"ur5": 3e6, "panda": 4e6}  # bytes of the page
 WINDOWS = ((1280, 800), (900, 700), (390, 800), (1600, 500))
-PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # a folder for pictures of the pages, to be looked at
 
 
 def triangles(robot):
@@ -50,8 +46,6 @@ def test_every_mesh_of_a_real_robot_is_in_the_scene_and_inside_the_window(browse
         assert page.place("tool frame") == pytest.approx(
             r1.forward_kinematics(robot, q, frame=frame).translation, abs=1e-5
         )
-    if PICTURES:
-        page.tab.set_viewport_size({"width": 1280, "height": 800})
-        page.tab.screenshot(path=Path(PICTURES) / f"{name}.png")
+    page.picture(name)
     assert page.faults == []
     page.tab.close()
