@@ -131,7 +131,7 @@ def test_both_arms_of_a_rendezvous_are_at_the_target_when_they_meet_it(browser, 
     options = {"target": target, "names": ["right arm", "left arm"], "title": "Rendez-vous of a 2R robot"}
     page = OpenPage(browser, animate(robot, motions, tmp_path / "r.html", **options).file, 1280, 800)
     page.seek(meeting.time)
-    tools = page.ask("app.actors.map(a => origin(a.arm.frame(a.arm.tool, a.arm.forward(a.q))))")
+    tools = page.ask("app.actors.map(a => positionOf(a.arm.frame(a.arm.tool, a.arm.forward(a.q))))")
     assert np.array(tools)[:, :2] == pytest.approx(np.array([meeting.position] * 2), abs=1e-9)
     page.seek(0.7 * meeting.time)
     page.tab.click("#plotting")

@@ -50,7 +50,7 @@ class Abilities {
       const basis = [axes[0], axes[1], third].map(v => new THREE.Vector3(...v));
       shape.quaternion.setFromRotationMatrix(new THREE.Matrix4().makeBasis(...basis));
       shape.scale.set(...lengths[name]);
-      shape.position.set(...origin(arm.frame(arm.task.frame, placed))).add(drawing.group.position);
+      shape.position.set(...positionOf(arm.frame(arm.task.frame, placed))).add(drawing.group.position);
     }
     const dimension = this.freedom(this.app.q).length;
     this.button.disabled = dimension === 0;

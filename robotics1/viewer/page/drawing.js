@@ -139,7 +139,7 @@ class Drawing {
   showLost(direction) {
     this.lost.visible = direction !== null;
     if (direction === null) return;
-    this.lost.position.set(...origin(this.arm.frame(this.arm.task.frame, this.arm.forward(this.q))));
+    this.lost.position.set(...positionOf(this.arm.frame(this.arm.task.frame, this.arm.forward(this.q))));
     this.lost.quaternion.setFromUnitVectors(new THREE.Vector3(1, 0, 0), new THREE.Vector3(...direction));
   }
 
@@ -149,7 +149,7 @@ class Drawing {
     const box = new THREE.Box3();
     for (const group of [this.base, ...this.links]) box.expandByObject(group);
     if (this.arm.tool) {
-      const p = origin(this.arm.frame(this.arm.tool, this.arm.forward(this.q)));
+      const p = positionOf(this.arm.frame(this.arm.tool, this.arm.forward(this.q)));
       const ball = new THREE.Sphere(new THREE.Vector3(...p).add(this.group.position), 0.1 * this.arm.reach);
       const round = ball.getBoundingBox(new THREE.Box3());
       box.union(round); // the axes of the tool

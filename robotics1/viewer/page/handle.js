@@ -25,7 +25,7 @@ class Handle {
   /** Stand where the tool is, unless a hand holds it elsewhere. */
   show(placed) {
     const { arm, drawing } = this.app;
-    const p = this.held ? origin(this.held.wanted) : origin(arm.frame(arm.task.frame, placed));
+    const p = this.held ? positionOf(this.held.wanted) : positionOf(arm.frame(arm.task.frame, placed));
     this.group.position.set(...p).add(drawing.group.position);
   }
 

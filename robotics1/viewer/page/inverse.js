@@ -6,7 +6,7 @@ const STILL = 1e-9; // a step that moves no more
 /** Return the task's error, without units, between a wanted placement and that of the task's frame. */
 function taskError(arm, placed, wanted) {
   const T = arm.frame(arm.task.frame, placed);
-  const V = [...minus(origin(wanted), origin(T)), ...rotationBetween(wanted, T)];
+  const V = [...minus(positionOf(wanted), positionOf(T)), ...rotationBetween(wanted, T)];
   return arm.taskRows(V, placed).map((e, i) => e * arm.task.scale[i]);
 }
 
@@ -58,7 +58,7 @@ function follow(arm, start, wanted) {
 function verdict(arm, { q, error, held }, wanted) {
   if (norm(error) <= REACHED) return { kind: "reached", text: "reached" };
   const placed = arm.forward(q);
-  const left = norm(minus(origin(wanted), origin(arm.frame(arm.task.frame, placed))));
+  const left = norm(minus(positionOf(wanted), positionOf(arm.frame(arm.task.frame, placed))));
   const away = left > 1e-4 * arm.reach ? ` by ${short(left)} m` : "";
   if (held.size) {
     const names = [...held].map(j => arm.coordinates[j].name).join(", ");

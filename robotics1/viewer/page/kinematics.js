@@ -31,14 +31,14 @@ class Arm {
 
   /** Return J (6 × n) of a frame: its velocity (v, ω) in world axes for each unit of q̇. */
   jacobian(frame, placed) {
-    const point = origin(this.frame(frame, placed));
+    const point = positionOf(this.frame(frame, placed));
     const J = Array.from({ length: 6 }, () => new Array(this.size).fill(0));
     for (let i = frame.joint; i >= 0; i = this.joints[i].parent) {
       const joint = this.joints[i];
       if (joint.coordinate < 0) continue;
       const axis = times(joint.multiplier, rotate(placed[i], joint.axis));
       const turns = joint.kind === "revolute";
-      const v = turns ? cross(axis, minus(point, origin(placed[i]))) : axis;
+      const v = turns ? cross(axis, minus(point, positionOf(placed[i]))) : axis;
       for (let k = 0; k < 3; k++) {
         J[k][joint.coordinate] += v[k];
         if (turns) J[3 + k][joint.coordinate] += axis[k];

@@ -29,8 +29,7 @@ function shift(axis, length) {
   return [1, 0, 0, axis[0] * length, 0, 1, 0, axis[1] * length, 0, 0, 1, axis[2] * length];
 }
 
-const origin = T => [T[3], T[7], T[11]];
-const column = (T, j) => [T[j], T[4 + j], T[8 + j]];
+const positionOf = T => [T[3], T[7], T[11]];
 const rotate = (T, v) => [0, 1, 2].map(i => T[4 * i] * v[0] + T[4 * i + 1] * v[1] + T[4 * i + 2] * v[2]);
 const rotateBack = (T, v) => [0, 1, 2].map(i => T[i] * v[0] + T[4 + i] * v[1] + T[8 + i] * v[2]);
 const minus = (a, b) => a.map((x, i) => x - b[i]);

@@ -36,7 +36,7 @@ class App {
     }
     if (one.motion && one.arm.tool) {
       const points = Array.from({ length: one.motion.count }, (_, k) =>
-        origin(one.arm.frame(one.arm.tool, one.arm.forward(one.motion.sample(k)))),
+        positionOf(one.arm.frame(one.arm.tool, one.arm.forward(one.motion.sample(k)))),
       );
       one.trail = new Trail(one.motion.times, points, 0.004 * one.arm.reach, 0xc92a2a);
       one.drawing.group.add(one.trail.mesh);
@@ -162,7 +162,7 @@ class App {
     hint.style.top = `${event.clientY + 14}px`;
     if (!joint) return;
     const T = arm.forward(q)[object.userData.joint], along = new THREE.Vector3(...rotate(T, joint.axis));
-    axis.position.set(...origin(T)).add(drawing.group.position);
+    axis.position.set(...positionOf(T)).add(drawing.group.position);
     axis.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along);
     axis.scale.set(arm.reach, 0.35 * arm.reach, arm.reach);
   }

@@ -97,7 +97,7 @@ class Panel {
       return;
     }
     const T = arm.frame(arm.tool, placed);
-    const [x, y, z] = origin(T).map(v => (Math.abs(v) < 5e-5 ? 0 : v).toFixed(4));
+    const [x, y, z] = positionOf(T).map(v => (Math.abs(v) < 5e-5 ? 0 : v).toFixed(4));
     const yaw = Math.atan2(T[4], T[0]), pitch = Math.atan2(-T[8], Math.hypot(T[0], T[4])), roll = Math.atan2(T[9], T[10]);
     const angle = v => (this.degrees ? `${(v / DEGREE).toFixed(1)}°` : v.toFixed(3));
     const turned = this.app.planar ? `φ = ${angle(yaw)}` : `roll ${angle(roll)}  pitch ${angle(pitch)}  yaw ${angle(yaw)}`;

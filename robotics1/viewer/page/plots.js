@@ -113,7 +113,7 @@ function plotsOf(arm, samples, target, onTime) {
   }
   if (arm.task) plots.push(["σ_min", [line("", postures.map(q => arm.measure(q).least))]]);
   if (target && arm.tool) {
-    const tool = q => origin(arm.frame(arm.tool, arm.forward(q)));
+    const tool = q => positionOf(arm.frame(arm.tool, arm.forward(q)));
     plots.push(["distance to the target [m]", [line("", postures.map((q, k) => norm(minus(tool(q), target.at(instants[k])))))]]);
   }
   return plots.map(([title, lines]) => new Plot(title, lines, samples.duration, onTime));
