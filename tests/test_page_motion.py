@@ -164,6 +164,12 @@ def test_a_long_motion_is_resampled_so_that_its_page_stays_small(tmp_path):
     assert page.file.stat().st_size < 1_300_000
 
 
+def test_a_million_recorded_values_are_thinned_to_a_small_page():
+    times = np.linspace(0, 100, 10**6)
+    page = animate(load_robot("planar_2r"), times=times, q=np.sin(times)[:, None] * [1, 2])
+    assert len(page.html) < 2_000_000
+
+
 def test_nothing_is_written_where_there_is_no_folder(tmp_path, motion):
     with pytest.raises(InputError, match="there is no folder"):
         animate(load_robot("prr"), motion, tmp_path / "nowhere" / "page.html")
