@@ -73,7 +73,7 @@ def all_solutions(
         write_json(answer | {"free_joints": found.free_joints, "dimension": found.dimension})
         return len(found) > 0
     out = PlainConsole()
-    out.print(f"{found.status.value} ({len(found)} found by search)")
+    out.print(f"{found.status.value} ({len(found)} found by {found.method})")
     if not len(found):
         nearest = vector(in_degrees(robot, found.closest, degrees))
         out.print(f"the nearest miss is |e| = {found.error_norm:.4g} at q = {nearest}")

@@ -2,7 +2,8 @@
 
 from .iterate import IKIterate, IKIteration, iterate_ik
 from .result import IKBatch, IKResult, IKStatus
-from .solutions import IKSolutions, ik_solutions
+from .solution_set import IKSolutions
+from .solutions import ik_solutions
 from .solver import IKSolver, solve_ik
 
 __all__ = [

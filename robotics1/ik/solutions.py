@@ -1,76 +1,27 @@
 """Every inverse kinematics solution of a target."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
+from itertools import product
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from robotics1.ik.descent import REACHED, End, TaskDescent
+from robotics1.errors import InputError
+from robotics1.ik.descent import REACHED
+from robotics1.ik.exact import ExactSolver
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
+from robotics1.ik.solution_search import SolutionSearch
+from robotics1.ik.solution_set import IKSolutions
+from robotics1.ik.structure import closed_form
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
-from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
-from robotics1.singularities.points import ON_THE_SET, SingularPoints, singular_points
+from robotics1.singularities.points import singular_points
 from robotics1.tasks.task import Task
-
-SAME = 1e-6  # distance of two solutions that are one
-NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one
-ASIDE = 0.05  # step along the null space that looks for a neighbouring solution, in units
-FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a family
-
-
-@dataclass(frozen=True, eq=False)
-class IKSolutions(Frozen):
-    """The solutions of f(q) = r_d inside the joint limits, each listed once: whole turns of a joint apart are one.
-
-    Attributes:
-        q: (k, nq) the solutions [rad or m].
-        singular: (k,) True where J loses rank.
-        status: how many there are: FINITE, INFINITE, UNREACHABLE or NOT_FOUND.
-        complete: whether the method proves that there are no others.
-        method: how they were found.
-        closest: (nq,) the configuration with the least error, when there is no solution as well.
-        error_norm: |r_d − f(closest)|, in the task's units [m, rad].
-        free_joints: the joints that do not move the task, such as fingers beside the tool; in `q` they stand in the
-            middle of their range, and their freedom does not count as infinitely many solutions.
-        dimension: of the family, when there are infinitely many: 1 for a curve; 0 for finitely many.
-        within_limits: (k,) True where a solution is inside the robot's limits, as all that are searched for are.
-    """
-
-    q: Array
-    singular: npt.NDArray[np.bool_]
-    status: IKStatus
-    complete: bool
-    method: str
-    closest: Array
-    error_norm: float
-    free_joints: tuple[str, ...]
-    dimension: int
-    within_limits: npt.NDArray[np.bool_]
-
-    def __len__(self) -> int:
-        return len(self.q)
-
-    def explain(self) -> str:
-        """Return how many solutions there are, and the nearest miss if there is none, in sentences."""
-        if not len(self):
-            return f"{self.status.value}; the nearest miss is |e| = {self.error_norm:.3g}"
-        family = f" of dimension {self.dimension}" if self.dimension else ""
-        rest = "these are all" if self.complete else "there may be others"
-        free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
-        return f"{self.status.value}{family}: {len(self)} found by {self.method}, {rest}{free}"
-
-    def require(self) -> "IKSolutions":
-        """Return self if there is a solution.
-
-        Raises:
-            NotConverged: there is none.
-        """
-        return require(self, len(self) > 0)
 
 
 def ik_solutions(
@@ -78,15 +29,22 @@ def ik_solutions(
     task: Task,
     target: Any,
     *,
-    method: str = "search",
+    method: str = "auto",
+    windings: bool = False,
     box: Mapping[str, tuple[float, float]] | None = None,
     starts: int = 100,
     seed: int = 0,
 ) -> IKSolutions:
     """Return the solutions of f(q) = r_d inside the joint limits.
 
-    The search runs damped least squares from random starts and keeps what differs. It can miss a solution, so that
-    `complete` is False where it has found some. UNREACHABLE is proven; a search that finds nothing is NOT_FOUND.
+    Where as many joints move the task as it has rows, and the joint axes allow, all solutions follow from polynomials:
+    one to three joints that move a point, a planar pose or an orientation; six joints, three of which, one after the
+    other, have axes through a point (a spherical wrist) or move in a plane (three parallel axes, as of UR arms). Each
+    solution is polished by Newton's method on the robot itself, and verified. `complete` then says that there are no
+    others, `method` how they were found, and BOUNDARY that two of them meet.
+
+    Otherwise a search runs damped least squares from random starts and keeps what differs. It can miss a solution, so
+    that `complete` is False where it has found some. UNREACHABLE is proven; a search that finds nothing is NOT_FOUND.
 
     A row of a `FunctionTask` with the unit "rad" is taken modulo 2π. Without units a row that counts turns, as q1 + q3
     does, has its own value: joints are turned as far as their limits allow until it is the target's. A row that is
@@ -96,21 +54,62 @@ def ik_solutions(
         robot: an arm of revolute and prismatic joints.
         task: r = f(q).
         target: r_d, in the form of the task's value.
-        method: "search".
+        method: "auto", or "search" to search in any case.
+        windings: whether to list also what differs by whole turns, inside limits that both end.
         box: joint name → (lower, upper), where to look; needed for prismatic joints without limits that move the task.
-        starts: the number of random starts.
+        starts: the number of random starts of a search.
         seed: of the random starts.
 
     Raises:
         InputError: the target has the wrong form, or a prismatic joint has neither limits nor a box.
         TaskError: the task does not fit the robot, or its axes move.
+
+    Source: Pieper, The kinematics of manipulators under computer control, 1968; Siciliano, Sciavicco, Villani, Oriolo,
+    Robotics, 2009, section 2.12.
     """
     a_robot_and_a_task(robot, task)
-    one_of("method", method, ("search",))
+    one_of("method", method, ("auto", "search"))
+    if not isinstance(windings, bool):
+        raise InputError(f"windings must be True or False, not {windings!r}")
     seed, starts = counting_number("seed", seed), counting_number("starts", starts, least=1)
     task.check_integrable(robot)
     target = task.target(target)
+    prepared = _prepared(robot, task, box)
+    searched = partial(_searched, prepared.problem, target, starts, seed)
+    exact = prepared.exact if method == "auto" else None
+    found = searched() if exact is None else exact.solve(target, searched)
+    return with_windings(found, prepared.problem) if windings else found
+
+
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """What does not depend on the target: the task in its box, and the way to all solutions if one is known."""
+
+    problem: ScaledTask
+    exact: ExactSolver | None
+
+
+def _prepared(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None) -> Prepared:
+    """Return what does not depend on the target; of a task on a pose it is kept."""
+    form = task.frame_map()
+    if box is None and form is not None and form.pose_error is not None:
+        with suppress(TypeError):  # a task that cannot be hashed
+            return _kept(robot, task)
+    return _prepare(robot, task, box)
+
+
+def _prepare(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None = None) -> Prepared:
     problem = scaled_task(robot, task, box)
+    form = closed_form(robot, task, problem.moving, problem.middle) if problem.moving.any() else None
+    return Prepared(problem, None if form is None else ExactSolver(problem, form))
+
+
+_kept = lru_cache(maxsize=64)(_prepare)
+
+
+def _searched(problem: ScaledTask, target: Any, starts: int, seed: int) -> IKSolutions:
+    """Return the solutions that descents from random starts lead to."""
+    robot, task = problem.robot, problem.task
     rng = np.random.default_rng(seed)
     if not problem.moving.any():
         return _of_a_task_that_nothing_moves(problem, target, problem.box.random(rng, starts))
@@ -126,6 +125,27 @@ def ik_solutions(
     else:
         status = IKStatus.UNREACHABLE if is_out_of_reach(problem, target) else IKStatus.NOT_FOUND
     return _answer(problem, target, found, status, closest, dimension, [search.singular(q) for q in found])
+
+
+def with_windings(found: IKSolutions, problem: ScaledTask) -> IKSolutions:
+    """Return the solutions with all that differ from them by whole turns inside limits that both end."""
+    lower, upper = problem.lower, problem.upper
+    turning = problem.robot.revolute & problem.moving & np.isfinite(lower) & np.isfinite(upper)
+    period = problem.turns.period
+    copies, sources = [], []
+    for i, q in enumerate(found.q):
+        least = np.where(turning, np.ceil((lower - q) / period - 1e-9), 0).astype(int)
+        most = np.where(turning, np.floor((upper - q) / period + 1e-9), 0).astype(int)
+        for turns in product(*(range(a, b + 1) for a, b in zip(least, most, strict=True))):
+            copies.append(q + np.where(turning, period, 0.0) * turns)
+            sources.append(i)
+    return replace(
+        found,
+        q=np.array(copies).reshape(len(copies), problem.robot.nq),
+        singular=found.singular[sources],
+        within_limits=found.within_limits[sources],
+        labels=tuple(found.labels[i] for i in sources) if found.labels else (),
+    )
 
 
 def _dimension(search: "SolutionSearch", found: list[Array]) -> int:
@@ -171,79 +191,5 @@ def _answer(
         free_joints=problem.free_joints,
         dimension=dimension,
         within_limits=np.array([robot.within_limits(q) for q in found], dtype=bool),
+        outside_limits=np.zeros((0, robot.nq)),
     )
-
-
-@dataclass(frozen=True, eq=False)
-class SolutionSearch(TaskDescent):
-    """The search for the q in a box with f(q) = target; `points` is the singular set of the task."""
-
-    points: SingularPoints | None = None
-
-    def distinct(self, ends: list[End]) -> list[Array]:
-        """Return the solutions among the ends, each once, in ascending order."""
-        found: list[Array] = []
-        for q, _ in sorted(ends, key=lambda end: end[1]):
-            p = self._at_the_singularity(q) if self.relative_error(q) <= REACHED else None
-            p = None if p is None else self._wound(p)
-            if p is not None and all(self._apart(p, other) > SAME for other in found):
-                found.append(p)
-        return sorted(found, key=lambda q: [round(float(value), 6) for value in q])
-
-    def singular(self, q: Array) -> bool:
-        """Whether J loses rank at q."""
-        return self.points is not None and self.points.relative_sigma(q) <= ON_THE_SET
-
-    def dimension(self, q: Array) -> int:
-        """Return in how many independent directions a step along the null space of J leads to other solutions."""
-        moving, units = self.problem.moving, self.problem.box.unit
-        J = self.jacobian(q)[:, moving]
-        _, sigma, Vt = np.linalg.svd(J)
-        flat = np.ones(len(Vt), dtype=bool)
-        flat[: len(sigma)] = sigma < FLAT * sigma[0]
-        moves = []
-        for tangent in Vt[flat]:
-            direction = np.zeros(len(q))
-            direction[moving] = tangent
-            for side in (ASIDE, -ASIDE):
-                p, _ = self.descend(self.problem.box.nearest(q + side * units * direction))
-                move = self.problem.box.difference(p, q)
-                if self.relative_error(p) <= REACHED and 0.2 * ASIDE < np.linalg.norm(move) < 2 * ASIDE:
-                    moves.append(move)
-                    break
-        lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
-        return int(np.count_nonzero(lengths > 0.1 * ASIDE))
-
-    def _apart(self, p: Array, q: Array) -> float:
-        return float(np.abs(self.problem.box.difference(p, q)).max(initial=0.0))
-
-    def _wound(self, q: Array) -> Array | None:
-        """Return q with joints turned until f(q) itself is the target; of angles whole turns may be left.
-
-        None if a row that counts turns cannot count as many within the limits.
-        """
-        problem = self.problem
-        e = self.task_error(q)
-        wound = problem.turns.wound(q, e, problem.lower, problem.upper)
-        if wound is not None:
-            return wound
-        counting = np.abs(e - problem.turns.wrapped(e)) > 0
-        return q if problem.turns.angle[counting].all() else None
-
-    def _at_the_singularity(self, q: Array) -> Array:
-        """Return the singular solution next to q, if there is one; else q.
-
-        At a double solution, such as a stretched arm, |e| grows only with the square of the distance, so that a
-        descent stops 1e-5 away. There Newton's method on e = 0 together with the loss of rank is exact.
-        """
-        if self.points is None or self.points.relative_sigma(q) > NEARLY_SINGULAR:
-            return q
-        box, p = self.problem.box, q
-        for _ in range(6):
-            A, b = self.points.linearised(p)
-            block, J = A * box.unit / self.points.box.unit, self.jacobian(p)
-            step = np.linalg.lstsq(np.vstack([J, block]), np.concatenate([self.error(p), -b]), rcond=1e-7)[0]
-            p = box.nearest(p + box.unit * step)
-        near = self._apart(p, q) < NEARLY_SINGULAR
-        reached = self.relative_error(p) <= REACHED and self.points.relative_sigma(p) <= ON_THE_SET
-        return p if near and reached else q

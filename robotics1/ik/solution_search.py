@@ -1,0 +1,89 @@
+"""The search for solutions from many starts: what differs, what is singular, and how many dimensions a family has."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from robotics1.ik.descent import REACHED, End, TaskDescent
+from robotics1.inputs import Array
+from robotics1.singularities.points import ON_THE_SET, SingularPoints
+
+SAME = 1e-6  # distance of two solutions that are one
+NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one
+ASIDE = 0.05  # step along the null space that looks for a neighbouring solution, in units
+FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a family
+
+
+@dataclass(frozen=True, eq=False)
+class SolutionSearch(TaskDescent):
+    """The search for the q in a box with f(q) = target; `points` is the singular set of the task."""
+
+    points: SingularPoints | None = None
+
+    def distinct(self, ends: list[End]) -> list[Array]:
+        """Return the solutions among the ends, each once, in ascending order."""
+        found: list[Array] = []
+        for q, _ in sorted(ends, key=lambda end: end[1]):
+            p = self.at_the_singularity(q) if self.relative_error(q) <= REACHED else None
+            p = None if p is None else self._wound(p)
+            if p is not None and all(self._apart(p, other) > SAME for other in found):
+                found.append(p)
+        return sorted(found, key=lambda q: [round(float(value), 6) for value in q])
+
+    def singular(self, q: Array) -> bool:
+        """Whether J loses rank at q."""
+        return self.points is not None and self.points.relative_sigma(q) <= ON_THE_SET
+
+    def dimension(self, q: Array) -> int:
+        """Return in how many independent directions a step along the null space of J leads to other solutions."""
+        moving, units = self.problem.moving, self.problem.box.unit
+        J = self.jacobian(q)[:, moving]
+        _, sigma, Vt = np.linalg.svd(J)
+        flat = np.ones(len(Vt), dtype=bool)
+        flat[: len(sigma)] = sigma < FLAT * sigma[0]
+        moves = []
+        for tangent in Vt[flat]:
+            direction = np.zeros(len(q))
+            direction[moving] = tangent
+            for side in (ASIDE, -ASIDE):
+                p, _ = self.descend(self.problem.box.nearest(q + side * units * direction))
+                move = self.problem.box.difference(p, q)
+                if self.relative_error(p) <= REACHED and 0.2 * ASIDE < np.linalg.norm(move) < 2 * ASIDE:
+                    moves.append(move)
+                    break
+        lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
+        return int(np.count_nonzero(lengths > 0.1 * ASIDE))
+
+    def _apart(self, p: Array, q: Array) -> float:
+        return float(np.abs(self.problem.box.difference(p, q)).max(initial=0.0))
+
+    def _wound(self, q: Array) -> Array | None:
+        """Return q with joints turned until f(q) itself is the target; of angles whole turns may be left.
+
+        None if a row that counts turns cannot count as many within the limits.
+        """
+        problem = self.problem
+        e = self.task_error(q)
+        wound = problem.turns.wound(q, e, problem.lower, problem.upper)
+        if wound is not None:
+            return wound
+        counting = np.abs(e - problem.turns.wrapped(e)) > 0
+        return q if problem.turns.angle[counting].all() else None
+
+    def at_the_singularity(self, q: Array) -> Array:
+        """Return the singular solution next to q, if there is one; else q.
+
+        At a double solution, such as a stretched arm, |e| grows only with the square of the distance, so that a
+        descent stops 1e-5 away. There Newton's method on e = 0 together with the loss of rank is exact.
+        """
+        if self.points is None or self.points.relative_sigma(q) > NEARLY_SINGULAR:
+            return q
+        box, p = self.problem.box, q
+        for _ in range(6):
+            A, b = self.points.linearised(p)
+            block, J = A * box.unit / self.points.box.unit, self.jacobian(p)
+            step = np.linalg.lstsq(np.vstack([J, block]), np.concatenate([self.error(p), -b]), rcond=1e-7)[0]
+            p = box.nearest(p + box.unit * step)
+        near = self._apart(p, q) < NEARLY_SINGULAR
+        reached = self.relative_error(p) <= REACHED and self.points.relative_sigma(p) <= ON_THE_SET
+        return p if near and reached else q

@@ -1,0 +1,68 @@
+"""Every solution of one target, and how much is known about them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.ik.result import IKStatus
+from robotics1.inputs import Array
+from robotics1.results import Frozen, require
+
+
+@dataclass(frozen=True, eq=False)
+class IKSolutions(Frozen):
+    """The solutions of f(q) = r_d inside the joint limits, each listed once: whole turns of a joint apart are one.
+
+    Attributes:
+        q: (k, nq) the solutions [rad or m].
+        singular: (k,) True where J loses rank.
+        status: how many there are: FINITE, BOUNDARY, INFINITE, UNREACHABLE or NOT_FOUND.
+        complete: whether the method proves that there are no others.
+        method: how they were found.
+        closest: (nq,) the configuration with the least error, when there is no solution as well.
+        error_norm: |r_d − f(closest)|, in the task's units [m, rad].
+        free_joints: the joints that do not move the task, such as fingers beside the tool; in `q` they stand in the
+            middle of their range, and their freedom does not count as infinitely many solutions.
+        dimension: of the family, when there are infinitely many: 1 for a curve; 0 for finitely many.
+        within_limits: (k,) True where a solution is inside the robot's limits, as all in `q` are.
+        outside_limits: (j, nq) the solutions outside the limits, where the method finds these too.
+        boundary_distance: how far the target is from the nearest one with a double solution that was seen [m, rad],
+            where that is less than 1e-6; else ∞.
+        labels: (k,) a tuple of words for each solution, such as ("elbow up",), where the arm has such postures.
+    """
+
+    q: Array
+    singular: npt.NDArray[np.bool_]
+    status: IKStatus
+    complete: bool
+    method: str
+    closest: Array
+    error_norm: float
+    free_joints: tuple[str, ...]
+    dimension: int
+    within_limits: npt.NDArray[np.bool_]
+    outside_limits: Array
+    boundary_distance: float = np.inf
+    labels: tuple[tuple[str, ...], ...] = ()
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+    def explain(self) -> str:
+        """Return how many solutions there are, and the nearest miss if there is none, in sentences."""
+        if not len(self):
+            return f"{self.status.value}; the nearest miss is |e| = {self.error_norm:.3g}"
+        family = f" of dimension {self.dimension}" if self.dimension else ""
+        rest = "these are all" if self.complete else "there may be others"
+        free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
+        edge = f"; a boundary is {self.boundary_distance:.3g} away" if self.boundary_distance < np.inf else ""
+        return f"{self.status.value}{family}: {len(self)} found by {self.method}, {rest}{free}{edge}"
+
+    def require(self) -> "IKSolutions":
+        """Return self if there is a solution.
+
+        Raises:
+            NotConverged: there is none.
+        """
+        return require(self, len(self) > 0)
