@@ -2,28 +2,40 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from robotics1.caching import cached_property
+from robotics1.errors import TaskError
 from robotics1.ik.descent import REACHED
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
-from robotics1.ik.solution_search import NEARLY_SINGULAR, SAME, SolutionSearch
+from robotics1.ik.solution_search import FLAT, SAME, SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.structure import ClosedForm
 from robotics1.inputs import Array
 from robotics1.robot.box import nearest_turn
 from robotics1.singularities.points import SingularPoints, singular_points
+from robotics1.tasks.task import PoseError
 
-STEPS = 20  # of Newton's method
-RANK = 1e-9  # σ beside σ₁, in one of its steps
+SINGULAR = 1e-4  # σ_min/σ_max of a solution that may be a double one: rounding splits these by 1e-8 or more
+NEARLY_SINGULAR = 5e-3  # σ_min/σ_max of one that may be within 1e-6 of a boundary: it grows as the root of that
+ALMOST_LOST = 1e-5  # σ_min/σ_max of one that may be within 1e-6 of a family
+CLOSE = 0.05  # distance of two solutions that may meet within 1e-6 of the target
 BOUNDARY = 0.999e-6  # [m, rad] from a target with a double solution, that is at the boundary
 AS_FORMULA = 1e-9  # deviation of an arm for which its formula is exact
-REGULAR = 1e-2  # σ_ρ, beside the usual σ₁, at which rounding of the axes cannot add or remove a solution
+REGULAR = 1e-2  # σ_min/σ_max at which rounding of the axes cannot add or remove a solution
 AT_LIMIT = 1e-9, 1e-7  # outside of a limit, in units, by rounding; and of a double solution
 FAMILY_STEP, FAMILY_STEPS = 0.25, 26  # along a family, to each side
+
+
+class Root(NamedTuple):
+    """A solution q (nq,), σ_min/σ_max of J there, and whether J loses rank."""
+
+    q: Array
+    sigma: float
+    singular: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +56,11 @@ class ExactSolver:
         problem = self.problem
         return singular_points(problem.robot, problem.task, problem.box, np.random.default_rng(0))
 
+    @property
+    def is_regular(self) -> bool:
+        """Whether the joints move the task in independent ways almost everywhere, so that solutions stand alone."""
+        return self.points.rank == np.count_nonzero(self.problem.moving)
+
     def solve(self, target: Any, otherwise: Callable[[], IKSolutions]) -> IKSolutions:
         """Return all solutions.
 
@@ -51,65 +68,62 @@ class ExactSolver:
             target: in the form of the task's value.
             otherwise: gives the answer of a search, for targets that the formula cannot serve, and for the nearest miss.
         """
-        form_map = self.problem.task.frame_map()
-        if form_map is None or form_map.pose_error is None:
-            return otherwise()
-        found = self.form.solve(form_map.pose_error.goal(self.problem.robot, target))
+        goal = self.pose_error.goal(self.problem.robot, target)
+        found = self.form.solve(goal)
         if found is None:
             return otherwise()
         search = SolutionSearch(self.problem, target, points=self.points)
-        candidates = [self._polished(self._whole(x), search) for x in found]
-        roots, regular = self._roots([q for q, error in candidates if error <= REACHED], search)
-        inside, outside = self._by_limits(roots, search)
-        dimension = max((search.dimension(q) for q in inside if search.singular(q)), default=0)
-        regular = regular and all(error <= REACHED for _, error in candidates)
-        proven = regular or self.form.deviation < AS_FORMULA
+        candidates, sigma = self._polished(np.array([self._whole(x) for x in found]), goal)
+        reached = np.array([search.relative_error(q) <= REACHED for q in candidates], dtype=bool)
+        proven = self.form.deviation < AS_FORMULA or bool((reached & (sigma > REGULAR)).all())
+        roots = self._roots(candidates[reached], sigma[reached], search)
+        inside, outside = self._by_limits(roots)
+        dimension = max((search.dimension(root.q) for root in inside if root.singular), default=0)
         if dimension > 1:
             return otherwise()
-        if dimension == 1:
-            inside, proven = self._with_families(inside, search), False
-        near = self._distance_to_boundary(inside, search)
         if not inside:
-            return self._miss([q for q, _ in candidates], outside, search, otherwise, proven=proven)
-        meets = near < np.inf or any(search.singular(q) for q in inside)
-        status = IKStatus.INFINITE if dimension else IKStatus.BOUNDARY if meets else IKStatus.FINITE
-        return self._answer(inside, outside, status, search, dimension=dimension, proven=proven, near=near)
+            return self._miss(candidates[~reached], outside, search, otherwise, proven=proven)
+        near = self._distance_to_boundary(inside, search)
+        if dimension:
+            families = self._with_families(inside, search, goal)
+            return self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)
+        status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
+        return self._answer(inside, outside, status, search, proven=proven, near=near)
+
+    @cached_property
+    def pose_error(self) -> PoseError:
+        """How the task's error follows from that of its frame's pose."""
+        form = self.problem.task.frame_map()
+        if form is None or form.pose_error is None:
+            raise TaskError("all solutions by formula are of a task on one frame")
+        return form.pose_error
 
     def _whole(self, x: Array) -> Array:
         """Return q (nq,) from the coordinates that the formula gives; free joints stand in the middle."""
         q = self.problem.middle.copy()
-        q[list(self.form.joints)] = x
+        q[list(self.form.chain.coordinate)] = x
         return q
 
-    def _polished(self, q: Array, search: SolutionSearch) -> tuple[Array, float]:
-        """Return q after Newton's method, with no regard to limits, and its |e| relative to the arm."""
-        moving, unit = self.problem.moving, self.problem.box.unit
-        best, least = q, np.inf
-        for _ in range(STEPS):
-            e = search.error(q)
-            size = float(np.hypot.reduce(e))
-            if size < least:
-                best, enough, least = q, size > 0.5 * least, size
-            if size > least or enough or least < 1e-15:
-                break
-            J = self.problem.jacobian(q)[:, moving]
-            q = q.copy()
-            q[moving] += unit[moving] * np.linalg.lstsq(J, e, rcond=RANK)[0]
-        return best, search.relative_error(best)
+    def _polished(self, q: Array, goal: Array) -> tuple[Array, Array]:
+        """Return configurations (k, nq) after Newton's method, with no regard to limits, and σ_min/σ_max of J, (k,)."""
+        if not len(q):
+            return np.zeros((0, self.problem.robot.nq)), np.zeros(0)
+        moving = list(self.form.chain.coordinate)
+        q = q.copy()
+        q[:, moving], sigma = self.form.chain.polished(q[:, moving], goal, sorted(self.pose_error.rows))
+        return q, sigma
 
-    def _roots(self, candidates: list[Array], search: SolutionSearch) -> tuple[list[Array], bool]:
-        """Return the solutions, each once, in ascending order, and whether all are far from singularities."""
-        roots: list[Array] = []
-        regular = True
-        for candidate in candidates:
-            q = self._turned(candidate)
-            sigma = self.points.relative_sigma(q)
-            regular = regular and sigma > REGULAR
-            if sigma < NEARLY_SINGULAR:
-                q = search.at_the_singularity(q)
-            if all(np.abs(self._difference(q, other)).max(initial=0.0) > SAME for other in roots):
-                roots.append(q)
-        return sorted(roots, key=lambda q: [round(float(value), 6) for value in q]), regular
+    def _roots(self, candidates: Array, sigma: Array, search: SolutionSearch) -> list[Root]:
+        """Return the solutions, each once, in ascending order."""
+        roots: list[Root] = []
+        for candidate, ratio in zip(candidates, sigma, strict=True):
+            root = Root(self._turned(candidate), float(ratio), False)
+            if ratio < SINGULAR:
+                q = search.at_the_singularity(root.q)
+                root = Root(q, float(ratio), search.singular(q))
+            if all(np.abs(self._difference(root.q, other.q)).max(initial=0.0) > SAME for other in roots):
+                roots.append(root)
+        return sorted(roots, key=lambda root: [round(float(value), 6) for value in root.q])
 
     def _difference(self, p: Array, q: Array) -> Array:
         """Return p − q in units, angles the short way round."""
@@ -123,69 +137,73 @@ class ExactSolver:
         turned = np.where(problem.robot.revolute & problem.moving, turned, q)
         return np.where(box.circular, box.nearest(q), turned)
 
-    def _by_limits(self, roots: list[Array], search: SolutionSearch) -> tuple[list[Array], list[Array]]:
+    def _by_limits(self, roots: list[Root]) -> tuple[list[Root], list[Root]]:
         """Return the solutions inside the limits, and those outside."""
         lower, upper, unit = self.problem.lower, self.problem.upper, self.problem.box.unit
         inside, outside = [], []
-        for q in roots:
-            margin = AT_LIMIT[search.singular(q)] * unit
-            if np.all(q >= lower - margin) and np.all(q <= upper + margin):
-                inside.append(np.clip(q, lower, upper))
+        for root in roots:
+            margin = AT_LIMIT[root.singular] * unit
+            if np.all(root.q >= lower - margin) and np.all(root.q <= upper + margin):
+                inside.append(root._replace(q=np.clip(root.q, lower, upper)))
             else:
-                outside.append(q)
+                outside.append(root)
         return inside, outside
 
-    def _with_families(self, roots: list[Array], search: SolutionSearch) -> list[Array]:
+    def _close(self, root: Root, other: Root) -> bool:
+        """Whether two solutions may be about to meet."""
+        return bool(np.abs(self._difference(root.q, other.q)).max() < CLOSE)
+
+    def _with_families(self, roots: list[Root], search: SolutionSearch, goal: Array) -> list[Root]:
         """Return the solutions with others along each curve of them."""
         listed = list(roots)
-        for q in roots:
-            if search.singular(q) and search.dimension(q):
-                for side in (1.0, -1.0):
-                    listed += self._along(q, side, search)
-        found: list[Array] = []
-        for q in listed:
-            if all(np.abs(self._difference(q, other)).max() > SAME for other in found):
-                found.append(q)
-        return sorted(found, key=lambda q: [round(float(value), 6) for value in q])
+        for root in roots:
+            if root.singular and search.dimension(root.q):
+                listed += [other for side in (1.0, -1.0) for other in self._along(root.q, side, search, goal)]
+        found: list[Root] = []
+        for root in listed:
+            if all(np.abs(self._difference(root.q, other.q)).max() > SAME for other in found):
+                found.append(root)
+        return sorted(found, key=lambda root: [round(float(value), 6) for value in root.q])
 
-    def _along(self, q: Array, side: float, search: SolutionSearch) -> list[Array]:
+    def _along(self, q: Array, side: float, search: SolutionSearch, goal: Array) -> list[Root]:
         """Return solutions along the curve through q, to one side, up to a limit or all around."""
         moving, unit = self.problem.moving, self.problem.box.unit
-        found: list[Array] = []
+        found: list[Root] = []
         p, before = q, None
         for _ in range(FAMILY_STEPS):
             _, sigma, Vt = np.linalg.svd(self.problem.jacobian(p)[:, moving])
-            flat = Vt[np.append(sigma, np.zeros(len(Vt) - len(sigma))) < 1e-6 * sigma[0]]
+            flat = Vt[sigma < FLAT * sigma[0]]
             if not len(flat):
                 break
             tangent = side * flat[-1] if before is None else flat.T @ (flat @ before)
             tangent /= max(np.linalg.norm(tangent), 1e-12)
             ahead = p.copy()
             ahead[moving] += FAMILY_STEP * unit[moving] * tangent
-            ahead, error = self._polished(ahead, search)
-            inside, _ = self._by_limits([self._turned(ahead)], search)
+            ahead = self._polished(ahead[None], goal)[0][0]
+            inside, _ = self._by_limits([Root(self._turned(ahead), 0.0, True)])
             home = len(found) > 2 and np.abs(self._difference(ahead, q)).max() < 0.5 * FAMILY_STEP
-            if error > REACHED or not inside or home:
+            if search.relative_error(ahead) > REACHED or not inside or home:
                 break
             found += inside
             p, before = ahead, tangent
         return found
 
-    def _distance_to_boundary(self, roots: list[Array], search: SolutionSearch) -> float:
+    def _distance_to_boundary(self, roots: list[Root], search: SolutionSearch) -> float:
         """Return how far the target is from the value at the nearest singular configuration, if that is at hand."""
         near = np.inf
-        for q in roots:
-            if search.singular(q):
+        for root in roots:
+            if root.singular:
                 return 0.0
-            if self.points.relative_sigma(q) < NEARLY_SINGULAR:
-                p = self.points.project(q)
+            partners = [other for other in roots if other is not root and self._close(root, other)]
+            if root.sigma < ALMOST_LOST or (root.sigma < NEARLY_SINGULAR and partners):
+                p = self.points.project(root.q)
                 near = near if p is None else min(near, search.error_norm(p))
         return near if near < BOUNDARY else np.inf
 
     def _miss(
         self,
-        candidates: list[Array],
-        outside: list[Array],
+        candidates: Array,
+        outside: list[Root],
         search: SolutionSearch,
         otherwise: Callable[[], IKSolutions],
         *,
@@ -196,8 +214,8 @@ class ExactSolver:
         near = min(nearest, key=search.error_norm, default=None)
         if near is not None and search.error_norm(near) < BOUNDARY:
             distance = search.error_norm(near)
-            answer = self._answer([near], outside, IKStatus.BOUNDARY, search, proven=proven, near=distance)
-            return replace(answer, singular=np.array([True]))
+            root = Root(near, 0.0, True)
+            return self._answer([root], outside, IKStatus.BOUNDARY, search, proven=proven, near=distance)
         searched = otherwise()
         if len(searched) or not proven:
             return searched
@@ -206,13 +224,17 @@ class ExactSolver:
             status=IKStatus.UNREACHABLE,
             complete=True,
             method=self.form.method,
-            outside_limits=np.array(outside).reshape(len(outside), self.problem.robot.nq),
+            outside_limits=self._rows(outside),
         )
+
+    def _rows(self, roots: list[Root]) -> Array:
+        """Return the configurations as (k, nq)."""
+        return np.array([root.q for root in roots]).reshape(len(roots), self.problem.robot.nq)
 
     def _answer(
         self,
-        inside: list[Array],
-        outside: list[Array],
+        inside: list[Root],
+        outside: list[Root],
         status: IKStatus,
         search: SolutionSearch,
         *,
@@ -220,18 +242,17 @@ class ExactSolver:
         near: float,
         dimension: int = 0,
     ) -> IKSolutions:
-        robot = self.problem.robot
         return IKSolutions(
-            q=np.array(inside).reshape(len(inside), robot.nq),
-            singular=np.array([search.singular(q) for q in inside], dtype=bool),
+            q=self._rows(inside),
+            singular=np.array([root.singular for root in inside], dtype=bool),
             status=status,
             complete=proven,
             method=self.form.method,
-            closest=inside[0],
-            error_norm=search.error_norm(inside[0]),
+            closest=inside[0].q,
+            error_norm=search.error_norm(inside[0].q),
             free_joints=self.problem.free_joints,
             dimension=dimension,
             within_limits=np.ones(len(inside), dtype=bool),
-            outside_limits=np.array(outside).reshape(len(outside), robot.nq),
+            outside_limits=self._rows(outside),
             boundary_distance=near,
         )

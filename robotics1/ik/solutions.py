@@ -101,7 +101,8 @@ def _prepared(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] |
 def _prepare(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None = None) -> Prepared:
     problem = scaled_task(robot, task, box)
     form = closed_form(robot, task, problem.moving, problem.middle) if problem.moving.any() else None
-    return Prepared(problem, None if form is None else ExactSolver(problem, form))
+    exact = None if form is None else ExactSolver(problem, form)
+    return Prepared(problem, exact if exact is not None and exact.is_regular else None)
 
 
 _kept = lru_cache(maxsize=64)(_prepare)

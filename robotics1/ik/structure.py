@@ -4,13 +4,13 @@ The joint axes are compared by their own numbers. A wrist whose axes miss each o
 what is found is then polished on the real arm.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from robotics1.ik.loops import LoopSolve, loop_solver
-from robotics1.ik.subproblems import inverse, motion, one_row, orientation, planar_loop, point, two_rows
+from robotics1.ik.subproblems import inverse, motion, motions, one_row, orientation, planar_loop, point, two_rows
 from robotics1.inputs import Array
 from robotics1.kernels.chain import chain_arrays
 from robotics1.kinematics import reference_axes
@@ -18,21 +18,24 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 SAME = 1e-9  # of a multiplier that is 1
+STEPS = 20  # of Newton's method
+RANK = 1e-9  # σ beside σ₁, in one of its steps
+EXACT = 1e-15  # |e|, lengths relative to the arm, at which it ends
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ClosedForm:
     """A way to all solutions.
 
     Attributes:
         method: its name.
-        joints: which entries of q it finds, from the base to the tool.
+        chain: of the joints that it finds.
         deviation: by how much the arm differs from one for which it is exact, relative.
         solve: goal (4, 4) in the task's axes → (k, n), q modulo 2π; None where they are not finitely many.
     """
 
     method: str
-    joints: tuple[int, ...]
+    chain: "FixedChain"
     deviation: float
     solve: Callable[[Array], Array | None]
 
@@ -63,6 +66,46 @@ class FixedChain:
     def in_metres(self, x: Array | None, unit: float) -> Array | None:
         """Return coordinates (k, n) with lengths in metres."""
         return None if x is None else x * np.where(self.prismatic, unit, 1.0)
+
+    def poses_and_jacobians(self, x: Array) -> tuple[Array, Array]:
+        """Return T(x), (k, 4, 4), and the Jacobians (k, 6, n) of the frame's origin and rotation, in the task's axes."""
+        T = np.broadcast_to(self.P[0], (len(x), 4, 4))
+        axes, origins = [], []
+        for i, slides in enumerate(self.prismatic):
+            axes.append(T[:, :3, 2])
+            origins.append(T[:, :3, 3])
+            T = T @ motions(slides, x[:, i]) @ self.P[i + 1]
+        p = T[:, :3, 3]
+        columns = [
+            np.hstack([z, 0 * z] if slides else [np.cross(z, p - o), z])
+            for slides, z, o in zip(self.prismatic, axes, origins, strict=True)
+        ]
+        return T, np.stack(columns, axis=2)
+
+    def polished(self, x: Array, goal: Array, rows: Sequence[int]) -> tuple[Array, Array]:
+        """Return coordinates (k, n) after Newton's method, and σ_min/σ_max of the Jacobian, (k,).
+
+        Some rows of (p_d − p, log3(R_d Rᵀ)) vanish. The rotation that is missing is small, so that it is read from the skew part of R_d Rᵀ.
+        """
+        length = self.length + float(np.linalg.norm(goal[:3, 3] - self.P[0][:3, 3])) or 1.0
+        row_units = np.array([length] * 3 + [1.0] * 3)[list(rows)]
+        units = np.where(self.prismatic, length, 1.0)
+        best, least = x, np.full(len(x), np.inf)
+        for _ in range(STEPS):
+            T, J = self.poses_and_jacobians(x)
+            M = goal[:3, :3] @ T[:, :3, :3].transpose(0, 2, 1)
+            turn = 0.5 * np.stack([M[:, 2, 1] - M[:, 1, 2], M[:, 0, 2] - M[:, 2, 0], M[:, 1, 0] - M[:, 0, 1]], axis=1)
+            e = np.hstack([goal[:3, 3] - T[:, :3, 3], turn])[:, rows] / row_units
+            J = J[:, rows] * units / row_units[:, None]
+            size = np.abs(e).max(axis=1, initial=0.0)
+            better = size < 0.5 * least
+            best = np.where((size < least)[:, None], x, best)
+            least = np.minimum(size, least)
+            if not (better & (least > EXACT)).any():
+                break
+            x = best + units * (np.linalg.pinv(J, rcond=RANK) @ e[..., None])[..., 0]
+        sigma = np.linalg.svd(J, compute_uv=False)
+        return best, sigma[:, -1] / np.maximum(sigma[:, 0], 1e-300)
 
 
 def fixed_chain(robot: Robot, task: Task, moving: Array, still: Array) -> FixedChain | None:
@@ -115,7 +158,7 @@ def closed_form(robot: Robot, task: Task, moving: Array, still: Array) -> Closed
         method, solve = "the planar loop", _planar_pose(chain, np.eye(3)[rows[2] - 3])
     else:
         return None
-    return ClosedForm(method, chain.coordinate, 0.0, solve)
+    return ClosedForm(method, chain, 0.0, solve)
 
 
 def _position(chain: FixedChain, rows: list[int]) -> Callable[[Array], Array | None]:
@@ -156,7 +199,7 @@ def _pose(chain: FixedChain) -> ClosedForm | None:
         part = loop_solver(chain.P[1:6], chain.prismatic, i, chain.length)
         if part is not None:
             name = f"{part.name}, joints {i + 1} to {i + 3}"
-            return ClosedForm(name, chain.coordinate, part.deviation, _around(chain, i, part.solve))
+            return ClosedForm(name, chain, part.deviation, _around(chain, i, part.solve))
     return None
 
 

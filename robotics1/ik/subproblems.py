@@ -18,12 +18,20 @@ ON_AXIS = 1e-9  # distance from a joint axis at which its angle is arbitrary
 
 def motion(prismatic: bool, x: float) -> Array:
     """Return Z(x), (4, 4)."""
-    T = np.eye(4)
+    return np.asarray(motions(prismatic, np.array([x]))[0])
+
+
+def motions(prismatic: bool, x: Array) -> Array:
+    """Return Z(x) of coordinates (k,): (k, 4, 4)."""
+    T = np.zeros((len(x), 4, 4))
+    T[:, 2, 2] = T[:, 3, 3] = 1.0
     if prismatic:
-        T[2, 3] = x
-    else:
-        c, s = np.cos(x), np.sin(x)
-        T[:2, :2] = [[c, -s], [s, c]]
+        T[:, 0, 0] = T[:, 1, 1] = 1.0
+        T[:, 2, 3] = x
+        return T
+    T[:, 0, 0] = T[:, 1, 1] = np.cos(x)
+    T[:, 1, 0] = np.sin(x)
+    T[:, 0, 1] = -T[:, 1, 0]
     return T
 
 
