@@ -51,9 +51,8 @@ def all_solutions(rows, target, which, *, tool=(0, 0, 0), starts=400, seed=0, re
     q = rng.uniform(-1, 1, (starts, len(rows))) * spread
     for _ in range(steps):
         T, J = pose_and_jacobian(rows, q, np.array(tool, dtype=float))
-        e = np.concatenate(
-            [target[:3, 3] - T[:, :3, 3], rotation_vector(target[:3, :3] @ T[:, :3, :3].transpose(0, 2, 1))], axis=1
-        )[:, which]
+        turn = rotation_vector(target[:3, :3] @ T[:, :3, :3].transpose(0, 2, 1))
+        e = np.concatenate([target[:3, 3] - T[:, :3, 3], turn], axis=1)[:, which]
         A = J[:, which]
         damping = 1e-3 * np.minimum(1.0, (e**2).sum(axis=1))[:, None, None] + 1e-24
         H = A @ A.transpose(0, 2, 1) + damping * np.eye(len(which))

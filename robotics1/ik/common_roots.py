@@ -23,7 +23,7 @@ ZERO = 1e-12  # of a coefficient, beside the largest
 VANISHES = 1e-9  # of a resultant, the equations having coefficients of 1: below, its roots are not to be trusted
 NEAR = 0.02  # of a root that may be real: multiple roots split by rounding, and near misses are looked at too
 MISS = 1e-4  # residual of a common root: those that miss are seen, so that a near boundary is
-ARBITRARY = 1e-6  # coefficients of both equations, where any value solves them
+ARBITRARY, NEARLY_ARBITRARY = 1e-6, 1e-2  # coefficients of both equations, where any value solves them, or may
 PLAUSIBLE = 0.02  # residual of a pair of roots with which Newton's method begins
 RANK = 1e-9  # σ beside σ₁, in a step
 EXACT, SAME = 1e-13, 1e-8  # of a step, and of the distance of two roots that are one
@@ -57,7 +57,7 @@ def real_roots(c: Complex, prismatic: bool) -> Array | None:
 
 
 def common_roots(F: Complex, G: Complex, prismatic: Sequence[bool]) -> Array | None:
-    """Return the (k, 2) coordinates at which F = G = 0; a coordinate that is arbitrary there is zero.
+    """Return the (k, 2) coordinates at which F = G = 0; of one that is arbitrary there some values.
 
     Args:
         F, G: (3, 3) coefficients of w₁^i w₂^j; of angles the powers begin at −1.
@@ -109,10 +109,9 @@ def _second(A: Complex, B: Complex, x: float, first: bool, second: bool) -> Arra
     """Return what may be the second coordinate where the first is x: the roots of either equation."""
     w = _powers(np.array([x]), first)[0]
     a, b = w @ A, w @ B
-    if max(np.abs(a).max(), np.abs(b).max()) < ARBITRARY:
-        return np.zeros(1)
+    anywhere = samples(second) if max(np.abs(a).max(), np.abs(b).max()) < NEARLY_ARBITRARY else np.zeros(0)
     of_a, of_b = (real_roots(c, second) if np.abs(c).max() > ARBITRARY else None for c in (a, b))
-    return np.concatenate([_distinct(of_a), _distinct(of_b)])
+    return np.concatenate([anywhere, _distinct(of_a), _distinct(of_b)])
 
 
 def _powers(x: Array, prismatic: bool) -> Complex:

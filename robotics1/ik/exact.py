@@ -22,6 +22,7 @@ from robotics1.tasks.task import PoseError
 SINGULAR = 1e-4  # σ_min/σ_max of a solution that may be a double one: rounding splits these by 1e-8 or more
 NEARLY_SINGULAR = 5e-3  # σ_min/σ_max of one that may be within 1e-6 of a boundary: it grows as the root of that
 ALMOST_LOST = 1e-5  # σ_min/σ_max of one that may be within 1e-6 of a family
+SPLIT = 1e-3  # distance by which rounding may split a double solution, where the target is near a joint axis
 CLOSE = 0.05  # distance of two solutions that may meet within 1e-6 of the target
 BOUNDARY = 0.999e-6  # [m, rad] from a target with a double solution, that is at the boundary
 AS_FORMULA = 1e-9  # deviation of an arm for which its formula is exact
@@ -66,7 +67,7 @@ class ExactSolver:
 
         Args:
             target: in the form of the task's value.
-            otherwise: gives the answer of a search, for targets that the formula cannot serve, and for the nearest miss.
+            otherwise: gives the answer of a search, for targets that the formula cannot serve and for nearest misses.
         """
         goal = self.pose_error.goal(self.problem.robot, target)
         found = self.form.solve(goal)
@@ -114,16 +115,38 @@ class ExactSolver:
         return q, sigma
 
     def _roots(self, candidates: Array, sigma: Array, search: SolutionSearch) -> list[Root]:
-        """Return the solutions, each once, in ascending order."""
-        roots: list[Root] = []
+        """Return the solutions, each once, in ascending order.
+
+        Of a double solution rounding makes two, one to each side: their mean is more exact than either.
+        """
+        groups: list[tuple[list[Array], float]] = []
         for candidate, ratio in zip(candidates, sigma, strict=True):
-            root = Root(self._turned(candidate), float(ratio), False)
-            if ratio < SINGULAR:
-                q = search.at_the_singularity(root.q)
-                root = Root(q, float(ratio), search.singular(q))
-            if all(np.abs(self._difference(root.q, other.q)).max(initial=0.0) > SAME for other in roots):
-                roots.append(root)
+            q = self._turned(candidate)
+            for group, least in groups:
+                if self._are_one(q, group[0], max(ratio, least), search):
+                    group.append(q)
+                    break
+            else:
+                groups.append(([q], float(ratio)))
+        roots = [self._root(group, ratio, search) for group, ratio in groups]
         return sorted(roots, key=lambda root: [round(float(value), 6) for value in root.q])
+
+    def _are_one(self, p: Array, q: Array, sigma: float, search: SolutionSearch) -> bool:
+        """Whether two solutions are one but for rounding: so they are if what is halfway is a solution too."""
+        d = self._difference(p, q)
+        apart = np.abs(d).max(initial=0.0)
+        halfway = q + 0.5 * d * self.problem.box.unit
+        return bool(apart < SAME or (sigma < SINGULAR and apart < SPLIT and search.relative_error(halfway) <= REACHED))
+
+    def _root(self, group: list[Array], sigma: float, search: SolutionSearch) -> Root:
+        """Return the solution that a group of nearly the same ones stands for."""
+        q = group[0]
+        if sigma > SINGULAR:
+            return Root(q, sigma, False)
+        mean = np.mean([self._difference(p, q) for p in group], axis=0)
+        refined = search.at_the_singularity(self._turned(q + mean * self.problem.box.unit))
+        wide = bool(max(np.abs(self._difference(p, q)).max() for p in group) > SAME)
+        return Root(refined, sigma, bool(wide or search.singular(refined)))
 
     def _difference(self, p: Array, q: Array) -> Array:
         """Return p − q in units, angles the short way round."""
@@ -155,14 +178,13 @@ class ExactSolver:
 
     def _with_families(self, roots: list[Root], search: SolutionSearch, goal: Array) -> list[Root]:
         """Return the solutions with others along each curve of them."""
-        listed = list(roots)
-        for root in roots:
-            if root.singular and search.dimension(root.q):
-                listed += [other for side in (1.0, -1.0) for other in self._along(root.q, side, search, goal)]
         found: list[Root] = []
-        for root in listed:
-            if all(np.abs(self._difference(root.q, other.q)).max() > SAME for other in found):
+        for root in roots:
+            listed = any(np.linalg.norm(self._difference(root.q, other.q)) < 0.6 * FAMILY_STEP for other in found)
+            if not (root.singular and listed):
                 found.append(root)
+                if root.singular and search.dimension(root.q):
+                    found += [other for side in (1.0, -1.0) for other in self._along(root.q, side, search, goal)]
         return sorted(found, key=lambda root: [round(float(value), 6) for value in root.q])
 
     def _along(self, q: Array, side: float, search: SolutionSearch, goal: Array) -> list[Root]:

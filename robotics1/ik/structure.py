@@ -68,7 +68,7 @@ class FixedChain:
         return None if x is None else x * np.where(self.prismatic, unit, 1.0)
 
     def poses_and_jacobians(self, x: Array) -> tuple[Array, Array]:
-        """Return T(x), (k, 4, 4), and the Jacobians (k, 6, n) of the frame's origin and rotation, in the task's axes."""
+        """Return T(x), (k, 4, 4), and the frame's Jacobians, (k, 6, n), in the task's axes."""
         T = np.broadcast_to(self.P[0], (len(x), 4, 4))
         axes, origins = [], []
         for i, slides in enumerate(self.prismatic):
@@ -85,7 +85,8 @@ class FixedChain:
     def polished(self, x: Array, goal: Array, rows: Sequence[int]) -> tuple[Array, Array]:
         """Return coordinates (k, n) after Newton's method, and σ_min/σ_max of the Jacobian, (k,).
 
-        Some rows of (p_d − p, log3(R_d Rᵀ)) vanish. The rotation that is missing is small, so that it is read from the skew part of R_d Rᵀ.
+        Some rows of (p_d − p, log3(R_d Rᵀ)) vanish there. The rotation that is missing is small, so that it is read
+        from the skew part of R_d Rᵀ.
         """
         length = self.length + float(np.linalg.norm(goal[:3, 3] - self.P[0][:3, 3])) or 1.0
         row_units = np.array([length] * 3 + [1.0] * 3)[list(rows)]

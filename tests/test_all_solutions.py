@@ -1,0 +1,166 @@
+"""All solutions by formula: as many as brute force finds, each verified, and families and boundaries told apart."""
+
+from math import pi
+
+import numpy as np
+import pytest
+from brute_force import all_solutions, apart
+from hypothesis import given, settings, strategies as st
+
+from robotics1 import PoseTask, PositionTask, forward_kinematics, ik_solutions, robot_from_dh
+from robotics1.ik import IKStatus
+
+H = pi / 2
+XYZ, POSE = PositionTask(), PoseTask()
+
+
+def R(a, alpha, d, theta=0.0):
+    return ("R", a, alpha, d, theta)
+
+
+def P(alpha, theta=0.0):
+    return ("P", 0, alpha, 0, theta)
+
+
+WRIST = [R(0, -H, 0), R(0, H, 0), R(0, 0, 0.2)]
+UR5 = [R(0, H, 0.0892), R(-0.425, 0, 0), R(-0.39225, 0, 0), R(0, H, 0.10915), R(0, -H, 0.09465), R(0, 0, 0.0823)]
+PUMA = [R(0, H, 0), R(0.4318, 0, 0), R(0.0203, -H, 0.15), R(0, H, 0.4318), R(0, -H, 0), R(0, 0, 0.1)]
+STANFORD = [R(0, -H, 0.4), R(0, H, 0.15), P(0), *WRIST]
+GANTRY = [P(H), P(H, H), P(H, H), *WRIST]
+BEHIND_A_SLIDE = [P(0.7), R(0.4, 1.1, 0.2), R(0.3, H, 0.1), R(0, -H, 0.3), *WRIST[1:]]
+PARALLEL_FIRST = [R(0.4, 0, 0.1), R(0.3, 0, 0), R(0.2, H, 0.1), R(0.1, -H, 0.2), R(0.1, 1.0, 0), R(0.05, 0, 0.1)]
+SKEW = [R(0.1, 1.0, 0.3), R(0.4, 0, 0.1), R(0.35, 0, 0), R(0.05, 1.2, 0.1), R(0.1, -0.8, 0.1), R(0.03, 0.2, 0.1)]
+SIX = [UR5, PUMA, STANFORD, GANTRY, BEHIND_A_SLIDE, PARALLEL_FIRST, SKEW]
+ANTHROPOMORPHIC = [R(0, H, 0.4), R(0.5, 0, 0), R(0.35, 0, 0)]
+ORTHOGONAL = [R(1, -H, 0), R(2, H, 1), R(1.5, 0, 0)]
+CYLINDRICAL = [R(0, 0, 0.3), P(-H), P(0)]
+
+
+def robot_of(rows, slide=50.0):
+    turns = [row[0] == "R" for row in rows]
+    upper = [None if turning else slide for turning in turns]
+    return robot_from_dh(rows, lower=[None if u is None else -u for u in upper], upper=upper)
+
+
+def drawn_rows(seed, joints):
+    rng = np.random.default_rng(seed)
+
+    def length():
+        return float(rng.choice([0, 1, rng.uniform(-1, 1), rng.uniform(-1, 1)]))
+
+    def row():
+        kind = "R" if rng.random() < 0.65 else "P"
+        alpha = float(rng.choice([0, H, -H, pi, rng.uniform(-3, 3), rng.uniform(-3, 3)]))
+        return (kind, length(), alpha, length(), float(rng.choice([0, H, rng.uniform(-3, 3)])))
+
+    return [row() for _ in range(joints)]
+
+
+def assert_as_brute_force(rows, task, q, **options):
+    """No solution that many starts lead to is missed, and q is there; each is verified."""
+    robot, which = robot_of(rows), {6: range(6), 3: [0, 1, 2], 2: [0, 1]}[task.rows]
+    T = forward_kinematics(robot, q)
+    target = T if task.rows == 6 else T.translation[: task.rows]
+    found = ik_solutions(robot, task, target, starts=5)
+    kinds = [row[0] for row in rows]
+    assert found.complete
+    assert found.status is IKStatus.FINITE
+    for p in found.q:
+        assert np.abs(task.error(robot, p, target)).max() < 1e-11
+    assert apart(kinds, q, found.q).min() < 1e-6
+    expected = all_solutions(rows, T.homogeneous, which, seed=3, **options)
+    slides = np.array(kinds) == "P"
+    for p in expected:
+        assert np.abs(p[slides]).max(initial=0.0) > 50 or apart(kinds, p, found.q).min() < 1e-4
+    return found, expected
+
+
+@pytest.mark.parametrize("rows", SIX, ids=["UR5", "Puma", "Stanford", "gantry", "slide", "parallel", "skew"])
+def test_six_joints_have_as_many_solutions_as_brute_force_finds(rows):
+    q = np.random.default_rng(5).uniform(-1, 1, 6) * np.where([row[0] == "R" for row in rows], 3, 0.5)
+    found, expected = assert_as_brute_force(rows, POSE, q, starts=250, reach=1.0)
+    assert len(found) == len(expected)
+
+
+def test_the_orthogonal_arm_has_four_solutions_and_two():
+    robot = robot_of(ORTHOGONAL)
+    counts = {len(ik_solutions(robot, XYZ, [x, 0, z])) for x in (2.5, 3.0) for z in (0.0, 0.5, 1.5)}
+    assert 4 in counts
+    assert_as_brute_force(ORTHOGONAL, XYZ, np.array([0.3, -1.2, 2.0]))
+
+
+@given(st.integers(0, 100_000), st.sampled_from([2, 3]))
+@settings(max_examples=10)
+def test_drawn_arms_of_two_and_three_joints_have_what_brute_force_finds(seed, joints):
+    rows, rng = drawn_rows(seed, joints), np.random.default_rng(seed)
+    task = XYZ if joints == 3 else PositionTask("xy")
+    q = rng.uniform(-1, 1, joints) * np.where([row[0] == "R" for row in rows], 3, 1)
+    if np.linalg.svd(task.jacobian(robot_of(rows), q), compute_uv=False)[-1] > 1e-2:
+        assert_as_brute_force(rows, task, q, starts=150)
+
+
+@pytest.mark.parametrize(
+    ("rows", "task", "q", "status", "count"),
+    [
+        (ANTHROPOMORPHIC, XYZ, [0.3, 0.7, 0], IKStatus.BOUNDARY, 2),  # stretched, and over the shoulder
+        (ANTHROPOMORPHIC, XYZ, [0.3, 0.7, pi], IKStatus.BOUNDARY, 2),
+        (ANTHROPOMORPHIC, XYZ, [0.3, H, 0], IKStatus.INFINITE, None),  # on the first axis
+        (CYLINDRICAL, XYZ, [0.3, 0.4, 0], IKStatus.INFINITE, None),
+        (PUMA, POSE, [0.3, 0.7, -0.4, 0.5, 0, 0.2], IKStatus.INFINITE, None),  # of the wrist
+        (UR5, POSE, [0.3, 0.7, 0, 0.5, 1.1, 0.2], IKStatus.BOUNDARY, None),
+        (UR5, POSE, [0.3, 0.7, 0.9, 0.5, 0, 0.2], IKStatus.INFINITE, None),
+    ],
+)
+def test_boundaries_and_families_are_told_apart(rows, task, q, status, count):
+    robot = robot_of(rows)
+    target = task.value(robot, np.array(q))
+    found = ik_solutions(robot, task, target, starts=5)
+    assert found.status is status
+    assert (found.dimension, found.complete) == ((1, False) if status is IKStatus.INFINITE else (0, True))
+    assert found.singular.any()
+    for p in found.q:
+        assert np.abs(task.error(robot, p, target)).max() < 1e-9
+    if count is not None:
+        assert len(found) == count
+        assert apart("RRR", np.array(q), found.q).min() < 1e-6
+
+
+def test_beyond_the_boundary_by_less_than_a_micrometre_is_the_boundary():
+    robot = robot_of([R(1.2, 0, 0), R(0.8, 0, 0)])
+    found = ik_solutions(robot, PositionTask("xy"), [2 + 5e-7, 0])
+    assert found.status is IKStatus.BOUNDARY
+    assert found.q == pytest.approx(np.zeros((1, 2)), abs=1e-3)
+    assert found.boundary_distance == pytest.approx(5e-7, rel=1e-2)
+    assert "a boundary is 5e-07 away" in found.explain()
+
+
+def test_solutions_outside_the_limits_are_kept_apart_and_whole_turns_are_listed_on_request():
+    robot = robot_from_dh([R(1.2, 0, 0), R(0.8, 0, 0)], lower=[-2 * pi, 0], upper=[2 * pi, 3])
+    found = ik_solutions(robot, PositionTask("xy"), [0.5, 1.1])
+    assert (len(found), found.outside_limits.shape, found.complete) == (1, (1, 2), True)
+    every = ik_solutions(robot, PositionTask("xy"), [0.5, 1.1], windings=True)
+    assert len(every) == 2
+    assert np.ptp(every.q[:, 0]) == pytest.approx(2 * pi)
+
+
+def test_axes_rounded_as_in_files_are_found_and_polished():
+    rounded = [(kind, a, round(alpha, 4), d, theta) for kind, a, alpha, d, theta in UR5]
+    robot, q = robot_of(rounded), np.array([0.3, -0.7, 1.1, 0.5, 1.2, 0.2])
+    found = ik_solutions(robot, POSE, POSE.value(robot, q))
+    assert (len(found), found.complete) == (8, True)
+    assert apart("RRRRRR", q, found.q).min() < 1e-9
+
+
+def test_an_arm_whose_joints_depend_on_each_other_is_searched():
+    four_through_a_point = [
+        R(0, H, 0.3),
+        R(0, H, 0),
+        R(0, -1.2, 0),
+        R(0.4, -0.7, 0.1),
+        R(0.3, H, 0.2),
+        R(0.2, 0.3, 0.1),
+    ]
+    robot = robot_of(four_through_a_point)
+    found = ik_solutions(robot, POSE, POSE.value(robot, np.full(6, 0.4)), starts=3)
+    assert not found.complete
+    assert found.method == "search"
