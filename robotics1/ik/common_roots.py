@@ -27,6 +27,7 @@ ARBITRARY, NEARLY_ARBITRARY = 1e-6, 1e-2  # coefficients of both equations, wher
 PLAUSIBLE = 0.02  # residual of a pair of roots with which Newton's method begins
 RANK = 1e-9  # σ beside σ₁, in a step
 EXACT, SAME = 1e-13, 1e-8  # of a step, and of the distance of two roots that are one
+DOUBTFUL, LOST = 1e-4, 1e-2  # coefficients of both that are near zero, and how far a root may then be
 STEPS = 12  # of Newton's method, which converges slowly to a double root
 
 
@@ -76,9 +77,13 @@ def common_roots(F: Complex, G: Complex, prismatic: Sequence[bool]) -> Array | N
         c = _resultant(A, B, second)
         if c is None or np.abs(c).max() < VANISHES:
             continue
-        starts = [(x, y) for x in _distinct(real_roots(c, first)) for y in _second(A, B, x, first, second)]
-        found = np.array(starts).reshape(-1, 2)[:, order]
-        return _polished(F, G, found, prismatic)
+        of_first = _distinct(real_roots(c, first))
+        starts = [(x, y) for x in of_first for y in _second(A, B, x, first, second)]
+        roots = _polished(F, G, np.array(starts).reshape(-1, 2)[:, order], prismatic)
+        free = [x for x in of_first if _size(A, B, x, first) < DOUBTFUL]
+        if all(np.abs(difference(x, roots[:, order[0]], first)).min(initial=np.inf) < LOST for x in free):
+            return roots
+        return None  # a family is at hand, and was not met
     return None
 
 
@@ -112,6 +117,12 @@ def _second(A: Complex, B: Complex, x: float, first: bool, second: bool) -> Arra
     anywhere = samples(second) if max(np.abs(a).max(), np.abs(b).max()) < NEARLY_ARBITRARY else np.zeros(0)
     of_a, of_b = (real_roots(c, second) if np.abs(c).max() > ARBITRARY else None for c in (a, b))
     return np.concatenate([anywhere, _distinct(of_a), _distinct(of_b)])
+
+
+def _size(A: Complex, B: Complex, x: float, prismatic: bool) -> float:
+    """Return the largest coefficient of both equations in the second coordinate, where the first is x."""
+    w = _powers(np.array([x]), prismatic)[0]
+    return float(max(np.abs(w @ A).max(), np.abs(w @ B).max()))
 
 
 def _powers(x: Array, prismatic: bool) -> Complex:
@@ -159,6 +170,6 @@ def _jacobians(both: Complex, x: Array, prismatic: Sequence[bool]) -> Array:
     return np.array(rows).transpose(2, 0, 1)
 
 
-def difference(p: Array, q: Array, prismatic: Sequence[bool]) -> Array:
+def difference(p: Array | float, q: Array, prismatic: Sequence[bool] | bool) -> Array:
     """Return p − q, angles the short way round."""
     return np.where(prismatic, p - q, np.angle(np.exp(1j * (p - q))))

@@ -110,7 +110,8 @@ def _point(A: Sequence[Array], prismatic: Sequence[bool], c: Array, t: Array) ->
         left = grid[..., 0] - t[0], grid[..., 1] - t[1]
     else:
         left = grid[..., 2] - t[2], (grid**2).sum(axis=-1) - t @ t
-    found = common_roots(*(coefficients(values, prismatic[1:]) for values in left), prismatic[1:])
+    F, G = (coefficients(values, prismatic[1:]) for values in left)
+    found = common_roots(F, G, prismatic[1:])
     if found is None:
         return None
     ends = p(found[:, 0], found[:, 1])
