@@ -1,6 +1,6 @@
 """Every inverse kinematics solution of a target."""
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
@@ -92,7 +92,7 @@ class Prepared:
 def _prepared(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None) -> Prepared:
     """Return what does not depend on the target; of a task on a pose it is kept."""
     form = task.frame_map()
-    if box is None and form is not None and form.pose_error is not None:
+    if box is None and form is not None and form.pose_error is not None and isinstance(task, Hashable):
         with suppress(TypeError):  # a task that cannot be hashed
             return _kept(robot, task)
     return _prepare(robot, task, box)

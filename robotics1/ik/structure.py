@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.ik.loops import LoopSolve, loop_solver
 from robotics1.ik.subproblems import inverse, motion, motions, one_row, orientation, planar_loop, point, two_rows
@@ -109,7 +110,7 @@ class FixedChain:
         return best, sigma[:, -1] / np.maximum(sigma[:, 0], 1e-300)
 
 
-def fixed_chain(robot: Robot, task: Task, moving: Array, still: Array) -> FixedChain | None:
+def fixed_chain(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: Array) -> FixedChain | None:
     """Return the chain of a task's frame in the task's axes; None if a joint follows another.
 
     Args:
@@ -140,7 +141,7 @@ def fixed_chain(robot: Robot, task: Task, moving: Array, still: Array) -> FixedC
     return FixedChain(tuple(placements), tuple(kinds), tuple(coordinate), length)
 
 
-def closed_form(robot: Robot, task: Task, moving: Array, still: Array) -> ClosedForm | None:
+def closed_form(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: Array) -> ClosedForm | None:
     """Return the way to all solutions of a task that moves as many joints as it has rows; None if none is known."""
     form = task.frame_map()
     if form is None or form.pose_error is None or form.pose_error.axis.any():
