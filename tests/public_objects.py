@@ -240,6 +240,7 @@ INSTANCES = {
     "TimeScaling": lambda: [r1.trajectories.scale_to_limits(cubic(), LIMITS)],
     "TimingBounds": lambda: [r1.trajectories.timing_bounds(r1.curves.ellipse_path([0, 0], [2, 0], [0, 1]), 1.0, 2.0)],
     "Tracking": lambda: [r1.simulate_tracking(cubic(), [0.1, 1], 2.0)],
+    "TrigSolutions": lambda: [r1.ik.solve_trig(1, 2, 0.5), r1.ik.solve_trig("a", "b", 0)],
     "UnitQuaternions": lambda: [r1.orientation.rotation_to_quaternion(pin.exp3(np.ones(3)))],
     "VelocityProfile": lambda: [
         laws()[0].laws[0],

@@ -1,5 +1,6 @@
 """The public names of `robotics1.ik`, and where they are."""
 
+from .closed_form.trig_equation import TrigSolutions, solve_trig
 from .iterate import IKIterate, IKIteration, iterate_ik
 from .result import IKBatch, IKResult, IKStatus
 from .solution_set import IKSolutions
@@ -14,7 +15,9 @@ __all__ = [
     "IKSolutions",
     "IKSolver",
     "IKStatus",
+    "TrigSolutions",
     "ik_solutions",
     "iterate_ik",
     "solve_ik",
+    "solve_trig",
 ]
