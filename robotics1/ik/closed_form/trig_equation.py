@@ -80,8 +80,9 @@ def solve_trig(a: Any, b: Any, c: Any) -> TrigSolutions:
 def angles_of(a: sympy.Expr, b: sympy.Expr, c: sympy.Expr) -> list[sympy.Expr]:
     """Return the two solutions of a sin θ + b cos θ = c, in the form that a person writes."""
     if c == 0:
-        first = sympy.atan2(-b, a) if b != 0 else sympy.S.Zero
-        return [first, sympy.atan2(b, -a) if b != 0 else sympy.pi]
+        if b == 0:
+            return [sympy.S.Zero, sympy.pi]
+        return sorted((sympy.atan2(-b, a), sympy.atan2(b, -a)), key=lambda angle: str(angle).count("-"))
     if a == 0:
         return [sympy.acos(c / b), -sympy.acos(c / b)]
     if b == 0:

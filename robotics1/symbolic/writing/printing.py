@@ -84,12 +84,12 @@ def python_function(
         summary: what is returned; it may hold names from a file, for it is written as text.
     """
     used = {symbol.name for symbols in vectors.values() for symbol in symbols}
-    spelled = _spelled(parameters, {*used, *vectors, *USED})
-    written = {sympy.Symbol(old, real=True): sympy.Symbol(new, real=True) for old, new in spelled.items()}
+    words = spelled(parameters, {*used, *vectors, *USED})
+    written = {sympy.Symbol(old, real=True): sympy.Symbol(new, real=True) for old, new in words.items()}
     entries = [entry.xreplace(written) for entry in _entries(formula)]
-    free = (s for s in sympy.numbered_symbols("t", real=True) if s.name not in {*used, *spelled.values()})
+    free = (s for s in sympy.numbered_symbols("t", real=True) if s.name not in {*used, *words.values()})
     shared, entries = sympy.cse(entries, symbols=free)
-    given = [spelled[p] if value is None else f"{spelled[p]}={value!r}" for p, value in parameters.items()]
+    given = [words[p] if value is None else f"{words[p]}={value!r}" for p, value in parameters.items()]
     taking = ", ".join([*vectors, *(["*", *given] if given else [])])
     lines = [f"def {name}({taking}):", f'{INDENT}"""{_inside_quotes(summary)}"""']
     for vector, symbols in vectors.items():
@@ -127,16 +127,16 @@ def _python(e: sympy.Expr) -> str:
     return re.sub(r"\bnumpy\.", "np.", NumPyPrinter().doprint(e))
 
 
-def _spelled(names: Iterable[str], taken: set[str]) -> dict[str, str]:
+def spelled(names: Iterable[str], taken: set[str]) -> dict[str, str]:
     """Return each name as an identifier of Python, no two alike and none of those that are taken."""
-    spelled: dict[str, str] = {}
+    words: dict[str, str] = {}
     for name in names:
         word = re.sub(r"\W", "_", unicodedata.normalize("NFKC", name))  # Python takes "ﬁ" and "fi" for one name
         word = word if word.isidentifier() else f"_{word}"
-        while keyword.iskeyword(word) or word in taken or word in spelled.values():
+        while keyword.iskeyword(word) or word in taken or word in words.values():
             word += "_"
-        spelled[name] = word
-    return spelled
+        words[name] = word
+    return words
 
 
 def _inside_quotes(text: str) -> str:

@@ -1,0 +1,76 @@
+"""Inverse formulas are compared with Pinocchio before they are returned: at random q, with other lengths.
+
+Every solution of the formulas must have the value of the target, and the q that made the target must be among them.
+That each of many q is found, wherever it lies, shows that no solution is missing.
+"""
+
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+import sympy
+
+from robotics1.errors import FormulaError
+from robotics1.ik.closed_form.family import IKFormulas
+from robotics1.inputs import Array
+from robotics1.robot.model import Robot
+from robotics1.symbolic.tasks.verification import Trials
+from robotics1.symbolic.writing.printing import numpy_function
+from robotics1.tasks.task import Task
+
+AGREES = 1e-7  # relative: formulas lose digits near singular targets
+TRIALS = 8  # configurations for each set of lengths
+
+
+def verify(formulas: IKFormulas) -> None:
+    """Compare formulas with numbers.
+
+    Raises:
+        FormulaError: a solution misses its target, or one is not among the formulas' own.
+    """
+    robot, rng = formulas.robot, np.random.default_rng(1)
+    columns = [robot.joint_names.index(name) for name in formulas.names]
+    solve = _compiled(formulas)
+    for point in Trials(robot, (), ()).points:
+        for _ in range(TRIALS):
+            q = np.where(robot.revolute, rng.uniform(-3, 3, robot.nq), robot.reach * rng.uniform(-1, 1, robot.nq))
+            target = formulas.task.value(point.robot, q)
+            found = solve(target, point.parameters)
+            _compare(formulas, point.robot, q, target, found, columns)
+
+
+def _compare(formulas: IKFormulas, robot: Robot, q: Array, target: Any, found: Array, columns: list[int]) -> None:
+    size = max(1.0, robot.reach)
+    turns = np.where(robot.revolute[columns], 2 * np.pi, np.inf)
+    apart = []
+    for values in found:
+        p = q.copy()
+        p[columns] = values
+        error = np.abs(formulas.task.error(robot, p, target)).max(initial=0.0)
+        if not error <= AGREES * size:
+            raise FormulaError(f"a solution of the formulas misses its target by {error:.1e}")
+        d = values - q[columns]
+        d = np.where(np.isfinite(turns), (d + np.pi) % (2 * np.pi) - np.pi, d)
+        apart.append(np.abs(d).max(initial=0.0))
+    if not apart or min(apart) > 1e3 * AGREES * size:
+        raise FormulaError("a solution that is known is not among those of the formulas")
+
+
+def _compiled(formulas: IKFormulas) -> Any:
+    """Return a function of a target and the values of the parameters: the solutions, (k, n)."""
+    parameters = [sympy.Symbol(name, real=True) for name in formulas.robot.parameters]
+    known = [*formulas.target, *parameters]
+    steps = []
+    for joint in formulas.joints:
+        steps.append(numpy_function(known, sympy.Matrix(joint.options)))
+        known = [*known, joint.q]
+
+    def solve(target: Any, values: list[float]) -> Array:
+        flat = np.asarray(target.homogeneous if isinstance(target, pin.SE3) else target, dtype=float).ravel()
+        partial = [[*(np.float64(sign * flat[n]) for n, sign in formulas.places), *map(np.float64, values)]]
+        with np.errstate(all="ignore"):
+            for step in steps:
+                partial = [[*row, q] for row in partial for q in np.ravel(step(*row)) if np.isfinite(q)]
+        return np.array(partial, dtype=float).reshape(len(partial), -1)[:, len(formulas.target) + len(parameters) :]
+
+    return solve

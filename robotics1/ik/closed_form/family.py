@@ -1,0 +1,212 @@
+"""The formulas of all solutions: a result that explains itself and can be written as source."""
+
+from dataclasses import dataclass
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy
+
+from robotics1.caching import cached_property
+from robotics1.ik.closed_form.peeling import JointFormula
+from robotics1.ik.closed_form.source import c_source, latex_source, python_source
+from robotics1.inputs import Array
+from robotics1.results import Frozen
+from robotics1.robot.model import Robot
+from robotics1.symbolic.writing.printing import line_text
+from robotics1.tasks.task import Task
+
+
+SHORT = 3  # joints, up to which a formula in the target alone is simplified where it is put together
+
+
+class SingularTarget(NamedTuple):
+    """Targets at which there are more or fewer solutions than elsewhere.
+
+    Attributes:
+        condition: on the target.
+        joint: the joint that is free there, or whose two values are one.
+        is_free: whether the joint is free.
+    """
+
+    condition: Any
+    joint: str
+    is_free: bool
+
+
+@dataclass(frozen=True, eq=False)
+class IKBranch(Frozen):
+    """One solution.
+
+    Attributes:
+        names: of the joints, in the order in which they are found.
+        symbols: q1, q2, ... of these joints.
+        steps: the formula of each, in the target's symbols and in the joints before it.
+        conditions: when the formula of each is real.
+        sign: joint → 1 or −1, which of its two formulas is taken; of the joints that have two.
+    """
+
+    names: tuple[str, ...]
+    symbols: tuple[sympy.Symbol, ...]
+    steps: tuple[sympy.Expr, ...]
+    conditions: tuple[Any, ...]
+    sign: dict[str, int]
+
+    @cached_property
+    def q(self) -> dict[str, sympy.Expr]:
+        """Joint → its formula in the target's symbols and the lengths alone [rad or m]; angles count modulo 2π."""
+        return {name: self._values[symbol] for name, symbol in zip(self.names, self.symbols, strict=True)}
+
+    @cached_property
+    def exists_if(self) -> Any:
+        """The condition on the target, in its symbols and the lengths."""
+        return sympy.And(*(self.in_the_target(condition) for condition in self.conditions))
+
+    def in_the_target(self, e: Any) -> Any:
+        """Return an expression or a condition with the formulas for the joints in it."""
+        with sympy.evaluate(len(self.symbols) <= SHORT):
+            return e.xreplace(self._values)
+
+    @cached_property
+    def _values(self) -> dict[sympy.Symbol, sympy.Expr]:
+        values: dict[sympy.Symbol, sympy.Expr] = {}
+        for symbol, step in zip(self.symbols, self.steps, strict=True):
+            with sympy.evaluate(len(self.symbols) <= SHORT):
+                values[symbol] = step.xreplace(values)
+        return values
+
+
+@dataclass(frozen=True, eq=False)
+class IKFormulas(Frozen):
+    """The formulas of every solution of f(q) = r_d, each compared with Pinocchio.
+
+    Attributes:
+        robot, task: of what.
+        target: the symbols of r_d, such as x, y, z, phi, r11, r12, ...
+        places: where each stands in the flat value of the task, and with which sign.
+        names: of the joints, in the order in which they are found.
+        joints: their formulas.
+        constraints: what must vanish of a target that has more rows than there are joints.
+        free_joints: the joints that do not move the task.
+        branches: the solutions.
+    """
+
+    robot: Robot
+    task: Task
+    target: tuple[sympy.Symbol, ...]
+    places: tuple[tuple[int, int], ...]
+    names: tuple[str, ...]
+    joints: tuple[JointFormula, ...]
+    constraints: tuple[sympy.Expr, ...]
+    free_joints: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.branches)
+
+    @cached_property
+    def branches(self) -> tuple[IKBranch, ...]:
+        """The solutions: one for each choice of signs."""
+        choices = product(*(range(len(joint.options)) for joint in self.joints))
+        return tuple(map(self._branch, choices))
+
+    @cached_property
+    def singular_if(self) -> tuple[SingularTarget, ...]:
+        """The targets at which joints are free or two solutions are one, and these joints.
+
+        Of more than three joints the conditions are those of each joint, in the target and in the joints before it.
+        """
+        found: dict[tuple[str, str, bool], SingularTarget] = {}
+        for branch in self.branches:
+            for name, joint in zip(self.names, self.joints, strict=True):
+                for condition, is_free in ((joint.free_if, True), (joint.double_if, False)):
+                    if len(self.joints) <= SHORT:
+                        condition = _short(branch.in_the_target(condition))
+                    if condition.free_symbols - self._constants:
+                        case = SingularTarget(condition, name, is_free)
+                        found.setdefault((str(condition), name, is_free), case)
+        return tuple(found.values())
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The robot's named lengths and angles."""
+        return dict(self.robot.parameters)
+
+    def at(self, target: Any) -> Array:
+        """Return the solutions of a target in numbers, (k, nq), the joints of `free_joints` at zero.
+
+        Raises:
+            InputError: the target has the wrong form.
+        """
+        flat = np.asarray(getattr(target := self.task.target(target), "homogeneous", target), dtype=float).ravel()
+        scope: dict[str, Any] = {}
+        exec(self.python("inverse"), scope)
+        values = [sign * flat[n] for n, sign in self.places]
+        found = np.array(scope["inverse"](values)).reshape(-1, len(self.names))
+        q = np.zeros((len(found), self.robot.nq))
+        q[:, [self.robot.joint_names.index(name) for name in self.names]] = found
+        return q
+
+    def explain(self) -> str:
+        """Return the formulas with their conditions, the singular targets and the free joints, in sentences."""
+        lines = [
+            f"{len(self)} solution{'' if len(self) == 1 else 's'} of {self.robot.name}, one joint after the other:"
+        ]
+        for name, joint in zip(self.names, self.joints, strict=True):
+            options = " or ".join(line_text(option) for option in joint.options)
+            condition = "" if joint.exists_if == sympy.true else f", where {_sentence(joint.exists_if)}"
+            lines.append(f"  {name} = {options}{condition}")
+            if joint.free_if != sympy.false and joint.free_if.free_symbols - self._constants:
+                lines.append(f"    {name} is free where {_sentence(joint.free_if)}")
+            if joint.double_if != sympy.false:
+                lines.append(f"    the two are one where {_sentence(joint.double_if)}")
+        lines += [f"  a target must have {line_text(e)} = 0" for e in self.constraints]
+        if self.free_joints:
+            lines.append(f"  joints that do not move the task: {', '.join(self.free_joints)}")
+        return "\n".join(lines)
+
+    def python(self, name: str = "inverse_kinematics") -> str:
+        """Return the source of a function of the target's numbers that returns the solutions, (k, n), with NumPy."""
+        return python_source(self, name)
+
+    def latex(self) -> str:
+        """Return the formulas in LaTeX, one line for each joint."""
+        return latex_source(self)
+
+    def c(self, name: str = "inverse_kinematics") -> str:
+        """Return the source of a function in C (C99) that writes the solutions and returns their number."""
+        return c_source(self, name)
+
+    @property
+    def _constants(self) -> set[sympy.Symbol]:
+        return {sympy.Symbol(name, real=True) for name in self.robot.parameters}
+
+    def _branch(self, choice: tuple[int, ...]) -> IKBranch:
+        signs = {
+            name: 1 - 2 * n
+            for name, joint, n in zip(self.names, self.joints, choice, strict=True)
+            if len(joint.options) > 1
+        }
+        return IKBranch(
+            self.names,
+            tuple(joint.q for joint in self.joints),
+            tuple(joint.options[n] for joint, n in zip(self.joints, choice, strict=True)),
+            (*(sympy.Eq(e, 0) for e in self.constraints), *(joint.exists_if for joint in self.joints)),
+            signs,
+        )
+
+
+def _short(condition: Any) -> Any:
+    """Return a condition expanded, where it is short, so that cos² + sin² and roots of squares are gone."""
+    if isinstance(condition, sympy.Eq) and condition.rhs == 0 and condition.count_ops() < 80:
+        return sympy.Eq(sympy.factor_terms(sympy.expand(condition.lhs)), 0)
+    return condition
+
+
+def _sentence(condition: Any) -> str:
+    """Return a condition as text."""
+    if isinstance(condition, sympy.And):
+        return " and ".join(sorted(map(_sentence, condition.args)))
+    if isinstance(condition, sympy.core.relational.Relational):
+        symbol = {"==": "=", "<=": "≤", ">=": "≥", "!=": "≠"}.get(condition.rel_op, condition.rel_op)
+        return f"{line_text(condition.lhs)} {symbol} {line_text(condition.rhs)}"
+    return str(condition)

@@ -1,0 +1,109 @@
+"""From a robot and a task to the formulas of all solutions."""
+
+import sympy
+
+from robotics1.errors import FormulaError, TaskError
+from robotics1.ik.closed_form.comparison import verify
+from robotics1.ik.closed_form.equations import PartOfChain
+from robotics1.ik.closed_form.family import IKFormulas
+from robotics1.ik.closed_form.links import Links, links_of
+from robotics1.ik.closed_form.peeling import Peeling
+from robotics1.ik.closed_form.target import Target, TargetChain, symbolic_target
+from robotics1.ik.closed_form.trial_point import trial_point
+from robotics1.inputs import a_robot_and_a_task
+from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.chain import chain_to
+from robotics1.tasks.task import FrameMap, Task
+
+
+def ik_formulas(robot: Robot, task: Task) -> IKFormulas:
+    """Return the formulas of every solution of f(q) = r_d, in the target's symbols and the robot's named lengths.
+
+    Joint after joint is found from equations with one unknown: a sin θ + b cos θ = c, sin θ and cos θ together, or a
+    polynomial in a prismatic joint of degree one or two. They come from the pose between two links with known joints
+    on the side of the target, and from distances that other joints do not change. The formulas are compared with
+    Pinocchio at random q and lengths before they are returned.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: r = f(q): coordinates of a frame, its rotation, its pose, or its angle in a plane.
+
+    Raises:
+        TaskError: the task does not fit the robot, or more joints move it than it has rows.
+        FormulaError: no closed formula is found, or it does not agree with Pinocchio.
+
+    Source: Paul, Robot Manipulators, 1981, chapter 3; Craig, Introduction to Robotics, 2005, chapter 4.
+    """
+    a_robot_and_a_task(robot, task)
+    task.check_integrable(robot)
+    form = task.frame_map()
+    if form is None:
+        raise FormulaError(f"inverse formulas are written for tasks on a frame, not for {task!r}")
+    try:
+        return _found(robot, task, form, thorough=False)
+    except FormulaError:
+        return _found(robot, task, form, thorough=True)
+
+
+def _found(robot: Robot, task: Task, form: FrameMap, *, thorough: bool) -> IKFormulas:
+    """Return the formulas; `thorough` tries longer equations where shorter ones leave a choice."""
+    found = chain_to(robot, robot.link_of(form.frame))
+    chain = TargetChain(found.robot, found.frame, found.joints, found.turns)
+    links = links_of(chain, _axes(robot, chain, form))
+    target = symbolic_target(chain, task, form, links.pose)
+    moving = _moving(chain, links, target)
+    _check_number(robot, task, moving)
+    peeling = _peeling(chain, links, target, moving, thorough=thorough)
+    constraints = peeling.constraints()
+    joints = peeling.solve()
+    names = {q: name for q, name in zip(chain.q, robot.joint_names, strict=True)}
+    formulas = IKFormulas(
+        robot=robot,
+        task=task,
+        target=target.symbols,
+        places=target.places,
+        names=tuple(names[joint.q] for joint in joints),
+        joints=joints,
+        constraints=constraints,
+        free_joints=tuple(names[q] for q in chain.q if q not in moving),
+    )
+    verify(formulas)
+    return formulas
+
+
+def _axes(robot: Robot, chain: TargetChain, form: FrameMap):  # noqa: ANN202
+    """Return the constant rotation to the axes that the task is written in; None for the world's."""
+    if form.reference == "world":
+        return None
+    joints = robot.joints_to(robot.link_of(None if form.reference == "tool" else form.reference))
+    return chain.turn(joints).T
+
+
+def _moving(chain: TargetChain, links: Links, target: Target) -> set[sympy.Symbol]:
+    """Return the joints that move what the target gives."""
+    R, p = links.pose
+    given = []
+    for i in range(3):
+        for j in range(4):
+            (f,) = {target.pose[0][i, j]} if j < 3 else {target.pose[1][i]}
+            nothing = any(target.definitions.get(symbol, 0) is None for symbol in f.symbols)
+            if not nothing:
+                given.append(R[i, j] if j < 3 else p[i])
+    return {symbol for f in given for symbol in f.symbols} & set(chain.q)
+
+
+def _check_number(robot: Robot, task: Task, moving: set[sympy.Symbol]) -> None:
+    if len(moving) > task.rows:
+        raise TaskError(
+            f"{len(moving)} joints of robot {robot.name!r} move a task of {task.rows} rows, so that a target has "
+            f"infinitely many solutions; load the robot with some joints locked, or add rows to the task"
+        )
+
+
+def _peeling(chain: TargetChain, links: Links, target: Target, moving: set[sympy.Symbol], *, thorough: bool) -> Peeling:
+    """Return the beginning: all joints between the world and the last link, whose pose the target gives."""
+    trial = trial_point({*chain.q, *chain.angles}, dict(chain.robot.parameters))
+    part = PartOfChain(chain, links, 0, len(links.steps), target.pose[0], target.pose[1], links.tool[1])
+    peeling = Peeling(chain, target, part, target.definitions, set(moving), trial, thorough)
+    peeling.begin(target.pose[0] @ links.tool[0].T)
+    return peeling

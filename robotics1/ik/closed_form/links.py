@@ -1,0 +1,147 @@
+"""The links between moving joints: how a vector goes from one to the next, and the points that stay on an axis.
+
+Link i is behind joint i, with the frame of that joint after it has moved; link 0 is the world. A point on the axis of
+joint i is fixed in links i − 1 and i; where two axes meet, the point is fixed in three links. That is what makes the
+joints of a spherical wrist disappear from an equation.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from robotics1.symbolic.kinematics.chain import Chain, Pose, cross
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """The way from link i − 1 over joint i to link i.
+
+    Attributes:
+        R, p: the placement of the joint in link i − 1.
+        turn, slide: its motion.
+        axis: (3,) the unit axis, in the frame of the joint.
+        turns: whether it is revolute.
+    """
+
+    R: Matrix
+    p: Matrix
+    turn: Matrix
+    slide: Matrix
+    axis: Matrix
+    turns: bool
+
+    def point(self, v: Matrix) -> Matrix:
+        """Return a point of link i in link i − 1."""
+        return np.asarray(self.p + self.R @ (self.slide + self.turn @ v))
+
+    def direction(self, v: Matrix) -> Matrix:
+        """Return directions of link i, (3,) or (3, k), in link i − 1."""
+        return np.asarray(self.R @ (self.turn @ v))
+
+    def point_behind(self, v: Matrix) -> Matrix:
+        """Return a point of link i − 1 in link i."""
+        return np.asarray(self.turn.T @ (self.R.T @ (v - self.p) - self.slide))
+
+    def direction_behind(self, v: Matrix) -> Matrix:
+        """Return directions of link i − 1 in link i."""
+        return np.asarray(self.turn.T @ (self.R.T @ v))
+
+
+@dataclass(frozen=True, eq=False)
+class Links:
+    """The links of a chain.
+
+    Attributes:
+        steps: the way over each moving joint; step i − 1 leads to link i.
+        tool: R and p of the frame in the last link.
+        points: of each link, points on the axes before and behind it.
+    """
+
+    steps: tuple[Step, ...]
+    tool: Pose
+    points: tuple[tuple[Matrix, ...], ...]
+
+    @property
+    def pose(self) -> Pose:
+        """R and p of the frame in the world."""
+        R, p = self.tool
+        for step in reversed(self.steps):
+            R, p = step.direction(R), step.point(p)
+        return R, p
+
+
+def links_of(chain: Chain, axes: Matrix | None = None) -> Links:
+    """Return the links of a chain; `axes` is the constant rotation Rᵀ to the axes that are meant."""
+    R, p = chain.still
+    if axes is not None:
+        R = axes
+    steps = []
+    for joint in chain.joints:
+        R_joint, p_joint = chain.placement(joint)
+        R, p = R @ R_joint, p + R @ p_joint
+        if joint.kind != "fixed":
+            axis = chain._vector(np.array(joint.axis))
+            steps.append(Step(R, p, *chain.motion(joint), axis, joint.kind == "revolute"))
+            R, p = chain.still
+    points = tuple(_points(chain, steps, i, p) for i in range(len(steps) + 1))
+    return Links(tuple(steps), (R, p), points)
+
+
+def _points(chain: Chain, steps: list[Step], i: int, tool: Matrix) -> tuple[Matrix, ...]:
+    """Return points of link i on the axes of joints i and i + 1: feet of common normals, and the joints' origins."""
+    origin = chain.still[1]
+    found: list[Matrix] = []
+    if i > 0:
+        found += [foot for j in (i, i - 1) if (foot := _foot_on(chain, steps, i, j)) is not None]
+    if i < len(steps):
+        own = [foot for j in (i, i + 1) if (foot := _foot_on(chain, steps, i + 1, j)) is not None]
+        step = steps[i]
+        found += [step.p + step.R @ foot for foot in own]
+        found.append(step.p)
+    found.append(origin)
+    distinct: list[Matrix] = []
+    for point in found:
+        if not any(_same(point, other) for other in distinct):
+            distinct.append(point)
+    return tuple(distinct)
+
+
+def _foot_on(chain: Chain, steps: list[Step], i: int, link: int) -> Matrix | None:
+    """Return the foot, on axis i, of the common normal with the next axis in a link, in the frame of joint i.
+
+    The link is i − 1 or i: the other axis is that of joint i − 1, or of i + 1.
+    """
+    if not steps[i - 1].turns:
+        return None
+    if link == i and i < len(steps):
+        own, other = (chain.still[1], steps[i - 1].axis), (steps[i].p, steps[i].R @ steps[i].axis)
+        turns = steps[i].turns
+    elif link == i - 1 and i >= 2:
+        step = steps[i - 1]
+        own, other = (step.p, step.R @ step.axis), (chain.still[1], steps[i - 2].axis)
+        turns = steps[i - 2].turns
+    else:
+        return None
+    if not turns:
+        return None
+    (a, n), (b, m) = own, other
+    normal = cross(n, m)
+    inverse = _inverse(chain, normal @ normal)
+    if inverse is None:
+        return None
+    along = (cross(b - a, m) @ normal) * inverse
+    return np.asarray(steps[i - 1].axis * along)
+
+
+def _inverse(chain: Chain, f: TrigPolynomial) -> TrigPolynomial | None:
+    """Return 1/f of a rational number; None of anything else."""
+    F = chain.trig_ring
+    if set(f.terms) != {F.zero} or not f.terms[F.zero].is_ground:
+        return None
+    number = f.terms[F.zero].LC
+    return F.constant(F.ring(F.ring.domain.one / number))
+
+
+def _same(a: Matrix, b: Matrix) -> bool:
+    return not any(x - y for x, y in zip(a, b, strict=True))

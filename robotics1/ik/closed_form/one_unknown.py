@@ -1,0 +1,191 @@
+"""Equations that hold one unknown joint, and their solutions."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from sympy.polys.domains import QQ_I
+
+from robotics1.ik.closed_form.trig_equation import angles_of, existence
+from robotics1.symbolic.polynomials.trig_polynomial import Exponents, TrigPolynomial
+
+ROUNDING = 1e-13  # of the largest coefficient
+
+
+@dataclass(frozen=True, eq=False)
+class OneUnknown:
+    """An equation in one unknown.
+
+    Attributes:
+        unknown: the multiples k of the angles in an angle k·φ; or the symbol of a prismatic joint.
+        coefficients: A, B and C of A cos + B sin + C = 0; or C₀, C₁ and C₂ of C₀ + C₁ q + C₂ q² = 0.
+        terms: how many the equation has.
+    """
+
+    unknown: Exponents | sympy.Symbol
+    coefficients: tuple[TrigPolynomial, ...]
+    terms: int
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether the unknown is an angle."""
+        return isinstance(self.unknown, tuple)
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether a prismatic joint has one solution."""
+        return not self.is_angle and not self.coefficients[2]
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """The solutions of an unknown.
+
+    Attributes:
+        unknown: as of the equation.
+        options: the solutions, one or two.
+        exists_if: when there are any.
+        double_if: where the two are one.
+        free_if: where every value is a solution, or none.
+    """
+
+    unknown: Exponents | sympy.Symbol
+    options: tuple[sympy.Expr, ...]
+    exists_if: Any
+    double_if: Any
+    free_if: Any
+
+
+def read(f: TrigPolynomial, angles: Collection[int], lengths: Collection[int], nothing: Collection[int]) -> Any:
+    """Return an equation in one unknown; None if it has another number of them, or says nothing.
+
+    Args:
+        f: what vanishes.
+        angles: the places of unknown angles.
+        lengths: the places, in the ring, of unknown prismatic joints.
+        nothing: the places of entries of the pose that are not known.
+    """
+    if not f.terms:
+        return None
+    f = f.without_rounding(ROUNDING * f.largest)
+    slides: set[int] = set()
+    for c in f.terms.values():
+        for m in c.itermonoms():
+            if any(m[place] for place in nothing):
+                return None
+            slides.update(place for place in lengths if m[place])
+    parts: dict[Exponents, dict[Exponents, Any]] = {}
+    for k, c in f.terms.items():
+        own = tuple(m if j in angles else 0 for j, m in enumerate(k))
+        rest = tuple(0 if j in angles else m for j, m in enumerate(k))
+        parts.setdefault(own, {})[rest] = c
+    F = f.trig_ring
+    moving = [k for k in parts if any(k)]
+    number = sum(len(c) for c in f.terms.values())
+    if len(moving) == 2 and not slides:
+        k = max(moving)
+        if tuple(-m for m in k) not in parts:
+            return None
+        first, i = TrigPolynomial(F, parts[k]), F.constant(F.ring(QQ_I(0, 1)))
+        A, B = first + first.conjugate, (first - first.conjugate) * i
+        return OneUnknown(k, (A, B, TrigPolynomial(F, parts.get(F.zero, {}))), number)
+    if not moving and len(slides) == 1:
+        return _of_a_length(f, slides.pop(), number)
+    return None
+
+
+def _of_a_length(f: TrigPolynomial, place: int, number: int) -> OneUnknown | None:
+    ring = f.trig_ring.ring
+    by_degree: list[dict[Exponents, Any]] = [{}, {}, {}]
+    for k, c in f.terms.items():
+        for m, a in c.terms():
+            if m[place] > 2:
+                return None
+            bare = tuple(0 if n == place else e for n, e in enumerate(m))
+            found = by_degree[m[place]].setdefault(k, {})
+            found[bare] = a
+    parts = [{k: ring.from_dict(found) for k, found in terms.items()} for terms in by_degree]
+    symbol = ring.symbols[place]
+    return OneUnknown(symbol, tuple(TrigPolynomial(f.trig_ring, terms) for terms in parts), number)
+
+
+def solve_one(equation: OneUnknown, write: Any) -> Solved:
+    """Return the solutions of one equation; `write` makes an expression of a polynomial."""
+    if equation.is_angle:
+        A, B, C = map(write, equation.coefficients)
+        a, b, c = _lowest(B, A, -C)
+        square = a**2 + b**2
+        double = sympy.false if c == 0 else sympy.Eq(c**2, square)
+        if a == 0 or b == 0:
+            double = sympy.false if c == 0 else sympy.Eq(sympy.Abs(c / (a + b)), 1)
+        free = _vanishes(a, b) if c == 0 or a == 0 or b == 0 else _vanishes(square)
+        return Solved(equation.unknown, tuple(angles_of(a, b, c)), existence(a, b, c), double, free)
+    C0, C1, C2 = map(write, equation.coefficients)
+    if C2 == 0:
+        return Solved(equation.unknown, (_quotient(-C0, C1),), sympy.true, sympy.false, _vanishes(C1))
+    square = sympy.factor_terms(C1**2 / 4 - C0 * C2) / C2**2 if C1 != 0 else _quotient(-C0, C2)
+    middle, root = _quotient(-C1, 2 * C2), sympy.sqrt(square)
+    return Solved(
+        equation.unknown,
+        (middle + root, middle - root),
+        sympy.Ge(square, 0),
+        sympy.Eq(square, 0),
+        _vanishes(C2),
+    )
+
+
+def solve_pair(one: OneUnknown, other: OneUnknown, write: Any) -> Solved:
+    """Return the solution of two independent equations A cos + B sin + C = 0 in the same angle."""
+    a1, b1, c1 = map(write, one.coefficients)
+    a2, b2, c2 = map(write, other.coefficients)
+    sine, cosine = a2 * c1 - a1 * c2, b1 * c2 - b2 * c1
+    sign = turned(one, other)
+    if sign:  # the determinant is ±(a² + b²)
+        alone = a1 + b1 if a1 == 0 or b1 == 0 else None
+        if alone is not None and alone.is_Symbol:
+            sine, cosine = sine / alone**2, cosine / alone**2
+        sine, cosine = sign * sine, sign * cosine
+        A, B, _ = one.coefficients
+        free = _vanishes(write(A * A + B * B) if alone is None else alone)
+    else:
+        det = a1 * b2 - a2 * b1
+        sine, cosine = sine / det, cosine / det
+        free = _vanishes(det)
+    angle = angle_of(sympy.factor_terms(sine), sympy.factor_terms(cosine))
+    return Solved(one.unknown, (angle,), sympy.true, sympy.false, free)
+
+
+def turned(one: OneUnknown, other: OneUnknown) -> int:
+    """Return ±1 where the coefficients (A, B) of one equation are those of the other, turned by ±π/2; else 0."""
+    (A1, B1, _), (A2, B2, _) = one.coefficients, other.coefficients
+    if not (A2 + B1) and not (B2 - A1):
+        return 1
+    return -1 if not (A2 - B1) and not (B2 + A1) else 0
+
+
+def angle_of(sine: sympy.Expr, cosine: sympy.Expr) -> sympy.Expr:
+    """Return the angle of a sine and a cosine: θ itself of sin θ and cos θ."""
+    if cosine.func is sympy.cos:
+        [theta] = cosine.args
+        for sign in (1, -1):
+            if sine == sign * sympy.sin(theta):
+                return sign * theta
+    return sympy.atan2(sine, cosine)
+
+
+def _lowest(*values: sympy.Expr) -> list[sympy.Expr]:
+    """Return the values without the numbers and the symbols that all of them have as a factor."""
+    factors = [set(sympy.Mul.make_args(value)) for value in values if value != 0]
+    shared = set.intersection(*factors) if factors else set()
+    divisor = sympy.Mul(*shared)
+    return [value / divisor for value in values] if divisor != 0 else list(values)
+
+
+def _quotient(a: sympy.Expr, b: sympy.Expr) -> sympy.Expr:
+    return sympy.expand(a / b) if b.is_number else a / b
+
+
+def _vanishes(*values: sympy.Expr) -> Any:
+    """Return the condition that all values are zero; false if one never is."""
+    return sympy.And(*(sympy.false if v.is_number and v != 0 else sympy.Eq(v, 0) for v in values if v != 0))

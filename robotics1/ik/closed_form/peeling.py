@@ -1,0 +1,261 @@
+"""Joint after joint from the equations of a chain, until all are known.
+
+A joint that is known at either end of the chain goes to the side of the target, and the pose of what is left gets new
+symbols: so equations stay as short as at the beginning.
+
+Source: Paul, Robot Manipulators, 1981, chapter 3; Pieper, The kinematics of manipulators under computer control, 1968.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy
+
+from robotics1.errors import FormulaError
+from robotics1.ik.closed_form.equations import SIDES, PartOfChain
+from robotics1.ik.closed_form.one_unknown import OneUnknown, Solved, read, solve_one, solve_pair, turned
+from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
+from robotics1.ik.closed_form.trial_point import TrialPoint
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
+from robotics1.symbolic.writing.sums_of_angles import with_decimals, written
+
+
+VANISHES = 1e-9  # a coefficient at the trial point
+Equations = tuple[OneUnknown, ...]
+Numbers = dict[sympy.Symbol, float]
+
+
+class JointFormula(NamedTuple):
+    """A joint in the target's symbols and in the joints before it.
+
+    Attributes:
+        q: its symbol.
+        options: one or two formulas.
+        exists_if, double_if, free_if: when there are any, when the two are one, and when q is not determined.
+    """
+
+    q: sympy.Symbol
+    options: tuple[sympy.Expr, ...]
+    exists_if: Any
+    double_if: Any
+    free_if: Any
+
+
+@dataclass(eq=False)
+class Peeling:
+    """The joints that are still unknown, and the formulas of the others.
+
+    Attributes:
+        part: the joints that are left, and the pose between their ends.
+        definitions: of the symbols in that pose, by the target and the joints that are known.
+        unknown: the symbols of the joints that are not known.
+        trial: where equations are tried.
+        thorough: whether equations are tried that are longer than need be, so that fewer solutions are to be chosen from.
+        found: the formulas of the known ones.
+    """
+
+    chain: TargetChain
+    target: Target
+    part: PartOfChain
+    definitions: Definitions
+    unknown: set[sympy.Symbol]
+    trial: TrialPoint
+    thorough: bool = False
+    found: list[JointFormula] = field(default_factory=list)
+
+    def begin(self, R: Matrix) -> None:
+        """Begin with these axes of the last link in the first."""
+        R, p = self._named(R, self.part.p)
+        self.part = replace(self.part, R=R, p=p)
+
+    def solve(self) -> tuple[JointFormula, ...]:
+        """Return the formulas of all joints, in an order in which each needs only those before it.
+
+        Raises:
+            FormulaError: no equation with one unknown joint is left.
+        """
+        self._peel()
+        while self.unknown:
+            solved = self._next()
+            q = self._joint(solved.unknown)
+            rest = self._rest(solved.unknown, q)
+            options = tuple(self._defined(option) - rest for option in solved.options)
+            conditions = (solved.exists_if, solved.double_if, solved.free_if)
+            self.found.append(JointFormula(q, options, *map(self._defined, conditions)))
+            self.unknown.discard(q)
+            self._peel()
+        return tuple(self.found)
+
+    def constraints(self) -> tuple[sympy.Expr, ...]:
+        """Return what must vanish of the target alone, of a task with more rows than joints."""
+        found = {self._defined(self.write(f)) for f in self.part.equations(0, 0) if self._says_something(f)}
+        return tuple(sorted((e for e in found if not e.is_number), key=str))
+
+    def write(self, f: TrigPolynomial) -> sympy.Expr:
+        """Return a polynomial as an expression, with the symbols of the pose."""
+        return with_decimals(written(f, self.target.groups))
+
+    # --- one equation after the other
+
+    def _next(self) -> Solved:
+        """Return the solution of the joint that has the fewest and shortest."""
+        equations: dict[Any, list[OneUnknown]] = {}
+        pose = self._trial_pose()
+        best = None
+        for sides in SIDES:
+            if best is not None and (sum(sides) > 1 and (not self.thorough or best[0] == 1)):
+                break
+            for f in self.part.equations(*sides):
+                found = self._read(f)
+                if found is not None and self._counts(found, pose):
+                    equations.setdefault(found.unknown, []).append(found)
+            best = self._best(equations, pose)
+        if best is None:
+            names = ", ".join(sorted(q.name for q in self.unknown))
+            raise FormulaError(
+                f"no closed formula is found: every equation that is left holds at least two of {names}, or a "
+                f"polynomial of a higher degree; ik_solutions finds the numbers"
+            )
+        _, chosen = best
+        return solve_pair(*chosen, self.write) if len(chosen) == 2 else solve_one(chosen[0], self.write)
+
+    def _best(self, equations: dict[Any, list[OneUnknown]], pose: Numbers) -> tuple[int, Equations] | None:
+        """Return the number of solutions and the equation, or the pair, that gives the fewest and is the shortest."""
+        choices: list[tuple[int, int, Equations]] = []
+        for found in equations.values():
+            ordered = sorted(found, key=lambda equation: equation.terms)
+            pair = self._pair(ordered, pose) if ordered[0].is_angle else None
+            if pair is not None:
+                choices.append((1, pair[0].terms + pair[1].terms, pair))
+            else:
+                chosen = next((e for e in ordered if e.is_linear), ordered[0])
+                choices.append((1 if chosen.is_linear else 2, chosen.terms, (chosen,)))
+        if not choices:
+            return None
+        best = min(choices, key=lambda choice: choice[:2])
+        return best[0], best[2]
+
+    def _pair(self, ordered: Sequence[OneUnknown], pose: Numbers) -> Equations | None:
+        """Return the shortest two equations in one angle that are independent, those of a turned frame first."""
+        at = self.trial.at
+        rows = [(at(e.coefficients[0], pose), at(e.coefficients[1], pose)) for e in ordered]
+        independent = [
+            (ordered[m], ordered[n])
+            for n, other in enumerate(rows)
+            for m, one in enumerate(rows[:n])
+            if abs(one[0] * other[1] - one[1] * other[0]) > VANISHES
+        ]
+        return next((pair for pair in independent if turned(*pair)), independent[0] if independent else None)
+
+    def _counts(self, equation: OneUnknown, pose: Numbers) -> bool:
+        """Whether an equation says anything of its unknown at the trial point."""
+        first, second, third = equation.coefficients
+        moving = (first, second) if equation.is_angle else (second, third)
+        return any(f and abs(self.trial.at(f, pose)) > VANISHES for f in moving)
+
+    def _trial_pose(self) -> Numbers:
+        part = self.part
+        return self.trial.pose(self.chain.entries, part.links, part.i, part.j, part.point)
+
+    def _read(self, f: TrigPolynomial) -> OneUnknown | None:
+        found = read(f, self._angles, self._lengths, self._nothing)
+        return found if found is None or self._joint(found.unknown) is not None else None
+
+    def _says_something(self, f: TrigPolynomial) -> bool:
+        places = {m for c in f.terms.values() for m in c.itermonoms()}
+        known = not any(m[place] for m in places for place in (*self._nothing, *self._lengths))
+        return bool(f) and known and not self._angles & set(f.angles)
+
+    @property
+    def _angles(self) -> set[int]:
+        return {j for j, angle in enumerate(self.chain.trig_ring.angles) if angle in self.unknown}
+
+    @property
+    def _lengths(self) -> set[int]:
+        return {j for j, symbol in enumerate(self.chain.trig_ring.ring.symbols) if symbol in self.unknown}
+
+    @property
+    def _nothing(self) -> set[int]:
+        symbols = self.chain.trig_ring.ring.symbols
+        return {j for j, symbol in enumerate(symbols) if self.definitions.get(symbol, 0) is None}
+
+    def _joint(self, unknown: Any) -> Any:
+        """Return the joint that an unknown is, or None."""
+        if isinstance(unknown, sympy.Symbol):
+            return unknown
+        angles = [self.chain.trig_ring.angles[j] for j, m in enumerate(unknown) if m]
+        return angles[0] if len(angles) == 1 and sum(unknown) == self.chain.trig_ring.turns_of(angles[0]) == 1 else None
+
+    def _rest(self, unknown: Any, q: sympy.Symbol) -> sympy.Expr:
+        return sympy.S.Zero
+
+    def _defined(self, e: Any) -> Any:
+        return e.xreplace({symbol: value for symbol, value in self.definitions.items() if value is not None})
+
+    # --- known joints go to the side of the target
+
+    def _peel(self) -> None:
+        part, links = self.part, self.part.links
+        while part.i < part.j and not self._moves_unknown(part.i):
+            step = links.steps[part.i]
+            R, p = self._named(step.direction_behind(part.R), step.point_behind(part.p))
+            part = replace(part, i=part.i + 1, R=R, p=p)
+        while part.i < part.j and not self._moves_unknown(part.j - 1):
+            step = links.steps[part.j - 1]
+            R, p = self._named(part.R @ step.direction_behind(part.chain.still[0]), part.p)
+            part = replace(part, j=part.j - 1, R=R, p=p, point=step.point(part.point))
+        self.part = self._with_what_is_the_same(self._at_a_better_point(part))
+
+    def _with_what_is_the_same(self, part: PartOfChain) -> PartOfChain:
+        """Return the part with those entries of its pose that no unknown joint changes as what they are."""
+        R, p = part.chain.still[0], part.point
+        for step in reversed(part.links.steps[part.i : part.j]):
+            R, p = step.direction(R), step.point(p)
+        M, T = np.column_stack([*R.T, p]), np.column_stack([*part.R.T, part.p])
+        for place, f in np.ndenumerate(M):
+            if not f.symbols & self.unknown:
+                T[place] = f
+        return replace(part, R=T[:, :3], p=T[:, 3])
+
+    def _moves_unknown(self, k: int) -> bool:
+        step = self.part.links.steps[k]
+        used = {symbol for f in (*step.turn.flat, *step.slide) for symbol in f.symbols}
+        return bool(used & self.unknown)
+
+    def _at_a_better_point(self, part: PartOfChain) -> PartOfChain:
+        """Return the part with the position of the point that most joints before the last link leave where it is."""
+        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
+        if any(f.symbols & nothing for f in (*part.R.flat, *part.p)) or part.i == part.j:
+            return part
+
+        def joints_behind(point: Matrix) -> int:
+            used = set()
+            for k in range(part.j - 1, part.i - 1, -1):
+                point = part.links.steps[k].point(point)
+                used |= {s for f in point for s in f.symbols}
+            return len(used & self.unknown)
+
+        point = min(part.links.points[part.j], key=joints_behind)
+        if joints_behind(point) >= joints_behind(part.point):
+            return part
+        R, p = self._named(part.R, part.p + part.R @ (point - part.point))
+        return replace(part, R=R, p=p, point=point)
+
+    def _named(self, R: Matrix, p: Matrix) -> tuple[Matrix, Matrix]:
+        """Return a pose with new symbols for the entries that hold such symbols."""
+        ring = self.chain.trig_ring.ring
+        definitions: Definitions = {}
+        T = np.column_stack([*R.T, p])
+        named = np.array(T)
+        symbols = set(self.chain.entries.flat)
+        nothing = {ring.symbols[j] for j in self._nothing}
+        for place, f in np.ndenumerate(T):
+            used = f.symbols & symbols
+            if used:
+                symbol = self.chain.entries[place]
+                definitions[symbol] = None if used & nothing else self._defined(self.write(f))
+                named[place] = self.chain.generator(symbol)
+        self.definitions = definitions
+        return named[:, :3], named[:, 3]

@@ -1,0 +1,127 @@
+"""Inverse formulas as source: Python, C and LaTeX. Each joint with two formulas is a loop over both."""
+
+import re
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import sympy
+from sympy.printing.c import C99CodePrinter
+from sympy.printing.numpy import NumPyPrinter
+
+from robotics1.names import printable
+from robotics1.symbolic.writing.printing import INDENT, USED, latex_text, spelled
+
+if TYPE_CHECKING:
+    from robotics1.ik.closed_form.family import IKFormulas
+
+C_WORDS = set(
+    "auto break case char const continue default do double else enum extern float for goto if inline int long register "
+    "restrict return short signed sizeof static struct switch typedef union unsigned void volatile while main "
+    "isfinite sin cos tan asin acos atan atan2 sqrt fabs pow exp log y0 y1 yn j0 j1 jn gamma found".split()
+)
+
+
+def python_source(formulas: "IKFormulas", name: str) -> str:
+    """Return the source of a function in Python: target's numbers and lengths → the solutions, (k, n)."""
+    target, joints = [s.name for s in formulas.target], [joint.q.name for joint in formulas.joints]
+    names = spelled(formulas.robot.parameters, {*target, *joints, *USED, "solutions", "target", name})
+    printer = NumPyPrinter()
+
+    def write(e: sympy.Expr) -> str:
+        return re.sub(r"\bnumpy\.", "np.", printer.doprint(_renamed(e, names)))
+
+    given = [f"{names[key]}={value!r}" for key, value in formulas.robot.parameters.items()]
+    taking = ", ".join(["target", *(["*", *given] if given else [])])
+    shown = ", ".join(printable(joint).replace("\\", "/").replace('"', "'") for joint in formulas.names)
+    lines = [
+        "import numpy as np",
+        "",
+        "",
+        f"def {name}({taking}):",
+        f'{INDENT}"""Return the solutions, (k, {len(joints)}): {shown}."""',
+        f"{INDENT}{', '.join(target)}{',' if len(target) == 1 else ''} = map(np.float64, target)",
+        f"{INDENT}solutions = []",
+        f'{INDENT}with np.errstate(all="ignore"):',
+    ]
+    depth, body = _loops(
+        formulas, write, 2, lambda q, both: f"for {q} in ({', '.join(both)}):", lambda q, e: f"{q} = {e}"
+    )
+    lines += body
+    indent = INDENT * depth
+    lines += [f"{indent}if np.isfinite([{', '.join(joints)}]).all():"]
+    lines += [f"{indent}{INDENT}solutions.append([{', '.join(joints)}])"]
+    lines += [f"{INDENT}return np.array(solutions).reshape(-1, {len(joints)})"]
+    return "\n".join(lines) + "\n"
+
+
+def c_source(formulas: "IKFormulas", name: str) -> str:
+    """Return the source of a function in C."""
+    target, joints = [s.name for s in formulas.target], [joint.q.name for joint in formulas.joints]
+    names = spelled(formulas.robot.parameters, {*target, *joints, *C_WORDS, "solutions", name})
+    names = {key: re.sub(r"[^A-Za-z0-9_]", "_", word) for key, word in names.items()}
+    names = dict(zip(names, spelled(names.values(), {*target, *joints}).values(), strict=True))
+    printer = C99CodePrinter()
+
+    def write(e: sympy.Expr) -> str:
+        return str(printer.doprint(_renamed(e, names)))
+
+    number = 1
+    for joint in formulas.joints:
+        number *= len(joint.options)
+    taking = ", ".join(f"double {word}" for word in (*target, *names.values()))
+    lines = [
+        "#include <math.h>",
+        "",
+        f"/* Writes the solutions ({', '.join(joints)}) and returns their number. */",
+        f"int {name}({taking}, double solutions[{number}][{len(joints)}])",
+        "{",
+        f"{INDENT}int found = 0;",
+    ]
+    depth, body = _loops(
+        formulas,
+        write,
+        1,
+        lambda q, both: f"for (int {q}_i = 0; {q}_i < 2; {q}_i++) {{ double {q} = {q}_i == 0 ? {both[0]} : {both[1]};",
+        lambda q, e: f"double {q} = {e};",
+    )
+    lines += body
+    indent = INDENT * depth
+    test = " && ".join(f"isfinite({q})" for q in joints)
+    lines += [f"{indent}if ({test}) {{"]
+    lines += [f"{indent}{INDENT}solutions[found][{i}] = {q};" for i, q in enumerate(joints)]
+    lines += [f"{indent}{INDENT}found++;", f"{indent}}}"]
+    lines += [INDENT * level + "}" for level in range(depth - 1, 0, -1)]
+    return "\n".join([*lines, f"{INDENT}return found;", "}"]) + "\n"
+
+
+def latex_source(formulas: "IKFormulas") -> str:
+    """Return the formulas as lines of an environment of LaTeX."""
+    lines = []
+    for joint in formulas.joints:
+        both = r" \quad\text{or}\quad ".join(latex_text(option) for option in joint.options)
+        where = "" if joint.exists_if == sympy.true else rf" && {latex_text(joint.exists_if)}"
+        lines.append(f"{latex_text(joint.q)} &= {both}{where}")
+    return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}"
+
+
+def _loops(
+    formulas: "IKFormulas",
+    write: Callable[[sympy.Expr], str],
+    depth: int,
+    loop: Callable[[str, list[str]], str],
+    assignment: Callable[[str, str], str],
+) -> tuple[int, list[str]]:
+    """Return the depth of the innermost loop, and the lines."""
+    lines = []
+    for joint in formulas.joints:
+        texts = [write(option) for option in joint.options]
+        if len(texts) > 1:
+            lines.append(INDENT * depth + loop(joint.q.name, texts))
+            depth += 1
+        else:
+            lines.append(INDENT * depth + assignment(joint.q.name, texts[0]))
+    return depth, lines
+
+
+def _renamed(e: sympy.Expr, names: dict[str, str]) -> sympy.Expr:
+    return e.xreplace({sympy.Symbol(old, real=True): sympy.Symbol(new, real=True) for old, new in names.items()})
