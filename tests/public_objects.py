@@ -132,6 +132,11 @@ def paths():
     ]
 
 
+@cache
+def inverse():
+    return r1.ik.ik_formulas(arm("planar_2r"), PLANE)
+
+
 LIMITS = r1.MotionLimits(1.0, 3.0, 20.0)
 
 
@@ -172,6 +177,8 @@ INSTANCES = {
     "GainStatus": lambda: list(r1.control.GainStatus),
     "HarmonicCurve": lambda: [r1.curves.circle_path([0, 0], 1.0), *laws()[1:3], r1.curves.stretched(laws()[1], 2.0)],
     "IKBatch": lambda: [r1.IKSolver(arm("planar_2r"), PLANE).solve_batch([TARGET, [0.5, 0.5]])],
+    "IKBranch": lambda: list(inverse().branches),
+    "IKFormulas": lambda: [inverse()],
     "IKIterate": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q).table[0]],
     "IKIteration": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q)],
     "IKResult": lambda: [r1.solve_ik(arm("planar_2r"), PLANE, TARGET), r1.solve_ik(arm("planar_2r"), PLANE, [9, 9])],
@@ -231,6 +238,7 @@ INSTANCES = {
     "SingularAngle": lambda: list(r1.orientation.euler_formulas("ZYZ").singular),
     "SingularBranch": lambda: [branch for found in singular_sets() for branch in found.branches],
     "SingularSet": singular_sets,
+    "SingularTarget": lambda: list(inverse().singular_if),
     "SingularityScan": lambda: [scan()],
     "StackedCurve": lambda: [r1.curves.stacked_path([r1.line_path([0], [1]), r1.line_path([1], [3])])],
     "Subspaces": lambda: [r1.subspaces(PLANE.jacobian(arm("planar_2r"), q)) for q in (Q, [0.3, 0])],

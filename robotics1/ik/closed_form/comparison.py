@@ -8,15 +8,12 @@ from typing import Any
 
 import numpy as np
 import pinocchio as pin
-import sympy
 
 from robotics1.errors import FormulaError
 from robotics1.ik.closed_form.family import IKFormulas
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.symbolic.tasks.verification import Trials
-from robotics1.symbolic.writing.printing import numpy_function
-from robotics1.tasks.task import Task
 
 AGREES = 1e-7  # relative: formulas lose digits near singular targets
 TRIALS = 8  # configurations for each set of lengths
@@ -58,19 +55,11 @@ def _compare(formulas: IKFormulas, robot: Robot, q: Array, target: Any, found: A
 
 def _compiled(formulas: IKFormulas) -> Any:
     """Return a function of a target and the values of the parameters: the solutions, (k, n)."""
-    parameters = [sympy.Symbol(name, real=True) for name in formulas.robot.parameters]
-    known = [*formulas.target, *parameters]
-    steps = []
-    for joint in formulas.joints:
-        steps.append(numpy_function(known, sympy.Matrix(joint.options)))
-        known = [*known, joint.q]
+    inverse = formulas.function()
 
     def solve(target: Any, values: list[float]) -> Array:
         flat = np.asarray(target.homogeneous if isinstance(target, pin.SE3) else target, dtype=float).ravel()
-        partial = [[*(np.float64(sign * flat[n]) for n, sign in formulas.places), *map(np.float64, values)]]
-        with np.errstate(all="ignore"):
-            for step in steps:
-                partial = [[*row, q] for row in partial for q in np.ravel(step(*row)) if np.isfinite(q)]
-        return np.array(partial, dtype=float).reshape(len(partial), -1)[:, len(formulas.target) + len(parameters) :]
+        lengths = dict(zip(inverse.__kwdefaults__ or {}, map(np.float64, values), strict=True))
+        return np.asarray(inverse([sign * flat[n] for n, sign in formulas.places], **lengths))
 
     return solve

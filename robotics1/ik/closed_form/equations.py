@@ -13,12 +13,10 @@ for points o and f that are fixed in the last and in the first link, directions 
 is the procedure of Paul, with the distances of Pieper.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
-from robotics1.ik.closed_form.links import Links
+from robotics1.ik.closed_form.links import Links, Step
 from robotics1.symbolic.kinematics.chain import Chain
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 
@@ -57,10 +55,11 @@ class PartOfChain:
 
     def _points(self, b: int) -> list[Matrix]:
         if b == 0:
-            return [self.point, *self.links.points[self.j]]
+            others = [point for point in self.links.points[self.j] if any(point - self.point)]
+            return [self.point, *others]
         return list(self.links.points[self.j - b])
 
-    def _steps(self, a: int, b: int) -> list:
+    def _steps(self, a: int, b: int) -> list[Step]:
         return list(self.links.steps[self.i + a : self.j - b])
 
     def _in_first_link(self, point: Matrix, b: int) -> tuple[Matrix, Matrix]:
@@ -103,8 +102,10 @@ class PartOfChain:
 
     def _distances(self, a: int, b: int, L: tuple[Matrix, Matrix], M: Matrix) -> Iterator[TrigPolynomial]:
         """Return the equations with squares and products, with RᵀR = 1 used."""
-        two, (v, _) = self.chain.trig_ring.constant(2), L
+        two, v, turned = self.chain.trig_ring.constant(2), L[0], L[1] - self.p
         inner, still = self.links.steps[self.i + a : self.j - b], not any(v)
+        if inner:
+            d, right, along = self._line(inner, b, v)
         for f_last in self.links.points[self.i + a]:
             f = f_last
             for step in reversed(self.links.steps[self.i : self.i + a]):
@@ -112,20 +113,19 @@ class PartOfChain:
             u, m = self.p - f, M - f_last
             square = u @ u - m @ m
             if not still:
-                square = square + two * (u @ (self.R @ v)) + v @ v
+                square = square + two * (u @ turned) + v @ v
             yield square
             if inner:
-                yield from self._along(a, b, u, v, m)
+                yield u @ right + along - m @ d
                 if still and a == 0:
                     n = inner[0].R @ inner[0].axis
                     yield square - ((n @ u) * (n @ u) - (n @ m) * (n @ m))
 
-    def _along(self, a: int, b: int, u: Matrix, v: Matrix, m: Matrix) -> Iterator[TrigPolynomial]:
-        """Return the equation along the last axis between the links."""
-        inner = self.links.steps[self.i + a : self.j - b]
+    def _line(self, inner: Sequence[Step], b: int, v: Matrix) -> tuple[Matrix, Matrix, TrigPolynomial]:
+        """Return the last axis d between the links as M d and L d, and v·d."""
         d = right = inner[-1].axis
         for step in self.links.steps[self.j - b : self.j]:
             right = step.direction_behind(right)
         for step in reversed(inner):
             d = step.direction(d)
-        yield u @ (self.R @ right) + v @ right - m @ d
+        return d, self.R @ right, v @ right

@@ -1,5 +1,6 @@
 """The formulas of all solutions: a result that explains itself and can be written as source."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
 from typing import Any, NamedTuple
@@ -16,7 +17,7 @@ from robotics1.robot.model import Robot
 from robotics1.symbolic.writing.printing import line_text
 from robotics1.tasks.task import Task
 
-
+LONG = 80  # operations of a condition that is not expanded
 SHORT = 3  # joints, up to which a formula in the target alone is simplified where it is put together
 
 
@@ -118,9 +119,9 @@ class IKFormulas(Frozen):
         found: dict[tuple[str, str, bool], SingularTarget] = {}
         for branch in self.branches:
             for name, joint in zip(self.names, self.joints, strict=True):
-                for condition, is_free in ((joint.free_if, True), (joint.double_if, False)):
-                    if len(self.joints) <= SHORT:
-                        condition = _short(branch.in_the_target(condition))
+                for found_of, is_free in ((joint.free_if, True), (joint.double_if, False)):
+                    is_short = len(self.joints) <= SHORT
+                    condition = _short(branch.in_the_target(found_of)) if is_short else found_of
                     if condition.free_symbols - self._constants:
                         case = SingularTarget(condition, name, is_free)
                         found.setdefault((str(condition), name, is_free), case)
@@ -138,13 +139,16 @@ class IKFormulas(Frozen):
             InputError: the target has the wrong form.
         """
         flat = np.asarray(getattr(target := self.task.target(target), "homogeneous", target), dtype=float).ravel()
-        scope: dict[str, Any] = {}
-        exec(self.python("inverse"), scope)
-        values = [sign * flat[n] for n, sign in self.places]
-        found = np.array(scope["inverse"](values)).reshape(-1, len(self.names))
+        found = self.function()([sign * flat[n] for n, sign in self.places])
         q = np.zeros((len(found), self.robot.nq))
         q[:, [self.robot.joint_names.index(name) for name in self.names]] = found
         return q
+
+    def function(self) -> Callable[..., Any]:
+        """Return the function that `python` writes."""
+        scope: dict[str, Any] = {}
+        exec(compile(self.python("inverse"), "<inverse formulas>", "exec"), scope)
+        return scope["inverse"]  # type: ignore[no-any-return]
 
     def explain(self) -> str:
         """Return the formulas with their conditions, the singular targets and the free joints, in sentences."""
@@ -196,10 +200,13 @@ class IKFormulas(Frozen):
 
 
 def _short(condition: Any) -> Any:
-    """Return a condition expanded, where it is short, so that cos² + sin² and roots of squares are gone."""
-    if isinstance(condition, sympy.Eq) and condition.rhs == 0 and condition.count_ops() < 80:
-        return sympy.Eq(sympy.factor_terms(sympy.expand(condition.lhs)), 0)
-    return condition
+    """Return a condition e = 0 expanded, where it is short, so that cos² + sin² and roots are gone."""
+    if not isinstance(condition, sympy.Eq) or condition.rhs != 0 or condition.count_ops() > LONG:
+        return condition
+    _, e = sympy.factor_terms(sympy.expand(condition.lhs)).as_coeff_Mul()
+    while e.is_Pow and e.exp.is_positive:
+        _, e = e.base.as_coeff_Mul()
+    return sympy.Eq(e, 0)
 
 
 def _sentence(condition: Any) -> str:

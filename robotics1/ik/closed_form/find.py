@@ -54,9 +54,9 @@ def _found(robot: Robot, task: Task, form: FrameMap, *, thorough: bool) -> IKFor
     moving = _moving(chain, links, target)
     _check_number(robot, task, moving)
     peeling = _peeling(chain, links, target, moving, thorough=thorough)
-    constraints = peeling.constraints()
+    constraints = peeling.constraints() if len(moving) < task.rows else ()
     joints = peeling.solve()
-    names = {q: name for q, name in zip(chain.q, robot.joint_names, strict=True)}
+    names = dict(zip(chain.q, robot.joint_names, strict=True))
     formulas = IKFormulas(
         robot=robot,
         task=task,
@@ -71,7 +71,7 @@ def _found(robot: Robot, task: Task, form: FrameMap, *, thorough: bool) -> IKFor
     return formulas
 
 
-def _axes(robot: Robot, chain: TargetChain, form: FrameMap):  # noqa: ANN202
+def _axes(robot: Robot, chain: TargetChain, form: FrameMap):
     """Return the constant rotation to the axes that the task is written in; None for the world's."""
     if form.reference == "world":
         return None

@@ -10,6 +10,7 @@ from sympy.polys.domains import QQ_I
 from robotics1.ik.closed_form.trig_equation import angles_of, existence
 from robotics1.symbolic.polynomials.trig_polynomial import Exponents, TrigPolynomial
 
+SMALL = 1e-9  # a coefficient that may be rounding
 ROUNDING = 1e-13  # of the largest coefficient
 
 
@@ -68,7 +69,8 @@ def read(f: TrigPolynomial, angles: Collection[int], lengths: Collection[int], n
     """
     if not f.terms:
         return None
-    f = f.without_rounding(ROUNDING * f.largest)
+    if any(abs(complex(float(a.x), float(a.y))) < SMALL for c in f.terms.values() for a in c.itercoeffs()):
+        f = f.without_rounding(ROUNDING * f.largest)
     slides: set[int] = set()
     for c in f.terms.values():
         for m in c.itermonoms():

@@ -21,7 +21,6 @@ from robotics1.ik.closed_form.trial_point import TrialPoint
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 from robotics1.symbolic.writing.sums_of_angles import with_decimals, written
 
-
 VANISHES = 1e-9  # a coefficient at the trial point
 Equations = tuple[OneUnknown, ...]
 Numbers = dict[sympy.Symbol, float]
@@ -52,7 +51,7 @@ class Peeling:
         definitions: of the symbols in that pose, by the target and the joints that are known.
         unknown: the symbols of the joints that are not known.
         trial: where equations are tried.
-        thorough: whether equations are tried that are longer than need be, so that fewer solutions are to be chosen from.
+        thorough: whether longer equations are tried where shorter ones leave two solutions.
         found: the formulas of the known ones.
     """
 
@@ -105,7 +104,7 @@ class Peeling:
         pose = self._trial_pose()
         best = None
         for sides in SIDES:
-            if best is not None and (sum(sides) > 1 and (not self.thorough or best[0] == 1)):
+            if best is not None and (best[0] == 1 or (sum(sides) > 1 and not self.thorough)):
                 break
             for f in self.part.equations(*sides):
                 found = self._read(f)

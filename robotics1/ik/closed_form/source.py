@@ -14,11 +14,13 @@ from robotics1.symbolic.writing.printing import INDENT, USED, latex_text, spelle
 if TYPE_CHECKING:
     from robotics1.ik.closed_form.family import IKFormulas
 
-C_WORDS = set(
-    "auto break case char const continue default do double else enum extern float for goto if inline int long register "
-    "restrict return short signed sizeof static struct switch typedef union unsigned void volatile while main "
-    "isfinite sin cos tan asin acos atan atan2 sqrt fabs pow exp log y0 y1 yn j0 j1 jn gamma found".split()
-)
+C_WORDS = {
+    *("auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum", "extern"),
+    *("float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return", "short", "signed"),
+    *("sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void", "volatile", "while", "main"),
+    *("isfinite", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "fabs", "pow", "exp", "log"),
+    *("y0", "y1", "yn", "j0", "j1", "jn", "gamma", "found"),
+}
 
 
 def python_source(formulas: "IKFormulas", name: str) -> str:

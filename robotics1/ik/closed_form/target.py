@@ -51,12 +51,8 @@ class TargetChain(Chain):
     def named(self, names: list[str]) -> list[str]:
         """Return names for the target that no parameter has: with _ behind where one does."""
         taken = {*self.robot.parameters, *(q.name for q in self.q)}
-        found = []
-        for name in names:
-            while name in taken:
-                name += "_"
-            found.append(name)
-        return found
+        longest = len(max(taken, key=len, default=""))
+        return [next(name + "_" * k for k in range(longest + 2) if name + "_" * k not in taken) for name in names]
 
     def symbol(self, name: str) -> sympy.Symbol:
         """Return a symbol of the target."""
