@@ -26,7 +26,7 @@ def verify(formulas: IKFormulas) -> None:
         FormulaError: a solution misses its target, or one is not among the formulas' own.
     """
     robot, rng = formulas.robot, np.random.default_rng(1)
-    columns = [robot.joint_names.index(name) for name in formulas.names]
+    columns = [robot.joint_names.index(name) for name in formulas.in_order]
     solve = _compiled(formulas)
     for point in Trials(robot, (), ()).points:
         for _ in range(TRIALS):

@@ -9,12 +9,15 @@ of the target and M that of the joints,
     from an axis    |L o − f|² − (n·(L o − f))² = ...
     along a line    (L o − f)·L d = (M o − f)·M d
 
-for points o and f that are fixed in the last and in the first link, directions d, and the axis n of the next joint. This
-is the procedure of Paul, with the distances of Pieper.
+for points o and f that are fixed in the last and in the first link, directions d, and the axis n of the next joint.
+This is the procedure of Paul, with the distances of Pieper.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from robotics1.ik.closed_form.links import Links, Step
 from robotics1.symbolic.kinematics.chain import Chain
@@ -128,4 +131,5 @@ class PartOfChain:
             right = step.direction_behind(right)
         for step in reversed(inner):
             d = step.direction(d)
-        return d, self.R @ right, v @ right
+        along: Any = v @ right
+        return d, np.asarray(self.R @ right), along

@@ -128,6 +128,12 @@ class IKFormulas(Frozen):
         return tuple(found.values())
 
     @property
+    def in_order(self) -> dict[str, sympy.Symbol]:
+        """Joint → its symbol, in the order of the robot's q."""
+        symbols = {name: joint.q for name, joint in zip(self.names, self.joints, strict=True)}
+        return {name: symbols[name] for name in self.robot.joint_names if name in symbols}
+
+    @property
     def parameters(self) -> dict[str, float]:
         """The robot's named lengths and angles."""
         return dict(self.robot.parameters)
@@ -141,7 +147,7 @@ class IKFormulas(Frozen):
         flat = np.asarray(getattr(target := self.task.target(target), "homogeneous", target), dtype=float).ravel()
         found = self.function()([sign * flat[n] for n, sign in self.places])
         q = np.zeros((len(found), self.robot.nq))
-        q[:, [self.robot.joint_names.index(name) for name in self.names]] = found
+        q[:, [self.robot.joint_names.index(name) for name in self.in_order]] = found
         return q
 
     def function(self) -> Callable[..., Any]:
@@ -169,7 +175,10 @@ class IKFormulas(Frozen):
         return "\n".join(lines)
 
     def python(self, name: str = "inverse_kinematics") -> str:
-        """Return the source of a function of the target's numbers that returns the solutions, (k, n), with NumPy."""
+        """Return the source of a function of the target's numbers that returns the solutions, (k, n), with NumPy.
+
+        The joints are those of `in_order`; lengths are arguments by keyword.
+        """
         return python_source(self, name)
 
     def latex(self) -> str:

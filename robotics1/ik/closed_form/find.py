@@ -13,6 +13,7 @@ from robotics1.ik.closed_form.trial_point import trial_point
 from robotics1.inputs import a_robot_and_a_task
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import chain_to
+from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.tasks.task import FrameMap, Task
 
 
@@ -71,7 +72,7 @@ def _found(robot: Robot, task: Task, form: FrameMap, *, thorough: bool) -> IKFor
     return formulas
 
 
-def _axes(robot: Robot, chain: TargetChain, form: FrameMap):
+def _axes(robot: Robot, chain: TargetChain, form: FrameMap) -> Matrix | None:
     """Return the constant rotation to the axes that the task is written in; None for the world's."""
     if form.reference == "world":
         return None

@@ -6,6 +6,7 @@ joints of a spherical wrist disappear from an equation.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -127,7 +128,8 @@ def _foot_on(chain: Chain, steps: list[Step], i: int, link: int) -> Matrix | Non
         return None
     (a, n), (b, m) = own, other
     normal = cross(n, m)
-    inverse = _inverse(chain, normal @ normal)
+    square: Any = normal @ normal
+    inverse = _inverse(chain, square)
     if inverse is None:
         return None
     along = (cross(b - a, m) @ normal) * inverse

@@ -25,7 +25,7 @@ C_WORDS = {
 
 def python_source(formulas: "IKFormulas", name: str) -> str:
     """Return the source of a function in Python: target's numbers and lengths → the solutions, (k, n)."""
-    target, joints = [s.name for s in formulas.target], [joint.q.name for joint in formulas.joints]
+    target, joints = [s.name for s in formulas.target], [q.name for q in formulas.in_order.values()]
     names = spelled(formulas.robot.parameters, {*target, *joints, *USED, "solutions", "target", name})
     printer = NumPyPrinter()
 
@@ -34,7 +34,7 @@ def python_source(formulas: "IKFormulas", name: str) -> str:
 
     given = [f"{names[key]}={value!r}" for key, value in formulas.robot.parameters.items()]
     taking = ", ".join(["target", *(["*", *given] if given else [])])
-    shown = ", ".join(printable(joint).replace("\\", "/").replace('"', "'") for joint in formulas.names)
+    shown = ", ".join(printable(joint).replace("\\", "/").replace('"', "'") for joint in formulas.in_order)
     lines = [
         "import numpy as np",
         "",
@@ -58,7 +58,7 @@ def python_source(formulas: "IKFormulas", name: str) -> str:
 
 def c_source(formulas: "IKFormulas", name: str) -> str:
     """Return the source of a function in C."""
-    target, joints = [s.name for s in formulas.target], [joint.q.name for joint in formulas.joints]
+    target, joints = [s.name for s in formulas.target], [q.name for q in formulas.in_order.values()]
     names = spelled(formulas.robot.parameters, {*target, *joints, *C_WORDS, "solutions", name})
     names = {key: re.sub(r"[^A-Za-z0-9_]", "_", word) for key, word in names.items()}
     names = dict(zip(names, spelled(names.values(), {*target, *joints}).values(), strict=True))

@@ -141,7 +141,7 @@ def _set_angle(
     """Write the entries of the pose with the angle φ, of a frame that turns in a plane: w = c + i s = κ exp(i k·q)."""
     F = chain.trig_ring
     (sine, cosine), i = places, F.constant(F.ring(QQ_I(0, 1)))
-    w = M[cosine] + i * M[sine]
+    w: TrigPolynomial = M[cosine] + i * M[sine]
     if len(w.terms) != 1 or set((w * w.conjugate).terms) != {F.zero}:
         raise FormulaError(f"the frame does not turn in a plane, so {phi.name} gives no entry of its rotation")
     [(k, kappa)] = w.terms.items()
