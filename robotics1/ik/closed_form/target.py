@@ -148,7 +148,8 @@ def _set_angle(
     turn = F.exponential({phi: 1}) * TrigPolynomial(F, {F.zero: kappa}).conjugate  # exp(i k·q)
     for place in np.ndindex(3, 3):
         known = F.constant(0)
-        for n, c in M[place].terms.items():
+        entry: Any = M[place]
+        for n, c in entry.terms.items():
             factor = {k: turn, tuple(-m for m in k): turn.conjugate, F.zero: F.constant(1)}.get(n)
             if factor is None:
                 break
