@@ -23,6 +23,8 @@ from robotics1.robot.model import Robot
 from robotics1.singularities.points import singular_points
 from robotics1.tasks.task import Task
 
+MOST_WINDINGS = 100_000  # copies by whole turns that are listed
+
 
 def ik_solutions(
     robot: Robot,
@@ -41,7 +43,8 @@ def ik_solutions(
     one to three joints that move a point, a planar pose or an orientation; six joints, three of which, one after the
     other, have axes through a point (a spherical wrist) or move in a plane (three parallel axes, as of UR arms). Each
     solution is polished by Newton's method on the robot itself, and verified. `complete` then says that there are no
-    others, `method` how they were found, and BOUNDARY that two of them meet.
+    others (of six joints not where two solutions meet, since rounding may hide a third), `method` how they were found,
+    and BOUNDARY that two of them meet.
 
     Otherwise a search runs damped least squares from random starts and keeps what differs. It can miss a solution, so
     that `complete` is False where it has found some. UNREACHABLE is proven; a search that finds nothing is NOT_FOUND.
@@ -129,15 +132,26 @@ def _searched(problem: ScaledTask, target: Any, starts: int, seed: int) -> IKSol
 
 
 def with_windings(found: IKSolutions, problem: ScaledTask) -> IKSolutions:
-    """Return the solutions with all that differ from them by whole turns inside limits that both end."""
+    """Return the solutions with all that differ from them by whole turns inside limits that both end.
+
+    Raises:
+        InputError: there are more than `MOST_WINDINGS` of them.
+    """
     lower, upper = problem.lower, problem.upper
     turning = problem.robot.revolute & problem.moving & np.isfinite(lower) & np.isfinite(upper)
     period = problem.turns.period
+    least = np.where(turning, np.ceil((lower - found.q) / period - 1e-9), 0.0)
+    most = np.where(turning, np.floor((upper - found.q) / period + 1e-9), 0.0)
+    count = float(np.prod(most - least + 1, axis=1).sum())
+    if count > MOST_WINDINGS:
+        raise InputError(
+            f"inside these limits the solutions have {count:.3g} copies by whole turns; at most {MOST_WINDINGS} are "
+            f"listed: narrow the limits with box=, or leave windings out"
+        )
     copies, sources = [], []
     for i, q in enumerate(found.q):
-        least = np.where(turning, np.ceil((lower - q) / period - 1e-9), 0).astype(int)
-        most = np.where(turning, np.floor((upper - q) / period + 1e-9), 0).astype(int)
-        for turns in product(*(range(a, b + 1) for a, b in zip(least, most, strict=True))):
+        ranges = zip(least[i].astype(int), most[i].astype(int), strict=True)
+        for turns in product(*(range(a, b + 1) for a, b in ranges)):
             copies.append(q + np.where(turning, period, 0.0) * turns)
             sources.append(i)
     return replace(
