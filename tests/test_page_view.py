@@ -1,5 +1,7 @@
 """A page to play with: sliders, handle, warnings, solutions, and what is drawn where there are no shapes."""
 
+import json
+
 import numpy as np
 import pytest
 from arms import arm
@@ -115,6 +117,20 @@ def test_solutions_are_leafed_through_and_drawn_all_at_once(browser, tmp_path):
     page.tab.click("#overlay")
     assert page.ask("app.solutions.ghosts.map(g => g.group.visible)") == [False, True]
     page.tab.close()
+
+
+def test_what_ik_solutions_has_found_is_leafed_through():
+    robot = arm("planar_2r")
+    found = r1.ik_solutions(robot, r1.PositionTask("xy"), [0.5, 1.1])
+    html = r1.view(robot, solutions=found).html
+    assert f'"solutions":[{{"label":"","q":{json.dumps(found.q[0].tolist(), separators=(",", ":"))}}}' in html
+    assert html.count('"label":""') == len(found) == 2
+
+
+@pytest.mark.parametrize("solutions", [3, "q", [[0, 0], [0]], {"a": [0, np.nan]}, {1: [0, 0]}, [None]])
+def test_what_is_no_solution_is_an_input_error(solutions):
+    with pytest.raises(r1.InputError):
+        r1.view(arm("planar_2r"), solutions=solutions)
 
 
 @pytest.mark.parametrize("name", ["planar_2r", "cylindrical"])

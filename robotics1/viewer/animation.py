@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from robotics1.curves.given import Motion
 from robotics1.errors import InputError
+from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import Array, text
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -94,7 +95,7 @@ def view(
     file: str | Path | None = None,
     *,
     task: Task | None = None,
-    solutions: Sequence[npt.ArrayLike] | Mapping[str, npt.ArrayLike] = (),
+    solutions: IKSolutions | Sequence[npt.ArrayLike] | Mapping[str, npt.ArrayLike] = (),
     title: str | None = None,
     caption: str = "",
 ) -> Page:
@@ -108,8 +109,7 @@ def view(
             limits.
         file: the file to write.
         task: the task whose Jacobian the page shows; by default the position or the pose of the tool.
-        solutions: configurations (n,) to leaf through, such as those of an inverse kinematics; or label →
-            configuration.
+        solutions: what `ik_solutions` has found, or configurations (n,), to leaf through; or label → configuration.
         title: by default the robot's name.
         caption: lines under the title.
 
@@ -120,12 +120,22 @@ def view(
     Warns:
         RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
-    found = solutions.items() if isinstance(solutions, Mapping) else [("", solution) for solution in solutions]
-    states = [(text("the label of a solution", label), robot.configuration(at, "a solution")) for label, at in found]
+    states = _labelled(robot, solutions.q if isinstance(solutions, IKSolutions) else solutions)
     start = robot.configuration(q) if q is not None else states[0][1] if states else _resting(robot)
     shapes = Shapes()
     arms = [_arm(robot, start, task, shapes, robot.name)]
     return _page([robot], arms, [_actor(0, start)], shapes, states, title=title, caption=caption, file=file)
+
+
+def _labelled(robot: Robot, solutions: Any) -> list[tuple[str, Array]]:
+    """Return the solutions, each with its label or none."""
+    if isinstance(solutions, Mapping):
+        found = list(solutions.items())
+    elif isinstance(solutions, str) or not np.iterable(solutions):
+        raise InputError(f"solutions must be configurations, or label → configuration; it is {solutions!r}")
+    else:
+        found = [("", solution) for solution in solutions]
+    return [(text("the label of a solution", label), robot.configuration(at, "a solution")) for label, at in found]
 
 
 def _pairs(robot: Any, motion: Any, *, recorded_values: bool) -> tuple[list[Robot], list[Any]]:
