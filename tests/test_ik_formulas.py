@@ -309,3 +309,8 @@ def test_a_pose_target_is_an_se3():
     T = forward_kinematics(fam.robot, [0.1, 0.4, 0.6, -0.3, 0.2])
     assert isinstance(T, pin.SE3)
     assert any(same_turns(fam.robot, q, [0.1, 0.4, 0.6, -0.3, 0.2]) for q in fam.at(T))
+
+
+def test_a_task_that_no_joint_moves_is_refused():
+    with pytest.raises(TaskError, match="no joint of robot 'planar_2r' moves the task"):
+        ik_formulas(arm("planar_2r"), PositionTask("z"))

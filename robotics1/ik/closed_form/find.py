@@ -30,7 +30,7 @@ def ik_formulas(robot: Robot, task: Task) -> IKFormulas:
         task: r = f(q): coordinates of a frame, its rotation, its pose, or its angle in a plane.
 
     Raises:
-        TaskError: the task does not fit the robot, or more joints move it than it has rows.
+        TaskError: the task does not fit the robot, no joint moves it, or more joints do than it has rows.
         FormulaError: no closed formula is found, or it does not agree with Pinocchio.
 
     Source: Paul, Robot Manipulators, 1981, chapter 3; Craig, Introduction to Robotics, 2005, chapter 4.
@@ -94,6 +94,8 @@ def _moving(chain: TargetChain, links: Links, target: Target) -> set[sympy.Symbo
 
 
 def _check_number(robot: Robot, task: Task, moving: set[sympy.Symbol]) -> None:
+    if not moving:
+        raise TaskError(f"no joint of robot {robot.name!r} moves the task, so that there is nothing to solve for")
     if len(moving) > task.rows:
         raise TaskError(
             f"{len(moving)} joints of robot {robot.name!r} move a task of {task.rows} rows, so that a target has "
