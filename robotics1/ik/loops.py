@@ -1,4 +1,4 @@
-"""Six joints in a closed loop, Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1, of which the first three are special.
+"""Six joints in a closed loop, Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1; the first three are special.
 
 Their axes go through a point, or they move in a plane. One of the fixed placements, (4, 4) each, holds the target.
 What the three cannot change are two equations in two of the others.

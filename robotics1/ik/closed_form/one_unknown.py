@@ -44,7 +44,7 @@ class Solved:
     """The solutions of an unknown.
 
     Attributes:
-        unknown: as of the equation.
+        unknown: the joint that the equation gives.
         options: the solutions, one or two.
         exists_if: when there are any.
         double_if: where the two are one.

@@ -17,8 +17,8 @@ class Neighbours:
 
     These are materials and images in the folder of the mesh, below it, and, as `../textures/a.png`, in a folder
     beside it, and other files in the folder of the mesh or below it. So what lies elsewhere on this computer never
-    becomes part of a page: a picture from elsewhere is left out, as of a maker's `C:/textures`, and a mesh that wants
-    its corners from elsewhere is refused.
+    becomes part of a page: a picture from elsewhere, such as a maker's `C:/textures`, is left out, and a mesh that
+    wants its corners from elsewhere is refused.
     """
 
     def __init__(self, path: Path):
