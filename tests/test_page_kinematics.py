@@ -10,10 +10,22 @@ from robotics1 import (
     PoseTask,
     PositionTask,
     forward_kinematics,
+    frame_jacobian,
+    load_robot,
     view,
 )
 from robotics1.tasks.task import unitless_jacobian
 
+FOLLOWERS = """<robot name="followers"><link name="base"/><link name="a"/><link name="b"/><link name="c"/>
+<link name="tool"/>
+<joint name="q1" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0.6 0.8"/>
+<limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
+<joint name="slide" type="prismatic"><parent link="a"/><child link="b"/><origin xyz="0.3 0.1 -0.2" rpy="0.3 -0.7 1.1"/>
+<axis xyz="1 0 0"/><mimic joint="q1" multiplier="-0.5" offset="0.1"/>
+<limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
+<joint name="turn" type="revolute"><parent link="b"/><child link="c"/><origin xyz="0 0.4 0"/><axis xyz="0 1 0"/>
+<mimic joint="q1" multiplier="2" offset="-0.3"/><limit lower="-9" upper="9" velocity="9" effort="1"/></joint>
+<joint name="tip" type="fixed"><parent link="c"/><child link="tool"/><origin xyz="0.2 0 0.1"/></joint></robot>"""
 ARMS = ("prr", "cylindrical", "planar_2r", "planar_3r", "redundant", "six_r")
 TASKS = {
     "prr": PlanarPoseTask("xy"),
@@ -77,3 +89,15 @@ def test_a_followed_target_is_reached_where_fk_says(opened, name):
     e = TASKS[name].error(robot, found["q"], TASKS[name].value(robot, goal))
     assert np.abs(e).max() < 1e-4
     assert robot.within_limits(found["q"])
+
+
+def test_followers_move_in_the_page_as_pinocchio_moves_them(browser, tmp_path):
+    robot = load_robot(FOLLOWERS)
+    page = OpenPage(browser, view(robot, None, tmp_path / "followers.html").file)
+    for value in (-1.1, 0.4, 0.9):
+        T = forward_kinematics(robot, [value])
+        found = page.ask("app.arm.frame(app.arm.tool, app.arm.forward(a))", [value])
+        assert np.array(found).reshape(3, 4) == pytest.approx(T.homogeneous[:3], abs=1e-12)
+        J = page.ask("app.arm.jacobian(app.arm.tool, app.arm.forward(a))", [value])
+        assert np.array(J) == pytest.approx(frame_jacobian(robot, [value]), abs=1e-12)
+    page.tab.close()

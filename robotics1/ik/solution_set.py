@@ -29,7 +29,7 @@ class IKSolutions(Frozen):
         outside_limits: (j, nq) the solutions outside the limits, where the method finds these too.
         boundary_distance: how far the target is from the nearest one with a double solution that was seen [m, rad],
             where that is less than 1e-6; else ∞.
-        labels: (k,) a tuple of words for each solution, such as ("elbow up",), where the arm has such postures.
+        labels: names of the solutions' postures; empty, since no arm has them yet.
     """
 
     q: Array
