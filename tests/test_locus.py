@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy
+from hypothesis import given, strategies as st
 from polynomials import VALUES, F, Q, a, b, c, equal, poly, q1, q2, q3, q4, random_q, sympy_of, value
 from scipy.optimize import brentq
 from sympy import cos, pi, sin
@@ -16,6 +17,7 @@ from robotics1.symbolic.polynomials.factoring import irreducible_factors
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.polynomials.trig_polynomial import gaussian
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
+from robotics1.symbolic.singular_sets.emptiness import have_no_zero
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.pieces import largest_pieces
 from robotics1.symbolic.singular_sets.zeros import Substitution, zeros
@@ -261,3 +263,35 @@ def test_the_pieces_written_are_the_equations():
     (locus,) = loci(a * cos(q2) + b * cos(q2 + q3))
     assert sympy_of(locus.implicit[0].in_angles) in (a * cos(q2) + b * cos(q2 + q3), -a * cos(q2) - b * cos(q2 + q3))
     assert locus.joints == (1, 2)
+
+
+# --- proofs that there is no zero
+
+
+def proven_empty(*expressions, **known):
+    equations = [Evaluated(poly(sympy.sympify(e)), VALUES) for e in expressions]
+    joints = [i for i, symbol in enumerate(Q) if any(symbol in f.f.symbols for f in equations)]
+    return have_no_zero(equations, BOX, np.zeros(4), joints, **known)
+
+
+@given(st.fractions(-3, 3, max_denominator=20), st.fractions(-3, 3, max_denominator=20), st.integers(0, 9))
+def test_u_cos_q1_plus_v_sin_2_q2_plus_w_q4_has_no_zero_where_the_constant_is_larger_than_all_of_it(u, v, tenths):
+    u, v = (sympy.Rational(x.numerator, x.denominator) for x in (u, v))
+    largest = abs(u) + abs(v) + sympy.Rational(tenths, 10)  # |q4| is at most 1
+    moving = u * cos(q1) + v * sin(2 * q2) + sympy.Rational(tenths, 10) * q4
+    assert proven_empty(moving - largest - sympy.Rational(1, 5))
+    assert proven_empty(moving + largest + sympy.Rational(1, 5))
+    assert not proven_empty(moving - largest)
+
+
+def test_two_equations_that_hold_at_different_places_have_no_common_zero():
+    assert proven_empty(cos(q1) - sympy.Rational(1, 2), sin(q1) - sympy.Rational(1, 2))
+    assert proven_empty(sin(q1 + q2) - q4, cos(q1 + q2) - q4, q4 - sympy.Rational(1, 2))
+    assert not proven_empty(cos(q1) - sympy.Rational(3, 5), sin(q1) - sympy.Rational(4, 5))
+
+
+def test_beside_a_zero_that_is_known_there_is_no_other():
+    touching = 2 - cos(q1) - cos(q2)
+    assert not proven_empty(touching)
+    assert proven_empty(touching, apart_from=np.zeros((1, 4)), beside=0.02)
+    assert not proven_empty(2 - cos(2 * q1) - cos(q2), apart_from=np.zeros((1, 4)), beside=0.02)

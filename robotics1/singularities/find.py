@@ -115,7 +115,7 @@ def _symbolic(robot: Robot, task: Task, where: JointBox, count: int, seed: int, 
             for branch in numeric_branches(found.points, count, rng, limit)
             if not all(any(known.contains(q) for known in found.inside) for q in branch.samples)
         ]
-        notes.insert(0, _not_complete(limit, len(others), len(found.inside)))
+        notes.insert(0, _not_complete(limit, len(others), len(found.inside), found.unproven))
     return SingularSet(
         robot,
         task,
@@ -132,7 +132,7 @@ def _symbolic(robot: Robot, task: Task, where: JointBox, count: int, seed: int, 
     )
 
 
-def _not_complete(limit: TimeLimit, others: int, exact: int) -> str:
+def _not_complete(limit: TimeLimit, others: int, exact: int, unproven: int = 0) -> str:
     """Say that the exact answer is not complete, and which branches were found by numbers; they stand last."""
     if not others:
         added = "a search by numbers found no other branch"
@@ -142,6 +142,8 @@ def _not_complete(limit: TimeLimit, others: int, exact: int) -> str:
         added = "the last branch was found by numbers"
     else:
         added = f"the last {others} branches were found by numbers"
+    if unproven:
+        return f"The exact answer is not complete: some equations are not proven to have no solution; {added}."
     return f"The exact answer was not complete after {limit.seconds:g} s; {added}."
 
 

@@ -44,6 +44,7 @@ class Found:
         undefined: where minors vanish, but the task has no Jacobian, such as an Euler angle's singularities.
         without_solution: equations that were met and have no solution at the robot's lengths.
         complete: whether these are all.
+        unproven: how many sets of equations may hold at configurations that were not found.
         cleaned: the largest correction that made an angle of the file exact [rad].
     """
 
@@ -54,6 +55,7 @@ class Found:
     undefined: list[BranchFormulas] = field(default_factory=list)
     without_solution: list[Zero] = field(default_factory=list)
     complete: bool = True
+    unproven: int = 0
     cleaned: float = 0.0
 
 
@@ -83,7 +85,8 @@ def symbolic_branches(
                 _place(found, sampler, rng)
         except OutOfTime:
             all_drawn = False
-    found.complete &= all_drawn
+    found.unproven = len(cases.unproven)
+    found.complete &= all_drawn and not found.unproven
     for branches in (found.inside, found.outside):
         # the larger first, then by the values of joints; those without values last
         branches.sort(key=lambda branch: (-branch.dimension, not branch.values, list(branch.values.items())))

@@ -64,7 +64,8 @@ class Evaluated:
                 amplitudes.append(value)
                 multiples.append(multiple)
                 powers.append(power)
-        return _in_doubles(amplitudes), np.array(multiples), np.array(powers)
+        n = len(self.q)
+        return _in_doubles(amplitudes), np.reshape(multiples, (-1, n)), np.reshape(powers, (-1, n))
 
     def _number(self, symbol: sympy.Symbol) -> float:
         square = ROOTS.get(str(symbol))
@@ -96,13 +97,32 @@ class Evaluated:
 
     def gradient(self, q: Array) -> Array:
         """Return ∂f/∂q, (n,)."""
+        return np.asarray(self.gradients(q[None])[0])
+
+    def gradients(self, q: Array) -> Array:
+        """Return ∂f/∂q at each row of q (k, n), (k, n)."""
         amplitudes, multiples, powers = self._table
-        slopes = (1j * multiples * self._waves(q)[:, None]).sum(axis=0).real
+        waves = amplitudes * np.exp(1j * q @ multiples.T)
+        slopes = (waves * np.prod(q[:, None, :] ** powers, axis=2) @ (1j * multiples)).real
         for i in np.flatnonzero(powers.any(axis=0)):
-            lower = powers - (powers[:, [i]] > 0) * (np.arange(len(q)) == i)
-            terms = amplitudes * powers[:, i] * np.exp(1j * multiples @ q) * np.prod(q**lower, axis=1)
-            slopes[i] += terms.sum().real
+            lower = powers - (powers[:, [i]] > 0) * (np.arange(q.shape[1]) == i)
+            slopes[:, i] += (waves * powers[:, i] * np.prod(q[:, None, :] ** lower, axis=2)).sum(axis=1).real
         return np.asarray(slopes)
+
+    def least_in_boxes(self, centres: Array, half: Array) -> Array:
+        """Return a lower bound of |f| in each box |q − c| ≤ half (n,), for the centres c (k, n): (k,), negative where
+        there may be a zero.
+
+        |f(q)| ≥ |f(c)| − Σ |∂f/∂qᵢ| hᵢ − ½ Σₖ |aₖ| (Σᵢ sₖᵢ hᵢ)² (Taylor), sₖᵢ being the largest relative slope of
+        term k.
+        """
+        amplitudes, multiples, powers = self._table
+        largest = np.maximum(np.abs(centres).max(axis=0) + half, np.finfo(float).tiny)
+        sizes = np.abs(amplitudes) * np.prod(largest**powers, axis=1)
+        steps = (np.abs(multiples) + powers / largest) @ half
+        rounding = 1e-14 * float(sizes.sum())
+        linear = np.abs(self.gradients(centres)) @ half
+        return np.asarray(np.abs(self.at_many(centres)) - linear - 0.5 * float(sizes @ steps**2) - rounding)
 
     def zeros_in(self, i: int, q: Array) -> list[float]:
         """Return the values of joint i at which f vanishes, the other joints being as in q; multiple zeros too.

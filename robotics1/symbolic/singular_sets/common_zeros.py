@@ -20,10 +20,12 @@ class CommonZeros:
     Attributes:
         parameters: the lengths.
         excluded: equations that were met and have no solution at these lengths, such as a2 − a3.
+        unproven: what may have common zeros that were not found.
     """
 
     parameters: Mapping[sympy.Symbol, float]
     excluded: list[Zero] = field(default_factory=list)
+    unproven: list[Locus] = field(default_factory=list)
 
     def common_zeros(self, polynomials: Iterable[TrigPolynomial], locus: Locus) -> Iterator[Locus]:
         """Yield pieces of the locus that together hold all points at which every polynomial vanishes.

@@ -19,6 +19,7 @@ from robotics1.symbolic.polynomials.evaluation import evaluated_factor
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, check_time
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial
 from robotics1.symbolic.singular_sets.common_zeros import CommonZeros
+from robotics1.symbolic.singular_sets.emptiness import have_no_zero
 from robotics1.symbolic.singular_sets.locus import Locus, Piece, pieces_of
 from robotics1.symbolic.singular_sets.locus_sampler import LocusSampler
 from robotics1.symbolic.singular_sets.zeros import Substitution, Zero, angle_zero
@@ -43,7 +44,8 @@ def largest_pieces(
     known: dict[Hashable, Drawn] | None = None,
 ) -> tuple[list[LocusSampler], bool]:
     """Return the pieces that have configurations in the box and are part of no other, the larger first, each with what
-    draws from it; and whether the time was enough to look at all of them.
+    draws from it; and whether the time was enough to look at all of them. Pieces in which no configuration was found
+    and that are not proven to have none are in `cases.unproven`.
 
     `known` keeps what was drawn of each piece, for calls that meet the same pieces in the same box again.
     """
@@ -60,8 +62,10 @@ def largest_pieces(
             inside = points and any(all(map(other.piece.contains, points)) for other, _ in real)
             found = [] if inside else _finer(sampler, points, cases, rng)
             real += found
-            if not points and not found and len(piece.locus.implicit) == 1:
-                cases.excluded.extend(zero for zero in piece.locus.zeros if zero.part is not None)
+            if not points and not found:
+                _prove_empty(piece, box, cases)
+                if len(piece.locus.implicit) == 1:
+                    cases.excluded.extend(zero for zero in piece.locus.zeros if zero.part is not None)
     except OutOfTime:
         complete = False
     real.sort(key=lambda item: (-item[0].piece.dimension(item[1][0]), len(item[0].piece.locus.implicit)))
@@ -79,6 +83,20 @@ def _drawn(piece: Piece, box: JointBox, rng: np.random.Generator) -> Drawn:
     return sampler, [q for q in found if q is not None]
 
 
+def _prove_empty(piece: Piece, box: JointBox, cases: CommonZeros) -> None:
+    """Try to prove that a piece has no configuration in the box, and note it in `cases` if that fails."""
+    fixed = piece.with_pinned(np.zeros(len(piece.angles)))
+    joints = [i for i in _tied(piece) if i not in piece.pinned]
+    if not have_no_zero(piece.equations, box, fixed, joints):
+        cases.unproven.append(piece.locus)
+
+
+def _tied(piece: Piece) -> list[int]:
+    """Return the joints that the implicit equations tie together."""
+    locus = piece.locus
+    return [i for i, symbol in enumerate(locus.trig_ring.q) if any(symbol in p.symbols for p in locus.implicit)]
+
+
 def _finer(
     sampler: LocusSampler, points: list[Array], cases: CommonZeros, rng: np.random.Generator, depth: int = 0
 ) -> list[Drawn]:
@@ -89,7 +107,7 @@ def _finer(
         OutOfTime: the time is over.
     """
     piece, box = sampler.piece, sampler.box
-    single = [_drawn(found, box, rng) for found in _at_single_values(sampler, rng)]
+    single = [_drawn(found, box, rng) for found in _at_single_values(sampler, cases, rng)]
     if single:
         return [(found, at) for found, at in single if at]
     whole = [(sampler, points)] if points else []
@@ -117,13 +135,14 @@ def _dependence(locus: Locus) -> list[TrigPolynomial]:
     return list(minors_of_order(slopes, len(equations)))
 
 
-def _at_single_values(sampler: LocusSampler, rng: np.random.Generator) -> list[Piece]:
+def _at_single_values(sampler: LocusSampler, cases: CommonZeros, rng: np.random.Generator) -> list[Piece]:
     """Return the pieces at which the joints of all implicit equations have a value, if these are all configurations of
-    the piece; nothing if the equations hold elsewhere too, or at other values.
+    the piece; nothing if the equations hold elsewhere too, or at other values. Where it is not proven that they are
+    all, the piece is in `cases.unproven`.
     """
     piece, box = sampler.piece, sampler.box
     locus = piece.locus
-    joints = [i for i, symbol in enumerate(locus.trig_ring.q) if any(symbol in p.symbols for p in locus.implicit)]
+    joints = _tied(piece)
     if not 1 < len(joints) <= min(MOST_JOINTS, len(locus.implicit)) or piece.pinned:
         return []
     values = _special_zeros(piece, joints)
@@ -135,6 +154,10 @@ def _at_single_values(sampler: LocusSampler, rng: np.random.Generator) -> list[P
         apart = np.where(piece.angles[joints], np.angle(np.exp(1j * apart)), apart / box.unit[joints])
         if np.abs(apart).max(axis=1).min() > BESIDE:
             return []
+    known = np.zeros((len(values), len(piece.angles)))
+    known[:, joints] = values
+    if not have_no_zero(piece.equations, box, known[0], joints, apart_from=known, beside=BESIDE):
+        cases.unproven.append(locus)
     return [Piece(_with_values(locus, joints, value), piece.parameters, {}) for value in values]
 
 
