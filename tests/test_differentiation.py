@@ -16,7 +16,7 @@ from robotics1.differentiation import (
     derivative_inside,
     directional_derivative,
 )
-from robotics1.symbolic.tasks.verification import AGREES, MARGIN, Trials
+from robotics1.symbolic.tasks.verification import AGREES, MARGIN, Trials, numeric_determinant, numeric_jacobian
 
 numbers = st.floats(-3, 3)
 
@@ -133,3 +133,18 @@ def test_determinants_of_large_arms_are_not_refused_for_their_rounding(size, see
     det = float(found.determinant.evalf(subs=dict(zip(found.q, q, strict=True))))
     expected = np.linalg.det(r1.PositionTask().jacobian(robot, q))
     assert det == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_wrong_determinant_of_a_small_arm_is_refused_too():
+    """Of an arm of a tenth of a millimetre det J is 1e-8 m², which is no rounding."""
+    robot = r1.robot_from_dh([("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], parameters={"l1": 1e-4, "l2": 1e-4})
+    det = r1.formulas(robot, r1.PositionTask("xy")).determinant
+    trials = Trials(robot, sympy.symbols("q1 q2", real=True), sympy.symbols("w1 w2", real=True))
+
+    def minor(point):
+        return numeric_determinant(numeric_jacobian(r1.PositionTask("xy"), point.robot, point.q))
+
+    trials.verify(det, minor, "det J")
+    for wrong in (det * (1 + 1e-7), 0 * det, det + 1e-14):
+        with pytest.raises(r1.FormulaError, match="det J differs"):
+            trials.verify(wrong, minor, "det J")

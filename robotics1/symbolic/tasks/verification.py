@@ -17,7 +17,8 @@ from robotics1.symbolic.kinematics.exact import exact_robot
 from robotics1.symbolic.writing.printing import numpy_function
 from robotics1.tasks.task import Task
 
-AGREES = 1e-9  # largest difference of a formula from Pinocchio, relative to the larger of 1 and the value
+AGREES = 1e-9  # largest difference of a formula from Pinocchio, relative to what the numbers are sums of
+EPSILON = float(np.finfo(float).eps)
 MARGIN = 30  # a comparison stands so many times above the error of the numbers
 UNDECIDED = 1e-6  # relative: numbers whose error is larger, with that margin, decide nothing
 TRIALS = 3
@@ -68,8 +69,9 @@ class Trials:
         """Compare a formula, or a matrix of them, with numbers at every point.
 
         Raises:
-            FormulaError: they differ by more than 1e-9, relative to the larger of 1 and the value, and by more than 30
-                times the estimated error of the numbers; or that error is too large to tell.
+            FormulaError: they differ by more than 1e-9, relative to the value or to the terms that it is a sum of (1
+                where these are larger), and by more than 30 times the estimated error of the numbers; or that error is
+                too large to tell.
         """
         parameters = [sympy.Symbol(parameter, real=True) for parameter in self.robot.parameters]
         evaluate = numpy_function([*self.q, *self.qdot, *parameters], formula)
@@ -77,8 +79,9 @@ class Trials:
             theirs, error = numbers(point)
             with np.errstate(all="ignore"):
                 ours = np.asarray(evaluate(*point.q, *point.qdot, *point.parameters), dtype=float)
-            size = max(1.0, np.abs(theirs).max(initial=0.0))
             doubt = float(np.max(error, initial=0.0))
+            terms = min(1.0, doubt / EPSILON) if doubt else 1.0  # rounding is as large as ε times the terms
+            size = max(terms, np.abs(theirs).max(initial=0.0))
             if not MARGIN * doubt <= UNDECIDED * size:
                 raise FormulaError(f"the formula of {name} cannot be compared: numbers are known to {doubt:.1e} only")
             apart = np.abs(difference(ours, theirs.reshape(ours.shape))).max(initial=0.0)
@@ -106,7 +109,7 @@ def numeric_jacobian(task: Task, robot: Robot, q: Array) -> Estimate:
 def numeric_determinant(J: Estimate) -> Estimate:
     """Return det J, with an error of one row in proportion to the product of the lengths of the rows (Hadamard)."""
     lengths = np.linalg.norm(J.value, axis=1)
-    error = np.linalg.norm(J.error, axis=1) + len(lengths) * np.finfo(float).eps * lengths
+    error = np.linalg.norm(J.error, axis=1) + len(lengths) * EPSILON * lengths
     others = [np.prod(np.delete(lengths, i)) for i in range(len(lengths))]
     return Estimate(np.asarray(np.linalg.det(J.value)), np.asarray(float(np.sum(error * others))))
 
@@ -121,4 +124,4 @@ def rounded(value: Any) -> Estimate:
     """Return an array that is exact but for rounding, of about ten operations on numbers of the size of its largest."""
     value = np.asarray(value, dtype=float)
     largest = float(np.abs(value).max(initial=0.0))
-    return Estimate(value, np.full(value.shape, 10 * np.finfo(float).eps * largest))
+    return Estimate(value, np.full(value.shape, 10 * EPSILON * largest))
