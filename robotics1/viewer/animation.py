@@ -11,12 +11,12 @@ from robotics1.curves.given import Motion
 from robotics1.errors import InputError
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import Array, text
+from robotics1.plots.figures import names_of
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.arm_data import arm_data, is_planar
 from robotics1.viewer.page import Page, page_of
-from robotics1.viewer.plot_figures import names_of
 from robotics1.viewer.samples import recorded, samples_of, target_samples
 from robotics1.viewer.shapes import Shapes
 
