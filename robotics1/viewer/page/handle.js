@@ -7,7 +7,7 @@ class Handle {
     this.group = new THREE.Group();
     this.group.name = "handle";
     this.ball = new THREE.Mesh(
-      new THREE.SphereGeometry(0.02 * arm.reach, 24, 16),
+      new THREE.SphereGeometry(0.02 * arm.length, 24, 16),
       paint(COLORS.accent, { opacity: 0.55, transparent: true, depthTest: false }),
     );
     this.ball.renderOrder = 5;

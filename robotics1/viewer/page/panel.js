@@ -38,7 +38,8 @@ class Panel {
       random: i => this.range(i)[0] + Math.random() * (this.range(i)[1] - this.range(i)[0]),
     };
     for (const [id, posture] of Object.entries(postures)) {
-      document.getElementById(id).onclick = () => this.app.change(arm.clamped(arm.coordinates.map((_, i) => posture(i))));
+      const q = () => arm.clamped(arm.coordinates.map((_, i) => posture(i)));
+      document.getElementById(id).onclick = () => this.app.change(q());
     }
     document.getElementById("copy").onclick = () => this.copy();
   }
@@ -79,7 +80,8 @@ class Panel {
       const atLimit = [limited.lower, limited.upper].some(l => l !== null && Math.abs(value - l) < 1e-9);
       node.classList.toggle("limit", atLimit);
     };
-    const node = element("div", { class: name.length > 8 ? "joint long" : "joint" }, element("label", {}, name), slider, box, word);
+    const kind = name.length > 8 ? "joint long" : "joint";
+    const node = element("div", { class: kind }, element("label", { title: name }, name), slider, box, word);
     return { node, show, rescale };
   }
 
@@ -98,9 +100,11 @@ class Panel {
     }
     const T = arm.frame(arm.tool, placed);
     const [x, y, z] = positionOf(T).map(v => (Math.abs(v) < 5e-5 ? 0 : v).toFixed(4));
-    const yaw = Math.atan2(T[4], T[0]), pitch = Math.atan2(-T[8], Math.hypot(T[0], T[4])), roll = Math.atan2(T[9], T[10]);
+    const yaw = Math.atan2(T[4], T[0]), roll = Math.atan2(T[9], T[10]);
+    const pitch = Math.atan2(-T[8], Math.hypot(T[0], T[4]));
     const angle = v => (this.degrees ? `${(v / DEGREE).toFixed(1)}°` : v.toFixed(3));
-    const turned = this.app.planar ? `φ = ${angle(yaw)}` : `roll ${angle(roll)}  pitch ${angle(pitch)}  yaw ${angle(yaw)}`;
+    const turns = `roll ${angle(roll)}  pitch ${angle(pitch)}  yaw ${angle(yaw)}`;
+    const turned = this.app.planar ? `φ = ${angle(yaw)}` : turns;
     box.textContent = `${arm.tool.name}: (${x}, ${y}${this.app.planar ? "" : `, ${z}`}) m\n${turned}`;
   }
 

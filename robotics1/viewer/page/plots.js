@@ -27,7 +27,8 @@ class Plot {
     const values = lines.flatMap(line => line.points.map(p => p[1])).filter(Number.isFinite);
     let low = Math.min(...extreme(values, Math.min), 0), high = Math.max(...extreme(values, Math.max), 0);
     if (high - low < 1e-12) [low, high] = [low - 1, high + 1];
-    const bounds = lines.flatMap(line => line.bounds ?? []).filter(b => b > low - (high - low) && b < high + (high - low));
+    const near = bound => bound > 2 * low - high && bound < 2 * high - low;
+    const bounds = lines.flatMap(line => line.bounds ?? []).filter(near);
     [low, high] = [Math.min(low, ...bounds), Math.max(high, ...bounds)];
     const margin = 0.06 * (high - low);
     [this.low, this.high] = [low - margin, high + margin];
@@ -96,7 +97,8 @@ function extreme(values, which) {
 /** Return the plots of a motion: q, q̇ with its limits, σ_min, and the distance to the target. */
 function plotsOf(arm, samples, target, onTime) {
   const every = Math.max(1, Math.floor(samples.count / 400));
-  const chosen = Array.from({ length: samples.count }, (_, k) => k).filter(k => k % every === 0 || k === samples.count - 1);
+  const all = Array.from({ length: samples.count }, (_, k) => k);
+  const chosen = all.filter(k => k % every === 0 || k === samples.count - 1);
   const instants = chosen.map(k => samples.times[k]);
   const postures = chosen.map(k => samples.sample(k));
   const line = (name, values, bounds) => ({ name, points: instants.map((t, k) => [t, values[k]]), bounds });
@@ -114,7 +116,8 @@ function plotsOf(arm, samples, target, onTime) {
   if (arm.task) plots.push(["σ_min", [line("", postures.map(q => arm.measure(q).least))]]);
   if (target && arm.tool) {
     const tool = q => positionOf(arm.frame(arm.tool, arm.forward(q)));
-    plots.push(["distance to the target [m]", [line("", postures.map((q, k) => norm(minus(tool(q), target.at(instants[k])))))]]);
+    const distances = postures.map((q, k) => norm(minus(tool(q), target.at(instants[k]))));
+    plots.push(["distance to the target [m]", [line("", distances)]]);
   }
   return plots.map(([title, lines]) => new Plot(title, lines, samples.duration, onTime));
 }
