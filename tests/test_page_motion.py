@@ -185,3 +185,51 @@ def test_recorded_values_that_are_no_motion_are_input_errors(times, q, tmp_path)
     with pytest.raises(InputError):
         animate(load_robot("planar_2r"), None, tmp_path / "r.html", times=times, q=q)
     assert list(tmp_path.iterdir()) == []
+
+
+class Foreign:
+    """A motion of the user's own class."""
+
+    def __init__(self, q, duration=1.0):
+        self.q, self.duration = q, duration
+
+    def __call__(self, t):
+        return np.moveaxis(np.array([self.q(np.asarray(t, float))] * 2), 0, -1)
+
+    def velocity(self, t, *, side="right"):
+        return np.zeros((*np.shape(t), 2))
+
+
+MOVE = cubic([0, 0], [1, 1], 1.0)
+MISUSE = [
+    (lambda r: animate(r, Foreign(lambda t: np.where(t > 0.5, np.nan, 0.0))), r"it is \[nan, nan\] at t = 0\.5"),
+    (lambda r: animate(r, Foreign(lambda t: 1e12 + t)), "must be finite and below 1e"),
+    (lambda r: animate(r, Foreign(np.sin, np.inf)), "a motion that does not end"),
+    (lambda r: animate(r, Foreign(np.sin, np.nan)), "a motion that does not end"),
+    (lambda r: animate(r, Foreign(np.sin, 1e200)), "must last from"),
+    (lambda r: animate(r, cubic([0], [1], 1.0)), "motion is of 1 joints; the robot has 2"),
+    (lambda r: animate(r, times=[0], q=[[0, 0]]), "two or more instants that grow .*; there are 1"),
+    (lambda r: animate(r, times=[0, 2, 1], q=[[0, 0]] * 3), "after 2 comes 1"),
+    (lambda r: animate(r, times=[0, 5e-324], q=[[0.0, 0]] * 2), "must last from"),
+    (lambda r: animate(r, times=[0, 3], q=[[0.0, 0], [0, np.nan]]), r"it is \[0\.0, nan\] at t = 3 s"),
+    (lambda r: animate(r, times=[0, 3], q=[[0.0, 0], [0, 1e300]]), "must be finite and below"),
+    (lambda r: animate(r, MOVE, target=3), "the target must be a motion"),
+    (lambda r: animate([r, 3], [MOVE, MOVE]), "the robot must be a Robot, not a int"),
+    (lambda r: animate("planar_2r", MOVE), "load it first"),
+    (lambda r: animate(r, MOVE, task=3), "the task must be a task"),
+    (lambda r: animate(r, MOVE, title=3), "title must be a text"),
+    (lambda r: animate(r, MOVE, caption=3), "caption must be a text"),
+]
+
+
+@pytest.mark.parametrize(("call", "message"), MISUSE, ids=range(len(MISUSE)))
+def test_what_cannot_be_drawn_is_refused_by_a_sentence(call, message):
+    with pytest.raises(InputError, match=message):
+        call(load_robot("planar_2r"))
+
+
+def test_a_curve_of_a_hundred_thousand_pieces_is_drawn_by_some_of_them():
+    t = np.linspace(0, 100, 100_001)
+    motion = Foreign(np.sin, 100.0)
+    motion.breakpoints = t[1:-1]
+    assert len(animate(load_robot("planar_2r"), motion).html) < 1_500_000

@@ -227,3 +227,14 @@ def test_where_some_meshes_are_missing_the_skeleton_is_drawn_beside_what_was_fou
         page = r1.view(r1.load_robot(tmp_path / "some.urdf"))
     assert '"kind":"box","placement"' in page.html
     assert page.html.count('"kind":"cylinder"') >= 3
+
+
+def test_a_page_works_in_the_frame_that_a_notebook_shows(browser, tmp_path):
+    (tmp_path / "notebook.html").write_text(r1.view(arm("planar_2r"), [0.3, 0.9])._repr_html_(), encoding="utf-8")
+    tab = browser.new_page()
+    tab.goto((tmp_path / "notebook.html").as_uri())
+    frame = tab.frames[1]
+    frame.wait_for_selector("#loading", state="hidden", timeout=60_000)
+    assert frame.evaluate("window.robotics1.app.q") == [0.3, 0.9]
+    assert frame.is_visible("#panel")
+    tab.close()
