@@ -82,7 +82,7 @@ def test_near_a_singularity_the_lost_direction_is_named_and_drawn(opened):
     page, robot, q = opened("planar_2r"), arm("planar_2r"), [0.4, 0.02]
     page.move(q)
     U = np.linalg.svd(unitless_jacobian(robot, r1.PositionTask("xy"), q))[0][:, -1]
-    said = page.tab.inner_text("#warning")
+    said = page.tab.inner_text("#warning").replace("\u00a0", " ")
     assert said.startswith("Near a singularity: a task velocity along ")
     assert said.endswith(" is hardly realised.")
     named = {axis: float(f"{sign}{size}".replace("−", "-").replace(" ", ""))
@@ -189,11 +189,12 @@ def test_a_narrow_window_has_robot_panel_and_bar_one_below_the_other(browser, tm
     assert not page.tab.is_visible("#panel")
     page.tab.click("#fold")
     assert page.tab.evaluate("document.documentElement.scrollWidth") <= 390
-    boxes = {name: page.tab.locator(f"#{name}").bounding_box() for name in ("panel", "bar", "views", "caption")}
+    page.tab.click("#plotting")
+    boxes = {name: page.tab.locator(f"#{name}").bounding_box() for name in ("panel", "bottom", "views", "caption")}
     for box in boxes.values():
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= 390
-    assert boxes["panel"]["y"] + boxes["panel"]["height"] <= boxes["bar"]["y"]
+    assert boxes["panel"]["y"] + boxes["panel"]["height"] <= boxes["bottom"]["y"]
     corners = page.ask("corners(app.stage.box).map(p => p.project(app.stage.viewer.camera)).map(p => p.y)")
     lowest = (1 - min(corners)) / 2 * 844
     assert lowest <= boxes["panel"]["y"] + 1

@@ -1,6 +1,15 @@
 // The panel: a slider for each joint, and what the tool and the Jacobian say there.
 
 const DEGREE = Math.PI / 180;
+const NAMED = 0.05; // a part of a direction that is smaller is not named
+
+/** Return a unit vector as text, such as "y" or "0.60 x − 0.80 y". */
+function directionText(rows, u) {
+  const parts = rows.map((name, i) => [name, u[i]]).filter(([, v]) => Math.abs(v) > NAMED);
+  if (parts.length === 1) return parts[0][0];
+  const terms = parts.map(([name, v]) => `${v < 0 ? "−" : "+"}\u00a0${Math.abs(v).toFixed(2)}\u00a0${name}`);
+  return terms.join(" ").replace(/^\+\u00a0/, "");
+}
 
 function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag);
@@ -115,12 +124,11 @@ class Panel {
     box.textContent = lines.join("\n");
     const near = arm.task.generic > 0 && values[arm.task.generic - 1] < 0.03 * arm.task.usual;
     warning.hidden = !near;
-    const u = U[arm.task.generic - 1];
+    const found = U[arm.task.generic - 1] ?? [];
+    const u = times(Math.sign(found.find(v => Math.abs(v) > NAMED) ?? 1), found); // its sign means nothing
     if (near) {
-      const direction = arm.task.rows.map((name, i) => [name, u[i]]).filter(([, v]) => Math.abs(v) > 0.05);
-      const named = direction.map(([name, v]) => `${v < 0 ? "−" : "+"} ${Math.abs(v).toFixed(2)} ${name}`).join(" ");
       const [word, verb] = rank < arm.task.generic ? ["Singular", "cannot be"] : ["Near a singularity", "is hardly"];
-      warning.textContent = `${word}: a task velocity along ${named.replace(/^\+ /, "")} ${verb} realised.`;
+      warning.textContent = `${word}: a task velocity along ${directionText(arm.task.rows, u)} ${verb} realised.`;
     }
     this.app.drawing.showLost(near ? this.lostDirection(u) : null);
   }

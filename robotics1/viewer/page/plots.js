@@ -55,7 +55,7 @@ class Plot {
     }
     let at = 492;
     this.lines.forEach((line, i) => {
-      const style = { stroke: LINES[i % LINES.length], "stroke-dasharray": DASHES[Math.floor(i / 2) % 4] };
+      const style = { stroke: LINES[i % LINES.length], "stroke-dasharray": DASHES[i % 4] };
       for (const bound of line.bounds ?? []) {
         const y = this.y(bound);
         if (y > 20 && y < 114) picture.append(svg("line", { x1: 44, x2: 492, y1: y, y2: y, class: "bound", ...style }));

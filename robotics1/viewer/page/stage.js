@@ -138,6 +138,8 @@ class Stage {
     const { camera, controls } = this.viewer;
     const width = this.element.clientWidth, height = this.element.clientHeight;
     this.viewer.renderer.setSize(width, height);
+    const bottom = document.getElementById("bottom").offsetHeight; // the panel ends above it
+    document.documentElement.style.setProperty("--bottom", `${bottom}px`);
     const unit = new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
     const box = this.box.isEmpty() ? unit : this.box;
     const centre = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3()).length() || 1;
