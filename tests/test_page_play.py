@@ -4,6 +4,7 @@ import re
 from io import BytesIO
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from arms import arm, random_q
 from pages import OpenPage
@@ -239,3 +240,34 @@ def test_a_page_works_in_the_frame_that_a_notebook_shows(browser, tmp_path):
     assert frame.evaluate("window.robotics1.app.q") == [0.3, 0.9]
     assert frame.is_visible("#panel")
     tab.close()
+
+
+def test_names_of_lines_in_a_plot_lose_the_words_that_all_have(opened):
+    shortened = "shortened(a)"
+    page = opened("planar_2r")
+    assert page.ask(shortened, ["panda_joint1", "panda_joint2"]) == ["joint1", "joint2"]
+    assert page.ask(shortened, ["wrist_1_joint", "elbow_joint"]) == ["wrist_1", "elbow"]
+    assert page.ask(shortened, ["q1", "q1"]) == ["q1", "q1"]
+    assert page.ask(shortened, ["a_b", "a_b"]) == ["b", "b"]
+    assert page.ask("ticks(-3.5, 4.2)") == [-2, 0, 2, 4]
+
+
+@pytest.mark.parametrize(("name", "q"), [("six_r", [0.3, -0.8, 0.9, 0.2, 0.5, 0.1]), ("prr", [0.2, 0.5, 0.9])])
+def test_with_shift_a_hand_turns_the_tool_where_it_is(opened, name, q):
+    page, robot = opened(name), arm(name)
+    page.move(q)
+    page.tab.click("#fit")
+    before = r1.forward_kinematics(robot, q)
+    x, y = page.pixels(page.place("handle"))
+    page.tab.mouse.move(x, y)
+    page.tab.mouse.down()
+    page.tab.keyboard.down("Shift")
+    page.tab.mouse.move(x + 40, y, steps=4)
+    assert page.tab.inner_text("#verdict") == "reached"
+    page.tab.mouse.up()
+    page.tab.keyboard.up("Shift")
+    after = r1.forward_kinematics(robot, page.ask("app.q"))
+    assert after.translation == pytest.approx(before.translation, abs=1e-4)
+    turned = pin.log3(after.rotation @ before.rotation.T)
+    assert np.linalg.norm(turned) == pytest.approx(np.radians(20), abs=1e-3)
+    assert page.faults == []

@@ -121,7 +121,7 @@ def test_what_is_no_solution_is_an_input_error(solutions):
         r1.view(arm("planar_2r"), solutions=solutions)
 
 
-@pytest.mark.parametrize("name", ["planar_2r", "cylindrical"])
+@pytest.mark.parametrize("name", ["planar_2r", "cylindrical", "prr", "spatial", "redundant"])
 def test_the_robot_is_inside_the_window_whatever_its_size(opened, name):
     page = opened(name)
     for width, height in WINDOWS:

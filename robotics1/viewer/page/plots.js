@@ -10,10 +10,10 @@ function svg(tag, attributes, ...children) {
   return made;
 }
 
-/** Return three round numbers in [low, high]. */
+/** Return some round numbers in [low, high], four at most. */
 function ticks(low, high) {
   const power = 10 ** Math.floor(Math.log10((high - low) / 3 || 1));
-  const step = power * [1, 2, 5, 10].find(k => (high - low) / (k * power) <= 3.5);
+  const step = power * [1, 2, 5, 10].find(k => (high - low) / (k * power) <= 4.5);
   const found = [];
   for (let v = Math.ceil(low / step - 1e-9) * step; v <= high + 1e-9 * step; v += step) found.push(v);
   return found;
@@ -53,7 +53,6 @@ class Plot {
     for (const t of ticks(0, this.duration)) {
       picture.append(svg("text", { x: this.x(t), y: 127, class: "tick", "text-anchor": "middle" }, `${short(t)} s`));
     }
-    let at = 492;
     this.lines.forEach((line, i) => {
       const style = { stroke: LINES[i % LINES.length], "stroke-dasharray": DASHES[i % 4] };
       for (const bound of line.bounds ?? []) {
@@ -63,12 +62,7 @@ class Plot {
       const points = line.points.map(([t, v]) => `${this.x(t).toFixed(1)},${this.y(v).toFixed(1)}`).join(" ");
       picture.append(svg("polyline", { points, ...style }));
     });
-    for (let i = this.lines.length - 1; i >= 0 && this.lines.length > 1; i--) {
-      const name = this.lines[i].name.slice(0, 14);
-      at -= 7 * name.length + 10;
-      if (at < 160) break;
-      picture.append(svg("text", { x: at + 6, y: 14, class: "name", fill: LINES[i % LINES.length] }, name));
-    }
+    if (this.lines.length > 1) this.nameLines(picture);
     this.cursor = svg("line", { y1: 20, y2: 114, class: "cursor" });
     picture.append(this.cursor);
     const seek = event => {
@@ -84,10 +78,33 @@ class Plot {
     this.node.replaceChildren(picture);
   }
 
+  /** Write the names of the lines beside the title, as many as have room; under the pointer all are told. */
+  nameLines(picture) {
+    const names = shortened(this.lines.map(line => line.name));
+    let at = 492;
+    for (let i = names.length - 1; i >= 0; i--) {
+      const width = 7 * names[i].length + 10, fits = at - width >= (i > 0 ? 130 : 115);
+      const style = { y: 14, class: "name", fill: fits ? LINES[i % LINES.length] : "#5c6773" };
+      at -= fits ? width : 18;
+      picture.append(svg("text", { x: at + 6, ...style }, fits ? names[i] : "…"));
+      if (!fits) break;
+    }
+    picture.append(svg("title", {}, this.lines.map(line => line.name).join(", ")));
+  }
+
   show(t) {
     this.cursor.setAttribute("x1", this.x(t));
     this.cursor.setAttribute("x2", this.x(t));
   }
+}
+
+/** Return names without the words, up to "_", that all begin or end with, and of 14 letters at most. */
+function shortened(names) {
+  let words = names.map(name => name.split("_"));
+  const same = k => words.every(parts => parts.length > 1 && parts.at(k) === words[0].at(k));
+  while (same(0)) words = words.map(parts => parts.slice(1));
+  while (same(-1)) words = words.map(parts => parts.slice(0, -1));
+  return words.map(parts => parts.join("_").slice(0, 14));
 }
 
 function extreme(values, which) {
