@@ -6,7 +6,17 @@ import numpy as np
 import pytest
 from pages import OpenPage
 
-from robotics1 import InputError, LinearMotion, PositionTask, animate, cubic, forward_kinematics, load_robot, rendezvous
+from robotics1 import (
+    InputError,
+    LinearMotion,
+    PositionTask,
+    animate,
+    cubic,
+    forward_kinematics,
+    load_robot,
+    rendezvous,
+    view,
+)
 from robotics1.curves import CurveSequence
 from robotics1.trajectories import bang_bang
 
@@ -162,6 +172,16 @@ def test_a_browser_without_webgl_says_so(browser, file):
 def test_a_long_motion_is_resampled_so_that_its_page_stays_small(tmp_path):
     page = animate(load_robot("planar_2r"), cubic([0, 0], [1, 1], 600.0), tmp_path / "long.html")
     assert page.file.stat().st_size < 1_300_000
+
+
+def test_twenty_seconds_of_a_panda_at_60_frames_a_second_add_half_a_megabyte_at_most():
+    robot = load_robot("panda")
+    q = np.clip(np.full(robot.nq, 0.1), robot.lower, robot.upper)
+    times = np.arange(0, 20, 1 / 60)
+    recorded = q + 1e-3 * np.sin(times)[:, None]
+    still = len(view(robot, q).html)
+    assert len(animate(robot, times=times, q=recorded).html) - still < 500_000
+    assert len(animate(robot, cubic(q, q + 0.01, 20.0)).html) - still < 500_000
 
 
 def test_a_million_recorded_values_are_thinned_to_a_small_page():
