@@ -39,7 +39,7 @@ class OpenPage:
         """Save what is seen in the folder of the pictures, if one is named."""
         if PICTURES:
             self.tab.set_viewport_size({"width": width, "height": height})
-            self.ask("app.stage.fit()")
+            self.ask("(app.frame(), app.stage.fit())")
             self.tab.wait_for_timeout(300)
             self.tab.screenshot(path=Path(PICTURES) / f"{name}.png")
 

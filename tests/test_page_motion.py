@@ -94,7 +94,7 @@ def test_a_click_into_a_plot_seeks_and_the_plots_hold_q_and_its_limits(page, mot
     assert points == pytest.approx([1.5, motion(1.5)[1]], abs=1e-12)
     plot = page.tab.locator("#plots svg").first
     box = plot.bounding_box()
-    page.tab.mouse.click(box["x"] + box["width"] * (44 + 448 / 3) / 500, box["y"] + box["height"] / 2)
+    page.tab.mouse.click(box["x"] + box["width"] * (42 + 370 / 3) / 420, box["y"] + box["height"] / 2)
     assert page.ask("app.bar.time") == pytest.approx(0.5, abs=0.01)
     page.tab.click("#plotting")
 

@@ -1,6 +1,7 @@
 // Plots under the scene that share one time axis: a click seeks.
 
 const LINES = ["#1864ab", "#c92a2a", "#2b8a3e", "#e67700", "#6741d9", "#0b7285", "#862e9c", "#495057"];
+const [WIDTH, LEFT, RIGHT] = [420, 42, 412]; // of a plot, in units of its picture
 const DASHES = ["", "7 3", "2 3", "9 3 2 3"];
 
 function svg(tag, attributes, ...children) {
@@ -36,7 +37,7 @@ class Plot {
   }
 
   x(t) {
-    return 44 + (t / this.duration) * 448;
+    return LEFT + (t / this.duration) * (RIGHT - LEFT);
   }
 
   y(v) {
@@ -44,11 +45,11 @@ class Plot {
   }
 
   draw() {
-    const picture = svg("svg", { viewBox: "0 0 500 132", role: "img", "aria-label": this.title });
-    picture.append(svg("text", { x: 44, y: 14, class: "title" }, this.title));
+    const picture = svg("svg", { viewBox: `0 0 ${WIDTH} 132`, role: "img", "aria-label": this.title });
+    picture.append(svg("text", { x: LEFT, y: 14, class: "title" }, this.title));
     for (const v of ticks(this.low, this.high)) {
-      picture.append(svg("line", { x1: 44, x2: 492, y1: this.y(v), y2: this.y(v), class: "grid" }));
-      picture.append(svg("text", { x: 40, y: this.y(v) + 4, class: "tick", "text-anchor": "end" }, short(v)));
+      picture.append(svg("line", { x1: LEFT, x2: RIGHT, y1: this.y(v), y2: this.y(v), class: "grid" }));
+      picture.append(svg("text", { x: LEFT - 4, y: this.y(v) + 4, class: "tick", "text-anchor": "end" }, short(v)));
     }
     for (const t of ticks(0, this.duration)) {
       picture.append(svg("text", { x: this.x(t), y: 127, class: "tick", "text-anchor": "middle" }, `${short(t)} s`));
@@ -57,7 +58,8 @@ class Plot {
       const style = { stroke: LINES[i % LINES.length], "stroke-dasharray": DASHES[i % 4] };
       for (const bound of line.bounds ?? []) {
         const y = this.y(bound);
-        if (y > 20 && y < 114) picture.append(svg("line", { x1: 44, x2: 492, y1: y, y2: y, class: "bound", ...style }));
+        const limit = svg("line", { x1: LEFT, x2: RIGHT, y1: y, y2: y, class: "bound", ...style });
+        if (y > 20 && y < 114) picture.append(limit);
       }
       const points = line.points.map(([t, v]) => `${this.x(t).toFixed(1)},${this.y(v).toFixed(1)}`).join(" ");
       picture.append(svg("polyline", { points, ...style }));
@@ -67,7 +69,7 @@ class Plot {
     picture.append(this.cursor);
     const seek = event => {
       const box = picture.getBoundingClientRect();
-      const t = (((event.clientX - box.left) / box.width) * 500 - 44) / 448;
+      const t = (((event.clientX - box.left) / box.width) * WIDTH - LEFT) / (RIGHT - LEFT);
       this.onTime(Math.min(1, Math.max(0, t)) * this.duration);
     };
     picture.addEventListener("pointerdown", event => {
@@ -81,12 +83,12 @@ class Plot {
   /** Write the names of the lines beside the title, as many as have room; under the pointer all are told. */
   nameLines(picture) {
     const names = shortened(this.lines.map(line => line.name));
-    let at = 492;
+    let at = RIGHT;
     for (let i = names.length - 1; i >= 0; i--) {
-      const width = 7 * names[i].length + 10, fits = at - width >= (i > 0 ? 130 : 115);
+      const width = 6.6 * names[i].length + 8, fits = at - width >= (i > 0 ? 123 : 108);
       const style = { y: 14, class: "name", fill: fits ? LINES[i % LINES.length] : "#5c6773" };
       at -= fits ? width : 18;
-      picture.append(svg("text", { x: at + 6, ...style }, fits ? names[i] : "…"));
+      picture.append(svg("text", { x: at + 5, ...style }, fits ? names[i] : "…"));
       if (!fits) break;
     }
     picture.append(svg("title", {}, this.lines.map(line => line.name).join(", ")));

@@ -211,9 +211,14 @@ class Stage {
       floor.add(text);
     };
     const left = box.min.x - 0.07 * extent, front = box.min.y - 0.05 * extent;
-    const first = Math.ceil(box.min.x / step - 0.3), next = Math.ceil(box.min.y / step - 0.3); // none in the corner
-    for (let i = first; i < x1; i++) tick(`${(i * step).toFixed(digits)}${i === x1 - 1 ? " m" : ""}`, i * step, front);
-    for (let j = next; j < y1; j++) tick((j * step).toFixed(digits), left, j * step);
+    const ticks = axis => {
+      const first = Math.ceil(box.min[axis] / step - 0.3); // none in the corner
+      const last = Math.max(first, Math.floor(box.max[axis] / step + 0.3));
+      return Array.from({ length: last - first + 1 }, (_, i) => first + i);
+    };
+    const along = ticks("x");
+    for (const i of along) tick(`${(i * step).toFixed(digits)}${i === along.at(-1) ? " m" : ""}`, i * step, front);
+    for (const j of ticks("y")) tick((j * step).toFixed(digits), left, j * step);
     if (this.ground) this.scene.remove(this.ground);
     this.ground = floor;
     this.scene.add(floor);
