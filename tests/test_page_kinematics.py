@@ -129,6 +129,8 @@ def test_a_named_robot_moves_in_the_page_as_in_pinocchio(opened, name):
         T = forward_kinematics(robot, q, frame=frame)
         assert np.array(found[0]).reshape(3, 4) == pytest.approx(T.homogeneous[:3], abs=1e-9)
         assert np.array(found[1]) == pytest.approx(frame_jacobian(robot, q, frame=frame), abs=1e-9)
+        if data["chain"]["length"] is not None:  # beyond it, a page says that a target is out of reach
+            assert np.linalg.norm(T.translation - data["chain"]["start"]) <= data["chain"]["length"] + 1e-9
         if task is not None:
             sigma = np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False)
             assert found[2] == pytest.approx(sigma, abs=1e-9)
