@@ -3,6 +3,8 @@ PYTHON ?= python3
 BIN := .venv/bin
 INSTALLED := .venv/installed
 PEERS := .venv/peers-installed
+# The checker of the pages' scripts, of package.json; only where npm is.
+SCRIPTS := node_modules/installed
 # Tests of words, files and pages, in which no number depends on how a processor rounds.
 WORDS := check cli dh documents errors exam fuzz malformed misuse notebooks pages plots project public xacro
 
@@ -26,11 +28,17 @@ portable: $(INSTALLED)  ## the numeric tests as an older processor computes them
 	OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR" \
 	$(BIN)/python -m pytest -n auto --dist loadfile $(WORDS:%=--ignore-glob='tests/test_%*.py')
 
-check: $(INSTALLED)  ## style, types, layers
+check: $(INSTALLED)  ## style, types, layers, the scripts of the pages
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	@if command -v npm >/dev/null; then $(MAKE) --no-print-directory $(SCRIPTS) && npm run --silent lint; \
+	else echo "npm is not installed, so the scripts of the pages are not checked"; fi
+
+$(SCRIPTS): package.json
+	npm install --no-package-lock --no-audit --no-fund --silent
+	touch $@
 
 notebooks: $(INSTALLED)  ## execute the notebooks
 	$(BIN)/python -m pytest tests/test_notebooks.py
@@ -62,4 +70,4 @@ $(PEERS): $(INSTALLED)
 	touch $@
 
 clean:
-	rm -rf .venv build dist exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf .venv node_modules build dist exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

@@ -1,5 +1,7 @@
 """The public names at the top, and the namespaces that hold the others; `__init__.py` reads this file."""
 
+import robotics1.plots as plots  # noqa: F401, PLR0402  # beside __all__, which has its sixty names
+
 from . import control, curves, dh, ik, orientation, singularities, trajectories
 from .control import simulate_tracking
 from .curves.arcs import line_path
@@ -20,6 +22,8 @@ from .ik.solutions import ik_solutions
 from .ik.solver import IKSolver, solve_ik
 from .kinematics import forward_kinematics, frame_jacobian, frame_jacobian_rate
 from .least_squares import RANK_TOLERANCE
+from .plots.against_time import plot_timing_law, plot_trajectory
+from .plots.paths import plot_path
 from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
 from .robot.report import RobotReport
@@ -45,7 +49,6 @@ from .trajectories.profiles import trapezoidal
 from .trajectories.splines import cubic_spline
 from .trajectories.target_motion import LinearMotion
 from .viewer.animation import animate, view
-from .viewer.plots import plot_path, plot_timing_law, plot_trajectory
 
 __all__ = [
     "RANK_TOLERANCE",

@@ -50,14 +50,16 @@ def real_number(name: str, value: Any, *, positive: bool = False, non_negative: 
     return number
 
 
-def counting_number(name: str, value: Any, *, least: int = 0) -> int:
-    """Return `value` as an integer not below `least`.
+def counting_number(name: str, value: Any, *, least: int = 0, most: int | None = None) -> int:
+    """Return `value` as an integer not below `least` and not above `most`.
 
     Raises:
-        InputError: it is no integer, or too small.
+        InputError: it is no integer, too small, or too large.
     """
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
         raise InputError(f"{name} must be an integer of at least {least}; it is {value!r}")
+    if most is not None and value > most:
+        raise InputError(f"{name} must be an integer of at most {most}; it is larger")
     return int(value)
 
 

@@ -14,6 +14,7 @@ class OpenPage:
 
     def __init__(self, browser, path, width=900, height=700):
         self.faults = []
+        self.held = None  # where a hand last held the handle
         self.tab = browser.new_page(viewport={"width": width, "height": height})
         self.tab.on("pageerror", lambda error: self.faults.append(str(error)))
         self.tab.on("console", lambda message: self.faults.append(message.text) if message.type == "error" else None)
@@ -38,7 +39,7 @@ class OpenPage:
         """Save what is seen in the folder of the pictures, if one is named."""
         if PICTURES:
             self.tab.set_viewport_size({"width": width, "height": height})
-            self.ask("app.stage.fit()")
+            self.ask("(app.frame(), app.stage.fit())")
             self.tab.wait_for_timeout(300)
             self.tab.screenshot(path=Path(PICTURES) / f"{name}.png")
 
@@ -54,6 +55,24 @@ class OpenPage:
     def move(self, q):
         """Put the robot at q."""
         self.ask("app.change(a)", [float(value) for value in q])
+
+    def pixels(self, p):
+        """Return where in the window a point of the world is."""
+        return self.ask(
+            "(p => { const v = new THREE.Vector3(...p).project(app.stage.viewer.camera), e = app.stage.element;"
+            " return [(v.x + 1) / 2 * e.clientWidth, (1 - v.y) / 2 * e.clientHeight]; })(a)",
+            [float(value) for value in p],
+        )
+
+    def drag(self, goal):
+        """Drag the handle from where it is to a point of the world, and return what the page says of it."""
+        self.tab.mouse.move(*self.pixels(self.place("handle")))
+        self.tab.mouse.down()
+        self.tab.mouse.move(*self.pixels(goal), steps=6)
+        said = self.tab.inner_text("#verdict")
+        self.held = np.array(self.ask("positionOf(app.handle.held.wanted)"))
+        self.tab.mouse.up()
+        return said
 
     def seek(self, time):
         """Drag the slider of time."""

@@ -301,3 +301,18 @@ def test_decimation_keeps_the_parts_and_their_colours(mesh):
     assert [part.color for part in parts] == [(1, 0, 0, 1), (0, 1, 0, 1)]
     assert 900 <= sum(len(part.faces) for part in parts) <= 1010
     assert box(parts) == pytest.approx(np.array([[-1] * 3, [1] * 3]), abs=2e-2)
+
+
+def test_triangles_that_draco_compresses_are_those_of_the_plain_file(mesh):
+    """Draco rounds to 14 bits of the longest side."""
+    pytest.importorskip("DracoPy")
+    import trimesh
+
+    ball = trimesh.creation.icosphere(subdivisions=2, radius=0.3)
+    plain, packed = (
+        mesh(f"{kind}.glb", ball.export(file_type="glb", extension_draco=kind == "packed"))[0]
+        for kind in ("plain", "packed")
+    )
+    assert len(packed.faces) == len(plain.faces) == len(ball.faces)
+    assert np.linalg.norm(packed.vertices, axis=1) == pytest.approx(np.full(len(packed.vertices), 0.3), abs=1e-4)
+    assert volume([packed]) == pytest.approx(volume([plain]), rel=1e-3)

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from robotics1.errors import InputError
-from robotics1.viewer.mesh_formats import neighbours
+from robotics1.viewer.mesh_formats import files, neighbours
 from robotics1.viewer.meshes import read_mesh
 
 JUNK = {
@@ -183,8 +183,30 @@ def test_buffers_of_gltf_that_are_used_too_often_take_no_memory(mesh):
     for changes in ({"accessors": tree["accessors"] + many}, {"bufferViews": views}):
         with pytest.raises(InputError, match="its buffers are used too often"):
             mesh("a.glb", texts.glb(**changes))
-    with pytest.raises(InputError, match="compressed by KHR_draco_mesh_compression"):
-        mesh("a.glb", texts.glb(extensionsUsed=["KHR_draco_mesh_compression"]))
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [("KHR_draco_mesh_compression", "pip install 'robotics1.draco.'"), ("EXT_meshopt_compression", "is not read")],
+)
+def test_compression_that_nothing_here_reads_is_refused_in_a_sentence(mesh, monkeypatch, name, sentence):
+    monkeypatch.setattr(files, "find_spec", lambda name: None)
+    with pytest.raises(InputError, match=f"compressed by {name}.*{sentence}"):
+        mesh("a.glb", texts.glb(extensionsUsed=[name]))
+
+
+def test_what_is_not_compressed_as_it_says_is_refused(mesh):
+    pytest.importorskip("DracoPy")
+    import trimesh
+
+    data = trimesh.creation.icosphere().export(file_type="glb", extension_draco=True)
+    begin = data.index(b"DRACO")
+    for broken in (
+        data[:begin] + b"OCARD" + data[begin + 5 :],
+        data[: begin + 40] + b"\xff" * (len(data) - begin - 40),
+    ):
+        with pytest.raises(InputError, match=r"a\.glb"):
+            mesh("a.glb", broken)
 
 
 def test_a_picture_of_many_pixels_is_not_unpacked(mesh, tmp_path, capfd):

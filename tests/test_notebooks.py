@@ -6,6 +6,8 @@ from nbclient import NotebookClient
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 
+PICTURES = {"exercise_1": 1, "exercise_2": 0, "exercise_3": 0}  # figures made by the run
+
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_the_notebook_is_thin_stripped_and_runs(path):
@@ -18,6 +20,13 @@ def test_the_notebook_is_thin_stripped_and_runs(path):
         assert cell.outputs == []
         assert cell.execution_count is None
     NotebookClient(notebook, timeout=120, resources={"metadata": {"path": path.parent}}).execute()
+    shown = [output.data for cell in cells for output in cell.outputs if "data" in output]
+    pages = [html for data in shown if (html := data.get("text/html", "")).startswith("<iframe srcdoc=")]
+    assert len(pages) == 1  # a page stands in the notebook, without a file or a server
+    assert "default-src &#x27;none&#x27;" in pages[0]
+    assert pages[0].count("<iframe") == 1
+    pictures = [data["image/svg+xml"] for data in shown if "image/svg+xml" in data]
+    assert len(pictures) == PICTURES[path.stem[:10]]
 
 
 def test_there_is_one_notebook_an_exercise():

@@ -1,9 +1,12 @@
 """The page computes as Pinocchio does: forward kinematics, Jacobian, singular values, inverse kinematics."""
 
+import json
+
 import numpy as np
 import pytest
 from arms import arm, random_q
 from pages import OpenPage
+from sweeps import core_first
 
 from robotics1 import (
     PlanarPoseTask,
@@ -14,7 +17,10 @@ from robotics1 import (
     load_robot,
     view,
 )
+from robotics1.robot.box import joint_box
+from robotics1.robot.sources import named_robots
 from robotics1.tasks.task import unitless_jacobian
+from robotics1.viewer.arm_data import arm_data, default_task
 
 FOLLOWERS = """<robot name="followers"><link name="base"/><link name="a"/><link name="b"/><link name="c"/>
 <link name="tool"/>
@@ -26,6 +32,7 @@ FOLLOWERS = """<robot name="followers"><link name="base"/><link name="a"/><link 
 <joint name="turn" type="revolute"><parent link="b"/><child link="c"/><origin xyz="0 0.4 0"/><axis xyz="0 1 0"/>
 <mimic joint="q1" multiplier="2" offset="-0.3"/><limit lower="-9" upper="9" velocity="9" effort="1"/></joint>
 <joint name="tip" type="fixed"><parent link="c"/><child link="tool"/><origin xyz="0.2 0 0.1"/></joint></robot>"""
+REFUSED = {"ur", "alex_psyonic_hands"}  # no robots: no name, and a joint that is not there
 ARMS = ("prr", "cylindrical", "planar_2r", "planar_3r", "redundant", "six_r")
 TASKS = {
     "prr": PlanarPoseTask("xy"),
@@ -101,3 +108,29 @@ def test_followers_move_in_the_page_as_pinocchio_moves_them(browser, tmp_path):
         J = page.ask("app.arm.jacobian(app.arm.tool, app.arm.forward(a))", [value])
         assert np.array(J) == pytest.approx(frame_jacobian(robot, [value]), abs=1e-12)
     page.tab.close()
+
+
+@pytest.mark.parametrize("name", core_first(sorted(set(named_robots()) - REFUSED), {"ur5", "panda", "prr", "kinova"}))
+def test_a_named_robot_moves_in_the_page_as_in_pinocchio(opened, name):
+    """Its numbers only: the page of another robot computes with them."""
+    robot, page = load_robot(name), opened("planar_2r")[1]
+    if robot.nq != robot.nv:
+        pytest.skip("a robot with a planar or floating joint stands still in a page")
+    data = json.loads(json.dumps(arm_data(robot, np.zeros(robot.nq), None)))
+    frame, task = data["tool"]["name"], default_task(robot)
+    inside = joint_box(robot, unlimited=1.0).random(np.random.default_rng(0), 3)
+    for q in inside:
+        found = page.ask(
+            "(arm => { const placed = arm.forward(b), m = arm.task ? arm.measure(b) : null;"
+            " return [arm.frame(arm.tool, placed), arm.jacobian(arm.tool, placed), m && m.values]; })(new Arm(a))",
+            data,
+            q.tolist(),
+        )
+        T = forward_kinematics(robot, q, frame=frame)
+        assert np.array(found[0]).reshape(3, 4) == pytest.approx(T.homogeneous[:3], abs=1e-9)
+        assert np.array(found[1]) == pytest.approx(frame_jacobian(robot, q, frame=frame), abs=1e-9)
+        if data["chain"]["length"] is not None:  # beyond it, a page says that a target is out of reach
+            assert np.linalg.norm(T.translation - data["chain"]["start"]) <= data["chain"]["length"] + 1e-9
+        if task is not None:
+            sigma = np.linalg.svd(unitless_jacobian(robot, task, q), compute_uv=False)
+            assert found[2] == pytest.approx(sigma, abs=1e-9)

@@ -6,7 +6,17 @@ import numpy as np
 import pytest
 from pages import OpenPage
 
-from robotics1 import InputError, LinearMotion, PositionTask, animate, cubic, forward_kinematics, load_robot, rendezvous
+from robotics1 import (
+    InputError,
+    LinearMotion,
+    PositionTask,
+    animate,
+    cubic,
+    forward_kinematics,
+    load_robot,
+    rendezvous,
+    view,
+)
 from robotics1.curves import CurveSequence
 from robotics1.trajectories import bang_bang
 
@@ -84,7 +94,7 @@ def test_a_click_into_a_plot_seeks_and_the_plots_hold_q_and_its_limits(page, mot
     assert points == pytest.approx([1.5, motion(1.5)[1]], abs=1e-12)
     plot = page.tab.locator("#plots svg").first
     box = plot.bounding_box()
-    page.tab.mouse.click(box["x"] + box["width"] * (44 + 448 / 3) / 500, box["y"] + box["height"] / 2)
+    page.tab.mouse.click(box["x"] + box["width"] * (42 + 370 / 3) / 420, box["y"] + box["height"] / 2)
     assert page.ask("app.bar.time") == pytest.approx(0.5, abs=0.01)
     page.tab.click("#plotting")
 
@@ -164,6 +174,16 @@ def test_a_long_motion_is_resampled_so_that_its_page_stays_small(tmp_path):
     assert page.file.stat().st_size < 1_300_000
 
 
+def test_twenty_seconds_of_a_panda_at_60_frames_a_second_add_half_a_megabyte_at_most():
+    robot = load_robot("panda")
+    q = np.clip(np.full(robot.nq, 0.1), robot.lower, robot.upper)
+    times = np.arange(0, 20, 1 / 60)
+    recorded = q + 1e-3 * np.sin(times)[:, None]
+    still = len(view(robot, q).html)
+    assert len(animate(robot, times=times, q=recorded).html) - still < 500_000
+    assert len(animate(robot, cubic(q, q + 0.01, 20.0)).html) - still < 500_000
+
+
 def test_a_million_recorded_values_are_thinned_to_a_small_page():
     times = np.linspace(0, 100, 10**6)
     page = animate(load_robot("planar_2r"), times=times, q=np.sin(times)[:, None] * [1, 2])
@@ -185,3 +205,51 @@ def test_recorded_values_that_are_no_motion_are_input_errors(times, q, tmp_path)
     with pytest.raises(InputError):
         animate(load_robot("planar_2r"), None, tmp_path / "r.html", times=times, q=q)
     assert list(tmp_path.iterdir()) == []
+
+
+class Foreign:
+    """A motion of the user's own class."""
+
+    def __init__(self, q, duration=1.0):
+        self.q, self.duration = q, duration
+
+    def __call__(self, t):
+        return np.moveaxis(np.array([self.q(np.asarray(t, float))] * 2), 0, -1)
+
+    def velocity(self, t, *, side="right"):
+        return np.zeros((*np.shape(t), 2))
+
+
+MOVE = cubic([0, 0], [1, 1], 1.0)
+MISUSE = [
+    (lambda r: animate(r, Foreign(lambda t: np.where(t > 0.5, np.nan, 0.0))), r"it is \[nan, nan\] at t = 0\.5"),
+    (lambda r: animate(r, Foreign(lambda t: 1e12 + t)), "must be finite and below 1e"),
+    (lambda r: animate(r, Foreign(np.sin, np.inf)), "a motion that does not end"),
+    (lambda r: animate(r, Foreign(np.sin, np.nan)), "a motion that does not end"),
+    (lambda r: animate(r, Foreign(np.sin, 1e200)), "must last from"),
+    (lambda r: animate(r, cubic([0], [1], 1.0)), "motion is of 1 joints; the robot has 2"),
+    (lambda r: animate(r, times=[0], q=[[0, 0]]), "two or more instants that grow .*; there are 1"),
+    (lambda r: animate(r, times=[0, 2, 1], q=[[0, 0]] * 3), "after 2 comes 1"),
+    (lambda r: animate(r, times=[0, 5e-324], q=[[0.0, 0]] * 2), "must last from"),
+    (lambda r: animate(r, times=[0, 3], q=[[0.0, 0], [0, np.nan]]), r"it is \[0\.0, nan\] at t = 3 s"),
+    (lambda r: animate(r, times=[0, 3], q=[[0.0, 0], [0, 1e300]]), "must be finite and below"),
+    (lambda r: animate(r, MOVE, target=3), "the target must be a motion"),
+    (lambda r: animate([r, 3], [MOVE, MOVE]), "the robot must be a Robot, not a int"),
+    (lambda r: animate("planar_2r", MOVE), "load it first"),
+    (lambda r: animate(r, MOVE, task=3), "the task must be a task"),
+    (lambda r: animate(r, MOVE, title=3), "title must be a text"),
+    (lambda r: animate(r, MOVE, caption=3), "caption must be a text"),
+]
+
+
+@pytest.mark.parametrize(("call", "message"), MISUSE, ids=range(len(MISUSE)))
+def test_what_cannot_be_drawn_is_refused_by_a_sentence(call, message):
+    with pytest.raises(InputError, match=message):
+        call(load_robot("planar_2r"))
+
+
+def test_a_curve_of_a_hundred_thousand_pieces_is_drawn_by_some_of_them():
+    t = np.linspace(0, 100, 100_001)
+    motion = Foreign(np.sin, 100.0)
+    motion.breakpoints = t[1:-1]
+    assert len(animate(load_robot("planar_2r"), motion).html) < 1_500_000

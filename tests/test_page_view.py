@@ -64,30 +64,18 @@ def test_det_j_of_the_2r_is_l1_l2_sin_q2_and_its_singularity_is_named(opened):
     assert page.ask("app.arm.measure(app.q).determinant") == pytest.approx(l1 * l2 * np.sin(1.2), abs=1e-12)
     assert not page.tab.is_visible("#warning")
     page.move([0.0, 0.0])
-    assert page.tab.inner_text("#warning") == "Singular: a task velocity along 1.00 x cannot be realised."
+    assert page.tab.inner_text("#warning") == "Singular: a task velocity along x cannot be realised."
     assert "rank 1 of 2" in page.tab.inner_text("#jacobian")
     assert page.ask("app.drawing.lost.visible")
 
 
-def test_a_dragged_tool_is_followed_and_a_target_out_of_reach_is_said_so(opened):
+def test_a_dragged_tool_is_followed(opened):
     page = opened("planar_2r")
     page.move([0.4, 1.0])
-    to_pixels = "(p => { const v = new THREE.Vector3(...p).project(app.stage.viewer.camera), e = app.stage.element;"
-    to_pixels += " return [(v.x + 1) / 2 * e.clientWidth, (1 - v.y) / 2 * e.clientHeight]; })"
-    start = page.ask(f"{to_pixels}(a)", list(page.place("tool frame")))
     goal = np.array([0.3, 0.6, 0.0])
-    end = page.ask(f"{to_pixels}(a)", list(goal))
-    page.tab.mouse.move(*start)
-    page.tab.mouse.down()
-    page.tab.mouse.move(*end, steps=5)
-    assert page.tab.inner_text("#verdict") == "reached"
+    assert page.drag(goal) == "reached"
     assert page.place("tool frame") == pytest.approx(goal, abs=2e-2)  # a pixel is some millimetres
-    held = page.ask("app.handle.held.wanted")
-    assert page.place("tool frame")[:2] == pytest.approx([held[3], held[7]], abs=1e-4)
-    page.tab.mouse.move(end[0] - 260, end[1] - 10, steps=5)
-    page.tab.mouse.up()
-    reach = sum(arm("planar_2r").parameters.values())
-    assert np.linalg.norm(page.place("tool frame")) <= reach + 1e-9
+    assert page.place("tool frame") == pytest.approx(page.held, abs=1e-4)
     assert page.faults == []
 
 
@@ -133,7 +121,7 @@ def test_what_is_no_solution_is_an_input_error(solutions):
         r1.view(arm("planar_2r"), solutions=solutions)
 
 
-@pytest.mark.parametrize("name", ["planar_2r", "cylindrical"])
+@pytest.mark.parametrize("name", ["planar_2r", "cylindrical", "prr", "spatial", "redundant"])
 def test_the_robot_is_inside_the_window_whatever_its_size(opened, name):
     page = opened(name)
     for width, height in WINDOWS:

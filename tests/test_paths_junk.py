@@ -117,6 +117,9 @@ def test_junk_is_drawn_or_refused_by_a_typed_error(tmp_path_factory, name, junk)
         lambda: r1.plot_trajectory(junk, file=folder / name),
         lambda: r1.plot_timing_law(junk, file=folder / name),
         lambda: r1.plot_path(CURVE, junk, file=folder / name, frames=junk),
+        lambda: r1.plot_path(CURVE, file=folder / name, robot=junk),
+        lambda: r1.plots.plot_ellipses(ROBOT, XY, junk, file=folder / name),
+        lambda: r1.plots.plot_ellipses(ROBOT, XY, MOTION, kinds=junk, count=3),
         lambda: r1.plot_trajectory(MOTION, file=folder / name, names=junk, units="m"),
     ]
     for drawing in drawings:

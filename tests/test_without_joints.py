@@ -153,6 +153,7 @@ def nothing_moves(still, task, folder):
         "view": lambda: r1.view(still, [], folder / "still.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
+        "plot_ellipses": lambda: r1.plots.plot_ellipses(still, task, [], file=folder / "e.svg"),
         "plot_path": lambda: r1.plot_path(
             r1.trajectories.TaskTrajectory(still, r1.PositionTask("xy"), joints), file=folder / "c.svg"
         ),

@@ -10,13 +10,13 @@ import numpy.typing as npt
 from robotics1.curves.given import Motion
 from robotics1.errors import InputError
 from robotics1.ik.solution_set import IKSolutions
-from robotics1.inputs import Array, text
+from robotics1.inputs import Array, a_robot, a_task, text
+from robotics1.plots.figures import names_of
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.arm_data import arm_data, is_planar
 from robotics1.viewer.page import Page, page_of
-from robotics1.viewer.plot_figures import names_of
 from robotics1.viewer.samples import recorded, samples_of, target_samples
 from robotics1.viewer.shapes import Shapes
 
@@ -120,6 +120,7 @@ def view(
     Warns:
         RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
+    a_robot(robot)
     states = _labelled(robot, solutions.q if isinstance(solutions, IKSolutions) else solutions)
     start = robot.configuration(q) if q is not None else states[0][1] if states else _resting(robot)
     shapes = Shapes()
@@ -143,7 +144,10 @@ def _pairs(robot: Any, motion: Any, *, recorded_values: bool) -> tuple[list[Robo
     if (motion is None) != recorded_values:
         raise InputError("give a motion, or times and q of a recorded one")
     motions = list(motion) if isinstance(motion, list | tuple) else [motion]
-    robots = [robot] * len(motions) if isinstance(robot, Robot) else list(robot)
+    listed = isinstance(robot, Sequence) and not isinstance(robot, str)
+    robots = list(robot) if listed else [robot] * len(motions)
+    for one in robots:
+        a_robot(one)
     if not motions or len(robots) != len(motions):
         raise InputError(f"each motion wants its robot: there are {len(robots)} robots and {len(motions)} motions")
     return robots, motions
@@ -159,6 +163,9 @@ def _resting(robot: Robot) -> Array:
 
 
 def _arm(robot: Robot, q: Array, task: Task | None, shapes: Shapes, label: str) -> dict[str, Any]:
+    """Return an arm of the page with its shapes."""
+    if task is not None:
+        a_task(task)
     return {**arm_data(robot, q, task), "label": label, "shapes": shapes.of(robot)}
 
 
@@ -178,6 +185,8 @@ def _page(
     caption: str,
     file: str | Path | None,
 ) -> Page:
+    text("caption", caption)
+    name = text("title", title or "") or ", ".join(dict.fromkeys(robot.name for robot in robots))
     data = {
         "planar": all(map(is_planar, robots)),
         "arms": arms,
@@ -185,5 +194,4 @@ def _page(
         "meshes": shapes.meshes,
         "solutions": [{"label": label, "q": q.tolist()} for label, q in solutions],
     }
-    name = title or ", ".join(dict.fromkeys(robot.name for robot in robots))
     return page_of(data, title=name, caption=caption, notes="\n".join(shapes.notes), file=file)

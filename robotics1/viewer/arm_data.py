@@ -39,6 +39,7 @@ def arm_data(robot: Robot, q: Array, task: Task | None) -> dict[str, Any]:
         "coordinates": _coordinates(robot) if moves else [],
         "tool": {"name": shown_tool(robot), **_frame(robot, shown_tool(robot))},
         "task": None if task is None else _task(robot, task),
+        "chain": _chain(robot, shown_tool(robot) if task is None else _frame_of(robot, task)),
     }
 
 
@@ -155,6 +156,35 @@ def _coordinates(robot: Robot) -> list[dict[str, Any]]:
 def _frame(robot: Robot, name: str | None) -> dict[str, Any]:
     frame = robot.model.frames[robot.frame_id(name)]
     return {"joint": frame.parentJoint - 1, "placement": placement(frame.placement)}
+
+
+def _frame_of(robot: Robot, task: Task) -> str:
+    """Return the name of the frame of a task."""
+    form = task.frame_map()
+    return shown_tool(robot) if form is None or form.frame is None else form.frame
+
+
+def _chain(robot: Robot, name: str) -> dict[str, Any]:
+    """Return where the first joint on the way to a frame is, and how far from there the frame can be at most [m]."""
+    frame = robot.model.frames[robot.frame_id(name)]
+    way: list[int] = []
+    number = frame.parentJoint
+    while number > 0:
+        way.insert(0, number)
+        number = robot.model.parents[number]
+    steps = [robot.model.jointPlacements[i].translation for i in way[1:]] + [frame.placement.translation]
+    start = robot.model.jointPlacements[way[0]].translation if way else np.zeros(3)
+    length = sum(float(np.linalg.norm(step)) for step in steps) + _travel(robot, name)
+    return {"start": [float(value) for value in start], "length": _finite(length)}
+
+
+def _travel(robot: Robot, name: str) -> float:
+    """Return how far the prismatic joints on the way to a frame can slide together, ∞ where a limit is missing [m]."""
+    if robot.nq != robot.nv:
+        return float("inf")
+    far = dict(zip(robot.joint_names, np.maximum(np.abs(robot.lower), np.abs(robot.upper)), strict=True))
+    sliding = [joint for joint in robot.joints_to(name) if joint.kind == "prismatic"]
+    return float(sum(abs(joint.multiplier) * far[joint.leader] + abs(joint.offset) for joint in sliding))
 
 
 def _task(robot: Robot, task: Task) -> dict[str, Any]:

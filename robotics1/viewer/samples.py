@@ -18,6 +18,8 @@ from robotics1.trajectories.target_motion import TargetMotion
 
 RATE = 60.0  # samples a second: a browser shows no more
 MOST = 1200  # samples of a smooth motion; between them the page draws a cubic curve
+LARGEST = 1e9  # rad, m or s: with more, single precision, which a browser draws with, tells no two places apart
+SHORTEST = 1e-6  # s that a motion lasts
 MOST_RECORDED = 20_000  # samples of recorded values; of more, evenly chosen ones are kept
 
 
@@ -49,11 +51,10 @@ def samples_of(motion: Motion, robot: Robot) -> Samples:
     """Return samples of a motion of a robot's joints, between which the page draws cubic curves.
 
     Raises:
-        InputError: the motion is not of the robot's joints, or it is not finite.
+        InputError: the motion is not of the robot's joints, it is not finite, or too large, long or short to be drawn.
     """
     curve = joint_motion("motion", motion, robot.nv)
-    if not np.isfinite(curve.end):
-        raise InputError("a motion that does not end cannot be drawn")
+    _duration(curve.end)
     every = ceil(len(curve.ends) / MOST)  # of many breakpoints, some
     ends = [*curve.ends[:-1:every], curve.end]
     pieces = len(ends) - 1
@@ -62,9 +63,9 @@ def samples_of(motion: Motion, robot: Robot) -> Samples:
         each = max(2, min(ceil((b - a) * RATE), MOST // pieces)) + 1
         t = np.linspace(a, b, each)
         times.append(t)
-        q.append(real_array("q(t) of the motion", curve(t), (each, robot.nv)))
-        after = real_array("q̇(t) of the motion", curve.velocity(t, side="right"), (each, robot.nv))
-        before = real_array("q̇(t) of the motion", curve.velocity(t, side="left"), (each, robot.nv))
+        q.append(_values("q(t) of the motion", curve(t), t, robot.nv))
+        after = _values("q̇(t) of the motion", curve.velocity(t, side="right"), t, robot.nv)
+        before = _values("q̇(t) of the motion", curve.velocity(t, side="left"), t, robot.nv)
         rates.append(np.vstack([after[:1], before[1:]]))
     return Samples(np.concatenate(times), np.vstack(q), np.vstack(rates))
 
@@ -73,14 +74,19 @@ def recorded(times: npt.ArrayLike | None, q: npt.ArrayLike | None, robot: Robot)
     """Return recorded configurations, between which the page draws straight lines.
 
     Raises:
-        InputError: there are fewer than two, the instants do not grow, or a shape is wrong.
+        InputError: there are fewer than two, the instants do not grow, a shape is wrong, or a value is not finite or
+            too large to be drawn.
     """
     if times is None or q is None:
         raise InputError(f"a recorded motion wants times and q; {'times' if times is None else 'q'} is missing")
     instants = real_array("times", times, (None,), "one instant for each configuration [s]")
-    if len(instants) < 2 or (np.diff(instants) <= 0).any():
-        raise InputError("times must be two or more instants that grow [s]")
-    values = real_array("q", q, (len(instants), robot.nq), "a configuration for each instant")
+    if len(instants) < 2:
+        raise InputError(f"times must be two or more instants that grow [s]; there are {len(instants)}")
+    if (steps := np.diff(instants)).min() <= 0:
+        k = int(np.argmin(steps > 0))
+        raise InputError(f"times must be instants that grow [s]; after {instants[k]:g} comes {instants[k + 1]:g}")
+    _duration(instants[-1] - instants[0])
+    values = _values("q", q, instants, robot.nq)
     if len(instants) > MOST_RECORDED:
         kept = np.linspace(0, len(instants) - 1, MOST_RECORDED).round().astype(int)
         instants, values = instants[kept], values[kept]
@@ -91,10 +97,33 @@ def target_samples(target: TargetMotion, duration: float) -> Samples:
     """Return the positions of a moving point, with a third coordinate of zero if it has two.
 
     Raises:
-        InputError: it has not two or three coordinates, or is not finite.
+        InputError: it is no function of time, has not two or three coordinates, or is not finite.
     """
+    if not callable(target):
+        raise InputError(f"the target must be a motion p(t), such as LinearMotion(p0, v); it is {target!r}")
     times = np.linspace(0.0, duration, max(2, min(ceil(duration * RATE), MOST)) + 1)
     return Samples(times, np.array([_in_space(target(float(t))) for t in times]), None)
+
+
+def _duration(T: float) -> None:
+    """Refuse a motion that nobody can watch."""
+    if not np.isfinite(T):
+        raise InputError("a motion that does not end cannot be drawn")
+    if not SHORTEST <= T <= LARGEST:
+        raise InputError(f"a motion must last from {SHORTEST:g} to {LARGEST:g} s to be drawn; it lasts {T:g} s")
+
+
+def _values(name: str, given: Any, t: Array, n: int) -> Array:
+    """Return the values at each instant, (k, n), if all can be drawn; else say where not."""
+    values = np.asarray(given)
+    if values.shape == (len(t), n) and values.dtype.kind == "f":
+        bad = ~(np.abs(values) <= LARGEST).all(axis=1)  # which NaN is not
+        if bad.any():
+            k = int(bad.argmax())
+            raise InputError(
+                f"{name} must be finite and below {LARGEST:g}; it is {values[k].tolist()} at t = {t[k]:.6g} s"
+            )
+    return real_array(name, given, (len(t), n), "a value of each joint for each instant")
 
 
 def _base64(values: Array) -> str:

@@ -18,6 +18,7 @@ from robotics1.viewer.skeleton import skeleton
 GREY = (0.72, 0.75, 0.78, 1.0)  # of a shape without a colour
 STEPS = 65535  # between the least and the largest coordinate of a mesh: a corner is three numbers of 16 bits
 NO_SHAPES = "The robot's file has no shapes: a skeleton is drawn."
+INSTEAD = "The robot's skeleton is drawn instead."
 HOW_TO_FIND = "Its packages are looked for in the folders packages=[...], or --packages."
 
 
@@ -35,22 +36,21 @@ class Shapes:
     _known: dict[str, list[tuple[int, MeshPart]]] = field(default_factory=dict)
 
     def of(self, robot: Robot) -> list[dict[str, Any]]:
-        """Return the shapes of a robot, or of its skeleton if it has none that can be drawn.
+        """Return the shapes of a robot, with those of its skeleton if some, or all, cannot be drawn.
 
         Warns:
             RobotWarning: a mesh was not found or cannot be read, and is not drawn.
         """
         visuals = read_visuals(robot)
         shapes = [shape for visual in visuals for shape in self._drawn(visual)]
+        unread = any(isinstance(v.shape, MeshFile) and v.shape.found and not self._parts(v.shape) for v in visuals)
         missing = [warning for warning in robot.warnings if warning.startswith("mesh ")]
         if missing:
             more = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
-            self._warn(f"{missing[0]}{more}. {HOW_TO_FIND}")
-        if not shapes:
-            if not missing:
-                self._note(NO_SHAPES)
-            return skeleton(robot)
-        return shapes
+            self._warn(f"{missing[0]}{more}. {HOW_TO_FIND} {INSTEAD}")
+        elif not shapes and not unread:
+            self._note(NO_SHAPES)
+        return [*shapes, *skeleton(robot)] if missing or unread or not shapes else shapes
 
     def _drawn(self, visual: Visual) -> list[dict[str, Any]]:
         """Return a plain shape, or the parts of a mesh: in their own colours, else in that of the robot's file."""
@@ -70,7 +70,7 @@ class Shapes:
             try:
                 parts = read_mesh(mesh.path)
             except InputError as error:
-                self._warn(f"{error}, so it is not drawn.")
+                self._warn(f"{error}, so it is not drawn. {INSTEAD}")
                 parts = ()
             first = len(self.meshes)
             self.meshes += [packed(part) for part in parts]

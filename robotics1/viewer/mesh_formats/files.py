@@ -14,6 +14,7 @@ import re
 import struct
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,7 @@ from robotics1.viewer.mesh_formats.pieces import MOST_TRIANGLES, Piece, few, pla
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 STL_HEADER = 84  # bytes
+DRACO = "KHR_draco_mesh_compression"
 GLB_HEADER = struct.Struct("<4sIII4s")  # of the file: magic, version, length; of its first chunk: length, kind
 VERTEX = re.compile(rb"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", re.IGNORECASE)
 
@@ -121,12 +123,23 @@ def _plain(text: bytes) -> bytes:
     sizes += [8 * int(a["count"]) * COMPONENTS[a["type"]] for a in tree.get("accessors", ())]
     if sum(sizes) > 4 * LARGEST_FILE or min(sizes, default=0) < 0:
         raise ValueError("its buffers are used too often")
-    for name in tree.get("extensionsUsed", ()):
-        if "compression" in name:
-            raise ValueError(f"it is compressed by {name}, which is not read")
+    _refuse_compression(tree.get("extensionsUsed", ()))
     for material in tree.get("materials", ()):
         material.pop("extensions", None)
     return json.dumps(tree).encode()
+
+
+def _refuse_compression(extensions: Iterable[str]) -> None:
+    """Refuse triangles that are compressed, but for Draco's where DracoPy is installed, by which trimesh reads them.
+
+    Raises:
+        ValueError: they are compressed otherwise, or DracoPy is not installed.
+    """
+    for name in extensions:
+        if name == DRACO and find_spec("DracoPy") is None:
+            raise ValueError(f"it is compressed by {name}; to read it, pip install 'robotics1[draco]'")
+        if name != DRACO and "compression" in name:
+            raise ValueError(f"it is compressed by {name}, which is not read")
 
 
 def _trimesh(name: str) -> Callable[..., Mapping[str, Any]]:

@@ -21,21 +21,22 @@ class Abilities {
 
   ellipsoid(color) {
     const shape = new THREE.Mesh(
-      new THREE.SphereGeometry(1, 40, 24), paint(color, { opacity: 0.3, transparent: true, depthWrite: false }),
+      new THREE.SphereGeometry(1, 40, 24),
+      paint(color, { opacity: 0.3, transparent: true, depthWrite: false }),
     );
     shape.visible = false;
     this.app.stage.scene.add(shape);
     return shape;
   }
 
-  /** The semi-axes of {J q̇ : |q̇| ≤ 1} are the singular values; those of the forces {f : |Jᵀ f| ≤ 1} their inverses. */
+  /** The semi-axes of {J q̇ : |q̇| ≤ 1} are the singular values, those of {f : |Jᵀ f| ≤ 1} their inverses. */
   show(placed) {
     const { arm, drawing } = this.app;
     const J = arm.jacobian(arm.task.frame, placed).slice(0, 3).map(row => row.map((v, j) => v * arm.scale[j]));
     const { values, U } = singularValues(J, arm.size);
     const axes = completed([U[0] ?? null, U[1] ?? null, U[2] ?? null], 3);
     const sizes = axes.map((_, k) => values[k] ?? 0), most = Math.max(...sizes) || 1;
-    const thin = 0.004 * arm.reach, longest = 0.13 * arm.reach;
+    const thin = 0.004 * arm.length, longest = 0.13 * arm.length;
     const inverse = sizes.map(s => (s > 1e-9 * most ? most / s : this.app.planar && s === 0 ? 0 : 1e9));
     const flat = this.app.planar ? sizes.map(s => s <= 1e-9 * most) : [false, false, false];
     const least = Math.min(...inverse.filter((_, k) => !flat[k]));

@@ -91,12 +91,12 @@ class Drawing {
     this.links = arm.joints.map(joint => this.linkGroup(joint.name));
     this.base = this.linkGroup("base");
     this.complete = Promise.all(arm.shapes.map(shape => this.addShape(shape, meshes, ghost, tint)));
-    this.tool = arm.tool && !ghost ? triad(0.12 * arm.reach, "") : null;
+    this.tool = arm.tool && !ghost ? triad(0.12 * arm.length, "") : null;
     if (this.tool) {
       this.tool.name = "tool frame";
       this.group.add(this.tool);
     }
-    this.lost = arrow(0.2 * arm.reach, 0.005 * arm.reach, COLORS.warning);
+    this.lost = arrow(0.2 * arm.length, 0.005 * arm.length, COLORS.warning);
     this.lost.visible = false;
     this.group.add(this.lost);
   }
@@ -150,7 +150,7 @@ class Drawing {
     for (const group of [this.base, ...this.links]) box.expandByObject(group);
     if (this.arm.tool) {
       const p = positionOf(this.arm.frame(this.arm.tool, this.arm.forward(this.q)));
-      const ball = new THREE.Sphere(new THREE.Vector3(...p).add(this.group.position), 0.1 * this.arm.reach);
+      const ball = new THREE.Sphere(new THREE.Vector3(...p).add(this.group.position), 0.1 * this.arm.length);
       const round = ball.getBoundingBox(new THREE.Box3());
       box.union(round); // the axes of the tool
     }

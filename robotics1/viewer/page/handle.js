@@ -7,7 +7,7 @@ class Handle {
     this.group = new THREE.Group();
     this.group.name = "handle";
     this.ball = new THREE.Mesh(
-      new THREE.SphereGeometry(0.02 * arm.reach, 24, 16),
+      new THREE.SphereGeometry(0.02 * arm.length, 24, 16),
       paint(COLORS.accent, { opacity: 0.55, transparent: true, depthTest: false }),
     );
     this.ball.renderOrder = 5;
@@ -47,6 +47,7 @@ class Handle {
       : stage.viewer.camera.getWorldDirection(new THREE.Vector3()).negate();
     this.held = {
       pointer: event.pointerId,
+      at: [event.clientX, event.clientY],
       plane: new THREE.Plane().setFromNormalAndCoplanarPoint(normal, this.group.position),
       wanted: arm.frame(arm.task.frame, arm.forward(q)).slice(),
     };
@@ -60,11 +61,31 @@ class Handle {
       return;
     }
     event.stopImmediatePropagation();
+    const [x, y] = this.held.at;
+    this.held.at = [event.clientX, event.clientY];
+    if (event.shiftKey) {
+      this.turn(event.clientX - x, event.clientY - y);
+      return;
+    }
     this.aim(event);
     const point = this.ray.ray.intersectPlane(this.held.plane, new THREE.Vector3());
     if (!point) return;
     point.sub(this.app.drawing.group.position);
     [this.held.wanted[3], this.held.wanted[7], this.held.wanted[11]] = point.toArray();
+    this.pull();
+  }
+
+  /** Turn the wanted orientation: a pixel is half a degree, about z in the plane, in space as a ball rolls. */
+  turn(right, down) {
+    const { camera } = this.app.stage.viewer, half = Math.PI / 360;
+    const turns = this.app.planar
+      ? [[[0, 0, 1], -right * half]]
+      : [[[0, 1, 0], right * half], [[1, 0, 0], down * half]].map(([axis, angle]) => [
+          new THREE.Vector3(...axis).applyQuaternion(camera.quaternion).toArray(), angle,
+        ]);
+    const p = positionOf(this.held.wanted);
+    for (const [axis, angle] of turns) this.held.wanted = compose(turn(axis, angle), this.held.wanted);
+    [this.held.wanted[3], this.held.wanted[7], this.held.wanted[11]] = p;
     this.pull();
   }
 

@@ -59,19 +59,24 @@ function verdict(arm, { q, error, held }, wanted) {
   if (norm(error) <= REACHED) return { kind: "reached", text: "reached" };
   const placed = arm.forward(q);
   const left = norm(minus(positionOf(wanted), positionOf(arm.frame(arm.task.frame, placed))));
-  const away = left > 1e-4 * arm.reach ? ` by ${short(left)} m` : "";
+  const away = left > 1e-4 * arm.reach;
   if (held.size) {
     const names = [...held].map(j => arm.coordinates[j].name).join(", ");
-    return { kind: "limit", text: `at a limit of ${names}: not reached${away}` };
+    return { kind: "limit", text: `at a limit of ${names}${away ? `, ${short(left)} m away` : ""}` };
+  }
+  const { start, length } = arm.chain;
+  if (length !== null && norm(minus(positionOf(wanted), start)) > length) {
+    return { kind: "far", text: `out of reach by ${short(left)} m` };
   }
   if (!away) return { kind: "singular", text: "this orientation cannot be realised here" };
   const { least } = arm.measure(q);
   if (least > 0.02 * arm.task.usual) return { kind: "moving", text: `on the way, ${short(left)} m to go` };
-  return { kind: "far", text: `singular: this direction cannot be realised; out of reach${away}` };
+  return { kind: "singular", text: `singular: this direction cannot be realised, ${short(left)} m away` };
 }
 
 /** Return a number with three digits that matter. */
 function short(value) {
-  if (Math.abs(value) < 5e-13) return "0";
-  return Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5 ? value.toExponential(2) : String(Number(value.toPrecision(3)));
+  const size = Math.abs(value);
+  if (size < 5e-13) return "0";
+  return size < 1e-3 || size >= 1e5 ? value.toExponential(2) : String(Number(value.toPrecision(3)));
 }

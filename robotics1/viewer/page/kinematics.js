@@ -4,11 +4,13 @@ class Arm {
   /**
    * data.joints: in an order in which parents come first; each has parent (number, or −1), placement, kind, axis,
    * and moves by multiplier · q[coordinate] + offset. data.coordinates: name, unit, lower, upper of each entry of q.
-   * data.tool, data.task.frame: a joint's number and a placement in it.
+   * data.tool, data.task.frame: a joint's number and a placement in it. data.chain: the frame of the task, or the tool,
+   * is never farther than length from the point start; length is null where a joint slides without a limit.
    */
   constructor(data) {
     Object.assign(this, data);
     this.size = data.coordinates.length;
+    this.length = Math.min(data.reach, Math.max(data.chain.length ?? data.reach, 0.4 * data.reach)); // of what is drawn
     this.scale = data.coordinates.map(c => (c.unit === "rad" ? 1 : data.reach)); // what counts as one
   }
 

@@ -62,7 +62,7 @@ function rotationBetween(A, B) {
 function singularValues(A, n) {
   const m = A.length;
   const W = Array.from({ length: n }, (_, j) => A.map(row => row[j])); // columns of A·V
-  const V = Array.from({ length: n }, (_, j) => Array.from({ length: n }, (_, i) => (i === j ? 1 : 0)));
+  const V = Array.from({ length: n }, (_, j) => Array.from({ length: n }, (__, i) => (i === j ? 1 : 0)));
   for (let sweep = 0; sweep < 60; sweep++) {
     let rotated = false;
     for (let p = 0; p < n - 1; p++) {

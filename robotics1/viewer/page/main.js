@@ -31,14 +31,14 @@ class App {
     this.stage.scene.add(one.drawing.group);
     one.motion = motion === null ? null : new Samples(motion);
     if (target !== null) {
-      one.target = new Target(new Samples(target), 0.006 * one.arm.reach);
+      one.target = new Target(new Samples(target), 0.006 * one.arm.length);
       one.drawing.group.add(one.target.group);
     }
     if (one.motion && one.arm.tool) {
       const points = Array.from({ length: one.motion.count }, (_, k) =>
         positionOf(one.arm.frame(one.arm.tool, one.arm.forward(one.motion.sample(k)))),
       );
-      one.trail = new Trail(one.motion.times, points, 0.004 * one.arm.reach, 0xc92a2a);
+      one.trail = new Trail(one.motion.times, points, 0.004 * one.arm.length, 0xc92a2a);
       one.drawing.group.add(one.trail.mesh);
     }
     one.drawing.show(q);
@@ -47,7 +47,10 @@ class App {
 
   async start() {
     await Promise.all(this.actors.map(actor => actor.drawing.complete));
-    this.frameAll();
+    this.frame();
+    const world = triad(0.15 * this.arm.length, "₀");
+    world.name = "world frame";
+    this.stage.scene.add(world);
     this.panel = new Panel(this);
     this.handle = this.arm.task ? new Handle(this) : null;
     this.abilities = this.arm.task ? new Abilities(this) : null;
@@ -85,9 +88,9 @@ class App {
     this.stage.fit();
   }
 
-  /** Let the camera and the floor see the whole motion. */
-  frameAll() {
-    const box = this.stage.box;
+  /** Let the camera and the floor see where the robots are, and the whole motion. */
+  frame() {
+    const box = this.stage.box.makeEmpty();
     for (const actor of this.actors) {
       const steps = actor.motion ? Math.min(60, actor.motion.count) : 1;
       for (let k = 0; k < steps; k++) {
@@ -95,6 +98,7 @@ class App {
         box.union(actor.drawing.box());
       }
       actor.drawing.show(actor.q);
+      if (actor.motion) box.union(actor.drawing.box());
       const offset = actor.drawing.group.position;
       actor.target?.points.forEach(p => box.expandByPoint(new THREE.Vector3(...p).add(offset)));
     }
@@ -102,16 +106,22 @@ class App {
       this.drawing.show(q);
       box.union(this.drawing.box());
     }
-    this.stage.floor(Math.min(0, box.min.z) - 1e-3 * this.arm.reach);
-    const world = triad(0.15 * this.arm.reach, "₀");
-    world.name = "world frame";
-    this.stage.scene.add(world);
+    this.drawing.show(this.q);
+    this.stage.floor(Math.min(0, box.min.z) - 1e-3 * this.arm.length);
   }
 
   tools() {
     const get = id => document.getElementById(id);
-    for (const view of ["iso", "top", "front"]) get(view).onclick = () => this.stage.look(view);
-    get("fit").onclick = () => this.stage.fit();
+    for (const view of ["iso", "top", "front"]) {
+      get(view).onclick = () => {
+        this.frame();
+        this.stage.look(view);
+      };
+    }
+    get("fit").onclick = () => {
+      this.frame();
+      this.stage.fit();
+    };
     get("png").onclick = () => this.stage.picture(this.arm.name);
     get("plotting").onclick = () => this.showPlots(get("plots").hidden);
     get("fold").onclick = () => {
@@ -164,7 +174,7 @@ class App {
     const T = arm.forward(q)[object.userData.joint], along = new THREE.Vector3(...rotate(T, joint.axis));
     axis.position.set(...positionOf(T)).add(drawing.group.position);
     axis.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along);
-    axis.scale.set(arm.reach, 0.35 * arm.reach, arm.reach);
+    axis.scale.set(arm.length, 0.35 * arm.length, arm.length);
   }
 
   /** Stop what moves by itself, but for one. */

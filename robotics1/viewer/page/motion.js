@@ -171,7 +171,8 @@ class Bar {
   }
 
   key(event) {
-    const typing = event.target instanceof HTMLElement && event.target.matches("input:not(#time), select, button");
+    const own = event.key === " " ? "input:not(#time), select, button" : "input:not(#time), select"; // their own keys
+    const typing = event.target instanceof HTMLElement && event.target.matches(own);
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
     const act = {
       " ": () => this.play(!this.playing),

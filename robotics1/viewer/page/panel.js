@@ -1,6 +1,15 @@
 // The panel: a slider for each joint, and what the tool and the Jacobian say there.
 
 const DEGREE = Math.PI / 180;
+const NAMED = 0.05; // a part of a direction that is smaller is not named
+
+/** Return a unit vector as text, such as "y" or "0.60 x − 0.80 y". */
+function directionText(rows, u) {
+  const parts = rows.map((name, i) => [name, u[i]]).filter(([, v]) => Math.abs(v) > NAMED);
+  if (parts.length === 1) return parts[0][0];
+  const terms = parts.map(([name, v]) => `${v < 0 ? "−" : "+"}\u00a0${Math.abs(v).toFixed(2)}\u00a0${name}`);
+  return terms.join(" ").replace(/^\+\u00a0/, "");
+}
 
 function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag);
@@ -38,7 +47,8 @@ class Panel {
       random: i => this.range(i)[0] + Math.random() * (this.range(i)[1] - this.range(i)[0]),
     };
     for (const [id, posture] of Object.entries(postures)) {
-      document.getElementById(id).onclick = () => this.app.change(arm.clamped(arm.coordinates.map((_, i) => posture(i))));
+      const q = () => arm.clamped(arm.coordinates.map((_, i) => posture(i)));
+      document.getElementById(id).onclick = () => this.app.change(q());
     }
     document.getElementById("copy").onclick = () => this.copy();
   }
@@ -79,7 +89,8 @@ class Panel {
       const atLimit = [limited.lower, limited.upper].some(l => l !== null && Math.abs(value - l) < 1e-9);
       node.classList.toggle("limit", atLimit);
     };
-    const node = element("div", { class: name.length > 8 ? "joint long" : "joint" }, element("label", {}, name), slider, box, word);
+    const kind = name.length > 8 ? "joint long" : "joint";
+    const node = element("div", { class: kind }, element("label", { title: name }, name), slider, box, word);
     return { node, show, rescale };
   }
 
@@ -98,9 +109,11 @@ class Panel {
     }
     const T = arm.frame(arm.tool, placed);
     const [x, y, z] = positionOf(T).map(v => (Math.abs(v) < 5e-5 ? 0 : v).toFixed(4));
-    const yaw = Math.atan2(T[4], T[0]), pitch = Math.atan2(-T[8], Math.hypot(T[0], T[4])), roll = Math.atan2(T[9], T[10]);
+    const yaw = Math.atan2(T[4], T[0]), roll = Math.atan2(T[9], T[10]);
+    const pitch = Math.atan2(-T[8], Math.hypot(T[0], T[4]));
     const angle = v => (this.degrees ? `${(v / DEGREE).toFixed(1)}°` : v.toFixed(3));
-    const turned = this.app.planar ? `φ = ${angle(yaw)}` : `roll ${angle(roll)}  pitch ${angle(pitch)}  yaw ${angle(yaw)}`;
+    const turns = `roll ${angle(roll)}  pitch ${angle(pitch)}  yaw ${angle(yaw)}`;
+    const turned = this.app.planar ? `φ = ${angle(yaw)}` : turns;
     box.textContent = `${arm.tool.name}: (${x}, ${y}${this.app.planar ? "" : `, ${z}`}) m\n${turned}`;
   }
 
@@ -111,12 +124,11 @@ class Panel {
     box.textContent = lines.join("\n");
     const near = arm.task.generic > 0 && values[arm.task.generic - 1] < 0.03 * arm.task.usual;
     warning.hidden = !near;
-    const u = U[arm.task.generic - 1];
+    const found = U[arm.task.generic - 1] ?? [];
+    const u = times(Math.sign(found.find(v => Math.abs(v) > NAMED) ?? 1), found); // its sign means nothing
     if (near) {
-      const direction = arm.task.rows.map((name, i) => [name, u[i]]).filter(([, v]) => Math.abs(v) > 0.05);
-      const named = direction.map(([name, v]) => `${v < 0 ? "−" : "+"} ${Math.abs(v).toFixed(2)} ${name}`).join(" ");
       const [word, verb] = rank < arm.task.generic ? ["Singular", "cannot be"] : ["Near a singularity", "is hardly"];
-      warning.textContent = `${word}: a task velocity along ${named.replace(/^\+ /, "")} ${verb} realised.`;
+      warning.textContent = `${word}: a task velocity along ${directionText(arm.task.rows, u)} ${verb} realised.`;
     }
     this.app.drawing.showLost(near ? this.lostDirection(u) : null);
   }

@@ -34,7 +34,8 @@ class Solutions {
     const { label: name } = this.solutions[this.number];
     const all = document.getElementById("overlay").getAttribute("aria-pressed") === "true";
     this.ghosts.forEach((ghost, i) => (ghost.group.visible = all && i !== this.number));
-    document.getElementById("which").textContent = `${this.number + 1}/${this.solutions.length}${name ? `  ${name}` : ""}`;
+    const which = `${this.number + 1}/${this.solutions.length}`;
+    document.getElementById("which").textContent = name ? `${which}  ${name}` : which;
     this.app.stage.changed();
   }
 }

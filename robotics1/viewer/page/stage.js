@@ -30,6 +30,7 @@ function label(text, height, color = "#26323f") {
   context.font = font;
   context.textBaseline = "middle";
   context.lineWidth = 8;
+  context.lineJoin = "round";
   context.strokeStyle = "rgba(255, 255, 255, 0.85)";
   context.strokeText(text, 8, 34);
   context.fillStyle = color;
@@ -132,12 +133,15 @@ class Stage {
     this.fit();
   }
 
-  /** Move the camera, along its line of sight, so that the box of all that is drawn fills the free part of the window. */
+  /** Move the camera, along its line of sight, so that the box of all that is drawn fills the free part. */
   fit() {
     const { camera, controls } = this.viewer;
     const width = this.element.clientWidth, height = this.element.clientHeight;
     this.viewer.renderer.setSize(width, height);
-    const box = this.box.isEmpty() ? new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1)) : this.box;
+    const bottom = document.getElementById("bottom").offsetHeight; // the panel ends above it
+    document.documentElement.style.setProperty("--bottom", `${bottom}px`);
+    const unit = new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
+    const box = this.box.isEmpty() ? unit : this.box;
     const centre = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3()).length() || 1;
     const away = camera.position.clone().sub(controls.target).normalize();
     controls.target.copy(centre);
@@ -147,14 +151,17 @@ class Stage {
     const seen = corners(box).map(p => p.applyMatrix4(camera.matrixWorldInverse.copy(camera.matrixWorld).invert()));
     const aspect = width / Math.max(height, 1), room = this.room(width, height);
     if (camera.isOrthographicCamera) {
-      const across = Math.max(...seen.map(p => Math.abs(p.x))) / room.x, up = Math.max(...seen.map(p => Math.abs(p.y))) / room.y;
+      const across = Math.max(...seen.map(p => Math.abs(p.x))) / room.x;
+      const up = Math.max(...seen.map(p => Math.abs(p.y))) / room.y;
       const half = Math.max(up, across / aspect) * 1.06 || 1;
       Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half, zoom: 1 });
       Object.assign(camera, { near: -20 * size, far: 20 * size });
     } else {
       const tangent = Math.tan((camera.fov * Math.PI) / 360);
       const distance = Math.max(
-        ...seen.map(p => p.z + size + Math.max(Math.abs(p.y) / room.y, Math.abs(p.x) / (room.x * aspect)) / tangent),
+        ...seen.map(
+          p => p.z + size + Math.max(Math.abs(p.y) / room.y, Math.abs(p.x) / (room.x * aspect)) / tangent,
+        ),
       );
       camera.position.copy(centre).addScaledVector(away, 1.06 * distance);
       Object.assign(camera, { aspect, near: 0.01 * size, far: 60 * size });
@@ -165,15 +172,17 @@ class Stage {
     this.changed();
   }
 
-  /** Return which part of the window is free: panel and bar stand over the scene. */
+  /** Return which part of the window is free: panel and bar stand over the scene, in a narrow window both below. */
   room(width, height) {
     const panel = document.getElementById("panel"), bar = document.getElementById("bottom");
-    const right = panel && !panel.hidden && width > 700 ? panel.offsetWidth + 12 : 0;
-    const low = bar && bar.offsetHeight ? bar.offsetHeight + 12 : 0;
+    const narrow = width <= 700;
+    const right = !panel.hidden && !narrow ? panel.offsetWidth + 12 : 0;
+    const foot = !panel.hidden && narrow ? height - panel.offsetTop : 0;
+    const low = Math.max(foot, bar.offsetHeight ? bar.offsetHeight + 12 : 0);
     const top = document.getElementById("caption").offsetHeight;
     return {
       x: Math.max(0.3, 1 - right / width),
-      y: Math.max(0.3, 1 - (low + top) / height),
+      y: Math.max(0.2, 1 - (low + top) / height),
       shift: { x: right / 2, y: (low - top) / 2 },
     };
   }
@@ -202,8 +211,16 @@ class Stage {
       floor.add(text);
     };
     const left = box.min.x - 0.07 * extent, front = box.min.y - 0.05 * extent;
-    for (let i = x0 + 1; i < x1; i++) tick(`${(i * step).toFixed(digits)}${i === x1 - 1 ? " m" : ""}`, i * step, front);
-    for (let j = y0 + 1; j < y1; j++) tick((j * step).toFixed(digits), left, j * step);
+    const ticks = axis => {
+      const first = Math.ceil(box.min[axis] / step - 0.3); // none in the corner
+      const last = Math.max(first, Math.floor(box.max[axis] / step + 0.3));
+      return Array.from({ length: last - first + 1 }, (_, i) => first + i);
+    };
+    const along = ticks("x");
+    for (const i of along) tick(`${(i * step).toFixed(digits)}${i === along.at(-1) ? " m" : ""}`, i * step, front);
+    for (const j of ticks("y")) tick((j * step).toFixed(digits), left, j * step);
+    if (this.ground) this.scene.remove(this.ground);
+    this.ground = floor;
     this.scene.add(floor);
     box.expandByPoint(new THREE.Vector3(left - 0.05 * extent, front - 0.03 * extent, height));
   }

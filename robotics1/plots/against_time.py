@@ -1,4 +1,4 @@
-"""Plots of motions against time, of timing laws with their bounds, and of paths in the plane and in space."""
+"""Plots of motions against time, and of timing laws with their bounds."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -6,32 +6,25 @@ from typing import Any
 
 import numpy as np
 
-from robotics1.curves.composition import PathTrajectory
 from robotics1.curves.curve import Curve
-from robotics1.curves.frenet import frenet_frame
 from robotics1.curves.given import as_curve, as_law
 from robotics1.errors import InputError
 from robotics1.inputs import Array, a_robot, counting_number, text
-from robotics1.robot.model import Robot
-from robotics1.trajectories.limits import MotionLimits
-from robotics1.trajectories.target_motion import TargetMotion
-from robotics1.viewer.plot_figures import (
-    STYLES,
+from robotics1.plots.figures import (
     drawn,
     legend_text,
     line_style,
     names_of,
-    new_axes,
     panels_of,
     smooth_samples,
 )
+from robotics1.robot.model import Robot
+from robotics1.trajectories.limits import MotionLimits
 
 QUANTITIES = ("position", "velocity", "acceleration", "jerk")
 PER = ("", "/s", "/s²", "/s³")
 SYMBOLS = ("s", "ds/dt", "d²s/dt²", "d³s/dt³")
 TURNS = ("θx", "θy", "θz")
-AXIS = 0.12  # length of a drawn axis, of the size of the path
-SPATIAL = 0.82  # of the figure, so that the labels of three axes have room
 
 
 def plot_trajectory(
@@ -149,70 +142,6 @@ def plot_timing_law(
     return drawn(panels, file)
 
 
-def plot_path(
-    curve: Any,
-    ax: Any = None,
-    *,
-    file: str | Path | None = None,
-    frames: int = 0,
-    target: TargetMotion | None = None,
-    unit: str = "m",
-    title: str = "",
-) -> Any:
-    """Draw a path in the plane or in space, and return the axes.
-
-    The start is a circle, the end a square, a breakpoint a cross, and the middle has an arrow head in the plane. The
-    path of the tool of a robot is that of `TaskTrajectory(robot, PositionTask("xy"), motion)`.
-
-    Args:
-        curve: a path of two or three coordinates, a path of poses, or a trajectory of either.
-        ax: the Matplotlib axes to draw in, three-dimensional for a path in space; by default those of a new figure.
-        file: where to write the figure, as .svg, .pdf or .png.
-        frames: how many frames to draw along it: of poses theirs, x solid, y dashed, z dotted; of paths the Frenet
-            frame, the tangent solid, the normal dashed, the binormal dotted.
-        target: a moving point, dotted, at the instants of the trajectory.
-        unit: of the coordinates.
-        title: above the plot.
-
-    Raises:
-        MissingExtraError: Matplotlib is not installed.
-        InputError: it has not two or three coordinates, or the file has another suffix or cannot be written there.
-    """
-    counting_number("frames", frames)
-    text("unit", unit)
-    curve = as_curve("curve", curve, derivatives=0)
-    samples = [s for _, s in smooth_samples(curve.ends)]
-    points = np.concatenate([_points(curve, s) for s in samples])
-    n = points.shape[1]
-    if n not in (2, 3):
-        raise InputError(f"a path of two or three coordinates can be drawn; this one has {n}")
-    axes = new_axes(ax, n)
-    axes.plot(*points.T, "-", color="C0", label="path")
-    axes.plot(*points[:1].T, "o", color="black", label="start")
-    axes.plot(*points[-1:].T, "s", color="black", label="end")
-    if len(curve.breakpoints):
-        axes.plot(*_points(curve, curve.breakpoints).T, "x", color="C3", label="break")
-    if target is not None:
-        course = np.array([np.asarray(target(float(t)))[:n] for t in np.concatenate(samples)])
-        axes.plot(*course.T, ":", color="green", linewidth=2, label="target")
-    size = AXIS * float(np.ptp(points, axis=0).max())
-    for s in np.linspace(0.0, curve.end, frames) if frames else ():
-        _draw_frame(axes, curve, float(s), size, n)
-    labels = {f"{name}label": f"{name} [{unit}]" for name in "xyz"[:n]}
-    axes.set(title=title, aspect="equal", **labels)
-    axes.grid(visible=True, alpha=0.4)
-    axes.legend()
-    if n == 3:
-        axes.set_box_aspect(axes.get_box_aspect(), zoom=SPATIAL)
-        for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
-            axis.labelpad = 8.0
-        axes.locator_params(nbins=5)
-    else:
-        middle = len(points) // 2
-        axes.annotate("", points[middle + 1], points[middle], arrowprops={"arrowstyle": "->", "color": "C0", "lw": 2})
-    return drawn(axes, file)
-
-
 def _draw_bounds(panel: Any, bounds: Array) -> None:
     """Draw the bounds both ways: in the line style of their coordinate, or once where they are all the same."""
     same = len(set(bounds)) == 1
@@ -250,29 +179,3 @@ def _labels(start: Any, n: int, rates: int, robot: Robot | None) -> tuple[list[s
     if np.ndim(start) == 2:
         return list(TURNS), ["rad"] * 3
     return [str(i + 1) for i in range(n)], ["1"] * n
-
-
-def _points(curve: Curve, s: Array) -> Array:
-    """Return the positions, (k, n)."""
-    values = curve(s)
-    if len(values) and hasattr(values[0], "translation"):
-        return np.array([value.translation for value in values])
-    if np.ndim(values) != 2:
-        raise InputError("a path of points or of poses can be drawn; this one has neither")
-    return np.asarray(values)
-
-
-def _draw_frame(axes: Any, curve: Curve, s: float, size: float, n: int) -> None:
-    """Draw the axes of a pose, or as many of the Frenet frame as there are."""
-    value = curve(s)
-    if hasattr(value, "rotation"):
-        origin, directions = value.translation, list(value.rotation.T)
-    else:
-        if isinstance(curve, PathTrajectory):  # a motion at rest has a tangent where its path has one
-            s, curve = min(float(curve.law(s)), curve.path.end), curve.path
-        frame = frenet_frame(curve, s)
-        origin, directions = frame.position, [frame.tangent, frame.normal, frame.binormal]
-    for direction, style in zip(directions[:n], STYLES[:2] + STYLES[3:], strict=False):
-        if direction is not None:
-            tip = origin + size * direction
-            axes.plot(*np.array([origin, tip])[:, :n].T, style, color="C3", linewidth=1.2)

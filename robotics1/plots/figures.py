@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 STYLES = ("-", "--", "-.", ":")  # so that lines differ without colour
 MARKERS = ("", "o", "s", "^", "x")  # of the fifth line, the ninth, ...
 METADATA: dict[str, dict[str, None]] = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
+MOST_DRAWN = 10_000  # frames or ellipses in one plot
 SAMPLES = 201  # on each smooth piece
+PLANES = ((0, 1), (0, 2), (1, 2))  # into which what is in space is projected: xy, xz, yz
 
 
 def new_axes(ax: Any, dimensions: int) -> Any:
@@ -50,6 +52,16 @@ def panels_of(ax: Any, count: int) -> Any:
     if len(panels) != count or not all(hasattr(panel, "plot") for panel in panels):
         raise InputError(f"ax must be {count} Matplotlib axes, as from plt.subplots({count}); it is {ax!r}")
     return panels
+
+
+def new_projections(ax: Any) -> Any:
+    """Return the three axes that are given, or those of a new figure side by side, for the projections of `PLANES`.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: what is given are not three axes.
+    """
+    return _figure((12.0, 4.2)).subplots(1, len(PLANES)) if ax is None else panels_of(ax, len(PLANES))
 
 
 def drawn(axes: Any, file: str | Path | None) -> Any:

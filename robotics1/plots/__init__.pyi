@@ -1,0 +1,12 @@
+"""The public names of `robotics1.plots`, and where they are."""
+
+from .against_time import plot_timing_law, plot_trajectory
+from .ellipses import plot_ellipses
+from .paths import plot_path
+
+__all__ = [
+    "plot_ellipses",
+    "plot_path",
+    "plot_timing_law",
+    "plot_trajectory",
+]
