@@ -1,8 +1,6 @@
 """The public names at the top, and the namespaces that hold the others; `__init__.py` reads this file."""
 
-import robotics1.plots as plots  # noqa: F401, PLR0402  # beside __all__, which has its sixty names
-
-from . import control, curves, dh, ik, orientation, singularities, trajectories
+from . import control, curves, dh, ik, orientation, plots, singularities, trajectories
 from .control import simulate_tracking
 from .curves.arcs import line_path
 from .dh.to_robot import robot_from_dh
@@ -17,13 +15,13 @@ from .errors import (
     TaskError,
     UnknownNameError,
 )
+from .ik.closed_form.find import ik_formulas
 from .ik.iterate import iterate_ik
 from .ik.solutions import ik_solutions
 from .ik.solver import IKSolver, solve_ik
 from .kinematics import forward_kinematics, frame_jacobian, frame_jacobian_rate
 from .least_squares import RANK_TOLERANCE
-from .plots.against_time import plot_timing_law, plot_trajectory
-from .plots.paths import plot_path
+from .plots.against_time import plot_trajectory
 from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
 from .robot.report import RobotReport
@@ -89,6 +87,7 @@ __all__ = [
     "frame_jacobian",
     "frame_jacobian_rate",
     "ik",
+    "ik_formulas",
     "ik_solutions",
     "iterate_ik",
     "joint_acceleration",
@@ -97,9 +96,8 @@ __all__ = [
     "load_robot",
     "minimum_time",
     "orientation",
-    "plot_path",
-    "plot_timing_law",
     "plot_trajectory",
+    "plots",
     "quintic",
     "rendezvous",
     "robot_from_dh",

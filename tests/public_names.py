@@ -5,7 +5,6 @@ import inspect
 import robotics1
 
 NAMESPACES = {name: module for name in robotics1.__all__ if inspect.ismodule(module := getattr(robotics1, name))} | {
-    "plots": robotics1.plots,  # beside the sixty names at the top
     "robotics1": robotics1,
 }
 PUBLIC = {

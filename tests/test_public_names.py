@@ -88,3 +88,11 @@ def test_an_unknown_attribute_is_an_attribute_error():
 def test_every_public_name_has_a_docstring(name):
     value = PUBLIC[name]
     assert name == "RANK_TOLERANCE" or value.__doc__
+
+
+def test_a_name_of_a_namespace_is_found_at_the_top_and_means_one_thing():
+    for space, module in NAMESPACES.items():
+        for name in module.__all__:
+            assert getattr(robotics1, name) is getattr(module, name), (space, name)
+    with pytest.raises(AttributeError, match="solv_ik"):
+        _ = robotics1.solv_ik
