@@ -16,6 +16,8 @@ from robotics1.inputs import Array, by_name, real_array
 from robotics1.robot.joints import Joint, joints_to, tips
 from robotics1.robot.parameters import Placements, constant_placements
 
+SMALLEST = 1e-100  # length of an arm [m]
+
 
 class RobotSource(Protocol):
     """What a robot with named parameters was made from."""
@@ -166,12 +168,13 @@ class Robot:
         """A length of the size of the arm [m], which makes metres and radians comparable.
 
         The sum of the distances from joint to joint and to the tool, with the travel of prismatic joints;
-        1 when that is zero.
+        1 when that is zero, or so small (1e-100) that quotients by it are no numbers.
         """
         travels = np.zeros(0)
         if self.nq == self.nv:
             travels = np.maximum(np.abs(self.lower), np.abs(self.upper))[~self.revolute]
-        return self.fixed_length + float(sum(travel for travel in travels if np.isfinite(travel))) or 1.0
+        length = self.fixed_length + float(sum(travel for travel in travels if np.isfinite(travel)))
+        return length if length > SMALLEST else 1.0
 
     @property
     def units(self) -> Array:
