@@ -1,13 +1,13 @@
 """What a caller hands in, checked once at the door: arrays of the right size, numbers that are numbers."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError
+from robotics1.errors import InputError, Robotics1Error
 
 Array = npt.NDArray[np.floating[Any]]
 
@@ -157,6 +157,21 @@ def a_robot_and_a_task(robot: Any, task: Any) -> None:
     """Refuse what is no robot, and what is no task; see `a_robot` and `a_task`."""
     a_robot(robot)
     a_task(task)
+
+
+def answer_of(name: str, function: Callable[..., Any], *arguments: Any) -> Any:
+    """Return what a function of the user's own returns.
+
+    Raises:
+        InputError: it fails; it may raise this package's errors itself.
+    """
+    try:
+        return function(*arguments)
+    except Robotics1Error:
+        raise
+    except Exception as error:
+        given = ", ".join(str(np.asarray(x).tolist()) if isinstance(x, np.ndarray) else repr(x) for x in arguments)
+        raise InputError(f"{name} failed at {given}: {error!r}") from error
 
 
 def _is_a_robot(value: Any) -> bool:

@@ -80,7 +80,7 @@ def frame_jacobian_rate(
     """
     a_robot(robot)
     q = robot.configuration(q)
-    qdot = joint_rates(robot, "qdot", qdot)
+    qdot = velocity_of_joints(robot, "qdot", qdot)
     rate = _jacobian_rate(robot, q, qdot, robot.frame_id(frame))
     if _is(reference, "world"):
         return rate
@@ -130,7 +130,7 @@ def reference_axes(robot: Robot, q: npt.ArrayLike, reference: str) -> Array:
     return np.array(forward_kinematics(robot, q, frame=frame).rotation)
 
 
-def joint_rates(robot: Robot, name: str, value: npt.ArrayLike) -> Array:
+def velocity_of_joints(robot: Robot, name: str, value: npt.ArrayLike) -> Array:
     """Return joint velocities or accelerations as (nv,).
 
     Raises:

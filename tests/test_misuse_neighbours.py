@@ -141,3 +141,55 @@ def test_an_object_of_another_kind_is_refused_and_the_right_one_is_named(name):
     call, message = MISUSE[name]
     with pytest.raises(r1.Robotics1Error, match=re.escape(message)):
         call()
+
+
+class Broken:
+    """A motion of the user's own class, in which a method fails."""
+
+    duration = 1.0
+
+    def __init__(self, method):
+        self.method = method
+
+    def _answer(self, method):
+        return 1 / 0 if method == self.method else np.zeros(2)
+
+    def __call__(self, t):
+        return self._answer("motion")
+
+    def velocity(self, t, side="right"):
+        return self._answer("velocity")
+
+    def acceleration(self, t, side="right"):
+        return self._answer("acceleration")
+
+    def jerk(self, t, side="right"):
+        return self._answer("jerk")
+
+
+def fails(*arguments):
+    raise IndexError(arguments)
+
+
+OWN_FUNCTIONS = {
+    "null_velocity": lambda: r1.follow_trajectory(ROBOT, XY, ALONG, [0.1, 1.2], null_velocity=fails),
+    "input_matrix": lambda: r1.joint_velocity(
+        ROBOT, XY, [1, 0], Q, resolution=r1.trajectories.Resolution(input_matrix=fails)
+    ),
+    "the event": lambda: r1.rendezvous(ROBOT, XY, MOVING, Q, meet=fails),
+    "the target's position": lambda: r1.rendezvous(
+        ROBOT, XY, r1.trajectories.FunctionMotion(fails, lambda t: [0, 0]), Q, meet=1.0
+    ),
+    "the target's rate": lambda: r1.rendezvous(
+        ROBOT, XY, r1.trajectories.FunctionMotion(lambda t: [1, 1], fails), Q, meet=1.0
+    ),
+    "motion": lambda: r1.trajectories.minimum_duration(fails, LIMITS),
+    "the motion": lambda: r1.simulate_tracking(Broken("motion"), Q, 1.0),
+    "the motion's velocity": lambda: r1.simulate_tracking(Broken("velocity"), Q, 1.0),
+}
+
+
+@pytest.mark.parametrize("name", list(OWN_FUNCTIONS))
+def test_a_function_of_the_users_own_that_fails_is_named_with_its_error(name):
+    with pytest.raises(r1.InputError, match=rf"^{name} failed at .*(IndexError|ZeroDivisionError)"):
+        OWN_FUNCTIONS[name]()

@@ -1,7 +1,7 @@
 """What is handed in as a curve: a curve, a result that has a trajectory, or a motion of the user's own class."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Protocol
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.curves.curve import Curve, Side
 from robotics1.errors import InputError
-from robotics1.inputs import Array
+from robotics1.inputs import Array, answer_of
 
 
 class Motion(Protocol):
@@ -43,7 +43,7 @@ class ForeignMotion(Curve):
     @cached_property
     def of_points(self) -> bool:
         """Whether the values are numbers or points."""
-        start = self.motion(0.0)
+        start = answer_of("the motion", self.motion, 0.0)
         return isinstance(start, np.ndarray | float | int) and np.ndim(start) < 2
 
     @property
@@ -54,7 +54,7 @@ class ForeignMotion(Curve):
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """That of the velocity."""
-        return np.shape(self.motion.velocity(0.0))
+        return np.shape(answer_of("the motion's velocity", self.motion.velocity, 0.0))
 
     @property
     def breakpoints(self) -> Array:
@@ -62,15 +62,16 @@ class ForeignMotion(Curve):
         return np.asarray(getattr(self.motion, "breakpoints", ()), dtype=float)
 
     def _value(self, t: Array, side: Side) -> Any:
-        return self.motion(t)
+        return answer_of("the motion", self.motion, t)
 
     def _derivative(self, t: Array, order: int, side: Side) -> Array:
         if order == 0:
-            return np.asarray(self.motion(t))
+            return np.asarray(answer_of("the motion", self.motion, t))
         if order > 3:
             raise InputError(f"derivatives are known up to the third; order is {order}")
-        rate: Callable[..., Any] = getattr(self.motion, ("velocity", "acceleration", "jerk")[order - 1])
-        return np.asarray(rate(t, side=side))
+        name = ("velocity", "acceleration", "jerk")[order - 1]
+        rate = partial(getattr(self.motion, name), side=side)
+        return np.asarray(answer_of(f"the motion's {name}", rate, t))
 
 
 def as_curve(name: str, value: Any, *, derivatives: int = 3) -> Curve:

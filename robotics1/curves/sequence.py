@@ -13,6 +13,7 @@ from robotics1.curves.curve import Curve, Side, piece_at
 from robotics1.curves.given import as_curve
 from robotics1.errors import InputError
 from robotics1.inputs import Array
+from robotics1.results import Frozen
 
 CONTINUOUS = 1e-9  # of the coordinate's largest value in the two pieces: a smaller jump is rounding
 NOISE = 1e-14  # of the largest value of all coordinates: what is as small as this is rounding too
@@ -22,7 +23,7 @@ QUANTITIES = ("position", "velocity", "acceleration", "jerk")
 
 
 @dataclass(frozen=True, eq=False)
-class Join:
+class Join(Frozen):
     """Where a curve passes from one piece to the next.
 
     Attributes:

@@ -20,10 +20,11 @@ from robotics1.caching import cached_property
 from robotics1.errors import InputError
 from robotics1.inputs import Array, text
 from robotics1.orientation.elementary import turn
+from robotics1.results import Frozen
 
 
 @dataclass(frozen=True, eq=False)
-class EulerSequence:
+class EulerSequence(Frozen):
     """Three axes e₁, e₂, e₃, with e₂ normal to the others.
 
     Attributes:

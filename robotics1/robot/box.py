@@ -9,11 +9,12 @@ import numpy.typing as npt
 from robotics1.angles import TURN
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 
 
 @dataclass(frozen=True, eq=False)
-class JointBox:
+class JointBox(Frozen):
     """lower ≤ q ≤ upper. A revolute joint that can turn by a whole period is a circle: its value is in the period below
     upper.
 

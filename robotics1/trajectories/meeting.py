@@ -14,7 +14,7 @@ from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
-from robotics1.inputs import Array, a_robot_and_a_task, per_joint, real_array, real_number
+from robotics1.inputs import Array, a_robot_and_a_task, answer_of, per_joint, real_array, real_number
 from robotics1.least_squares import generalized_inverse
 from robotics1.results import Frozen, require
 from robotics1.robot.box import nearest_turn
@@ -175,7 +175,7 @@ def meeting_time(
     horizon = real_number("horizon", horizon, positive=True)
 
     def g(t: float) -> float:
-        return real_number("the event's value", event(t, target_motion(t)))
+        return real_number("the event's value", answer_of("the event", event, t, target_motion(t)))
 
     times = np.linspace(0.0, horizon, INSTANTS + 1)
     before = g(0.0)

@@ -13,7 +13,7 @@ from robotics1.curves.curve import Curve, Side
 from robotics1.curves.given import as_curve
 from robotics1.curves.piecewise_polynomial import stationary_points
 from robotics1.errors import InputError
-from robotics1.inputs import LARGEST, real_number
+from robotics1.inputs import LARGEST, answer_of, real_number
 from robotics1.results import Frozen
 from robotics1.trajectories.limits import ORDERS, Limits, LimitUse, MotionLimits
 
@@ -107,7 +107,7 @@ def minimum_duration(motion: Motion, limits: MotionLimits, *, at_least: float = 
         raise InputError(f"limits must be MotionLimits(velocity=..., acceleration=...); it is {limits!r}")
     if limits.deceleration is not None:
         raise InputError("a bound of its own on the deceleration is for trapezoidal velocities")
-    unit = _of_joints(motion(1.0))
+    unit = _of_joints(answer_of("motion", motion, 1.0))
     uses = limits.uses(unit)
     if not uses:
         raise InputError("there is no bound, so that any duration will do: give one")
@@ -119,7 +119,9 @@ def minimum_duration(motion: Motion, limits: MotionLimits, *, at_least: float = 
     T = max(T, SHORTEST)
     longest = LONG * max(T, natural)
     for step in range(STEPS):
-        passed = [use for use in limits.uses(motion(T)) if abs(use.value) > (1 + REACHED) * use.limit]
+        passed = [
+            use for use in limits.uses(answer_of("motion", motion, T)) if abs(use.value) > (1 + REACHED) * use.limit
+        ]
         if not passed and (step or T in (at_least, SHORTEST)):
             return T
         if not passed:

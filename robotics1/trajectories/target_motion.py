@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, answer_of, real_array
 from robotics1.results import Frozen
 
 
@@ -69,8 +69,8 @@ class FunctionMotion:
 
     def __call__(self, t: float) -> Any:
         """Return p(t)."""
-        return self.position(t)
+        return answer_of("the target's position", self.position, t)
 
     def velocity(self, t: float) -> Array:
         """Return ṗ(t), (m,)."""
-        return real_array("the target's velocity", self.rate(t), (None,))
+        return real_array("the target's velocity", answer_of("the target's rate", self.rate, t), (None,))

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from robotics1.curves.given import Motion, joint_motion
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, answer_of, real_array
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.trajectories.target_motion import TargetMotion
@@ -102,7 +102,7 @@ def target_samples(target: TargetMotion, duration: float) -> Samples:
     if not callable(target):
         raise InputError(f"the target must be a motion p(t), such as LinearMotion(p0, v); it is {target!r}")
     times = np.linspace(0.0, duration, max(2, min(ceil(duration * RATE), MOST)) + 1)
-    return Samples(times, np.array([_in_space(target(float(t))) for t in times]), None)
+    return Samples(times, np.array([_in_space(answer_of("the target", target, float(t))) for t in times]), None)
 
 
 def _duration(T: float) -> None:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from robotics1.differentiation import directional_derivative
 from robotics1.errors import InputError
-from robotics1.inputs import Array, dimensions, real_array, real_number
+from robotics1.inputs import Array, answer_of, dimensions, real_array, real_number
 from robotics1.least_squares import generalized_inverse
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -67,7 +67,8 @@ class Resolution:
         """
         if self.input_matrix is None:
             return np.eye(robot.nv)
-        G = self.input_matrix(q) if callable(self.input_matrix) else self.input_matrix
+        matrix = self.input_matrix
+        G = answer_of("input_matrix", matrix, q) if callable(matrix) else matrix
         G = real_array("input_matrix", G, (robot.nv, None), "one row for each degree of freedom")
         if not G.shape[1]:
             raise InputError("input_matrix must have a column for each input; there is none")
@@ -196,5 +197,7 @@ def wished(name: str, wish: Wish, A: Array, *state: Array) -> Array | None:
     """
     if wish is None:
         return None
-    value: Any = wish(*state) if callable(wish) and not isinstance(wish, type) else wish
+    value: Any = wish
+    if callable(value) and not isinstance(value, type):
+        value = answer_of(name, value, *state)
     return real_array(name, value, (A.shape[1],), "one number for each joint, or each input")

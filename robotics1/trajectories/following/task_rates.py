@@ -11,7 +11,7 @@ from robotics1.curves.given import as_curve
 from robotics1.differentiation import derivative_inside, directional_derivative
 from robotics1.errors import InputError
 from robotics1.inputs import Array, a_robot_and_a_task
-from robotics1.kinematics import joint_rates
+from robotics1.kinematics import velocity_of_joints
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -36,7 +36,7 @@ def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLik
     """
     a_robot_and_a_task(robot, task)
     q = robot.configuration(q)
-    return directional_derivative(lambda x: task.jacobian(robot, x), robot, q, joint_rates(robot, "qdot", qdot))
+    return directional_derivative(lambda x: task.jacobian(robot, x), robot, q, velocity_of_joints(robot, "qdot", qdot))
 
 
 @dataclass(frozen=True, eq=False)
