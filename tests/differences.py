@@ -2,17 +2,18 @@
 
 import numpy as np
 
-STEP = 1e-5  # of fourth-order central differences: truncation about 1e-20, rounding about 1e-11
+STEP = 5e-4  # of fourth-order central differences: truncation about 2e-15 f⁽⁵⁾, rounding about 5e-13 f
+
+
+def along(f, q, qdot):
+    """df(q)/dt while q moves with q̇, by central differences of fourth order."""
+    q, d = np.asarray(q, dtype=float), STEP * np.asarray(qdot)
+    return (8 * (np.asarray(f(q + d)) - f(q - d)) - (np.asarray(f(q + 2 * d)) - f(q - 2 * d))) / (12 * STEP)
 
 
 def derivative(f, q):
-    """∂f/∂q of a vector-valued f, (m, n), by central differences of fourth order."""
-    q = np.asarray(q, dtype=float)
-
-    def along(d):
-        return (8 * (np.asarray(f(q + d)) - f(q - d)) - (np.asarray(f(q + 2 * d)) - f(q - 2 * d))) / (12 * STEP)
-
-    return np.array([along(d) for d in STEP * np.eye(len(q))]).T
+    """∂f/∂q of a vector-valued f, (m, n)."""
+    return np.array([along(f, q, d) for d in np.eye(len(q))]).T
 
 
 def twist(T_of_q, q):

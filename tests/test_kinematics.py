@@ -8,7 +8,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from arms import ARMS, ROBOTS, arm, configurations, lengths, random_q
-from differences import twist
+from differences import along, twist
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import InputError, UnknownNameError, forward_kinematics, frame_jacobian, frame_jacobian_rate
@@ -241,11 +241,6 @@ def test_whole_turns_of_revolute_joints_change_nothing(spatial, turns):
 
 
 # --- J̇
-
-
-def along(f, q, qdot, h=2e-3):
-    """df(q)/dt while q moves with q̇, by central differences of fourth order."""
-    return (8 * (f(q + h * qdot) - f(q - h * qdot)) - (f(q + 2 * h * qdot) - f(q - 2 * h * qdot))) / (12 * h)
 
 
 def rates(robot, seed):

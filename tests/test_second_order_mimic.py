@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 import pytest
-from differences import twist
+from differences import along, twist
 from hypothesis import given, reject, settings, strategies as st
 from mimic_arms import pose, text_of, trees
 
@@ -37,11 +37,6 @@ def folder(tmp_path_factory):
 def state(robot, seed):
     rng = np.random.default_rng(seed)
     return rng.uniform(-1.5, 1.5, robot.nv), rng.uniform(-1.5, 1.5, robot.nv)
-
-
-def along(f, q, qdot, h=2e-3):
-    """df(q)/dt while q moves with q̇, by central differences of fourth order."""
-    return (8 * (f(q + h * qdot) - f(q - h * qdot)) - (f(q + 2 * h * qdot) - f(q - 2 * h * qdot))) / (12 * h)
 
 
 def following_2r(folder, last="c"):
