@@ -8,9 +8,8 @@ import pytest
 from dh_forms import conventions, dh_pose, dh_rows, homogeneous, placements, rotation, seeds
 from hypothesis import given, settings, strategies as st
 
-from robotics1 import InputError, UnknownNameError, load_robot, robot_from_dh
+from robotics1 import InputError, UnknownNameError, forward_kinematics, load_robot, robot_from_dh
 from robotics1.dh import DHTable, dh_to_urdf
-from robotics1.kinematics import forward_kinematics
 
 POLAR = [("R", 0, pi / 2, "l1", 0), ("R", "-l2", -pi / 3, 0.2, "beta"), ("P", 0.1, "beta", "l1", -0.4)]
 VALUES = {"l1": 0.5, "l2": 0.3, "beta": 0.1 + 0.2}

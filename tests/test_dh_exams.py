@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from robotics1 import robot_from_dh
-from robotics1.kinematics import forward_kinematics, frame_jacobian
+from robotics1 import forward_kinematics, frame_jacobian, robot_from_dh
 
 up = pi / 2
 four_q = st.lists(st.floats(-3, 3), min_size=4, max_size=4)

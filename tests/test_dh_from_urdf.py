@@ -6,9 +6,8 @@ from arms import ARMS, arm, random_q
 from dh_forms import conventions, dh_pose, dh_rows, homogeneous, placements, rotation, seeds
 from hypothesis import given, settings, strategies as st
 
-from robotics1 import InputError, UnknownNameError, load_robot, robot_from_dh
+from robotics1 import InputError, UnknownNameError, forward_kinematics, load_robot, robot_from_dh
 from robotics1.dh import DHTable, dh_to_urdf, urdf_to_dh
-from robotics1.kinematics import forward_kinematics
 
 TOOLS = {"two_tips": "camera"}  # which frame, where there is no tool
 

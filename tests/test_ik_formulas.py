@@ -32,16 +32,17 @@ from dh_arms import (
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import (
+    FormulaError,
     FunctionTask,
     OrientationTask,
     PlanarPoseTask,
     PoseTask,
     PositionTask,
+    TaskError,
     forward_kinematics,
     ik_solutions,
     robot_from_dh,
 )
-from robotics1.errors import FormulaError, TaskError
 from robotics1.ik import ik_formulas
 
 XYZ, XY, PLANE = PositionTask(), PositionTask("xy"), PlanarPoseTask()

@@ -7,7 +7,7 @@ import pytest
 import sympy
 from hypothesis import given, strategies as st
 
-from robotics1.errors import InputError
+from robotics1 import InputError
 from robotics1.ik import solve_trig
 
 numbers = st.floats(-5, 5).map(lambda x: round(x, 3))
