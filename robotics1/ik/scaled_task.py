@@ -48,7 +48,8 @@ class ScaledTask:
     @property
     def free_joints(self) -> tuple[str, ...]:
         """The names of the joints that do not move the task."""
-        return tuple(name for name, moves in zip(self.robot.joint_names, self.moving, strict=True) if not moves)
+        moves = self.moving | (self.box.upper == self.box.lower)  # what is locked is not free
+        return tuple(name for name, kept in zip(self.robot.joint_names, moves, strict=True) if not kept)
 
     @property
     def middle(self) -> Array:
