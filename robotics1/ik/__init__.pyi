@@ -6,9 +6,9 @@ from .closed_form.trig_equation import TrigSolutions, solve_trig
 from .iterate import IKIterate, IKIteration, iterate_ik
 from .postures.aspects import Aspects, group_by_aspect
 from .postures.cuspidal import Cuspidality, CuspidalityStatus, is_cuspidal
-from .postures.posture_change import PostureChange, PostureChangeStatus, posture_change
+from .postures.path_between import PostureChange, PostureChangeStatus, posture_change
 from .result import IKBatch, IKResult, IKStatus
-from .self_motion import SelfMotion, SelfMotionCurve, self_motion
+from .self_motions import SelfMotion, SelfMotionCurve, self_motion
 from .solution_set import IKSolutions
 from .solutions import ik_solutions
 from .solver import IKSolver, solve_ik

@@ -70,11 +70,15 @@ class IKSolutions(Frozen):
         Source: Lee and Ziegler, IEEE Trans. Aerospace and Electronic Systems, 1984; Siciliano, Sciavicco, Villani,
         Oriolo, Robotics, 2009, section 2.12.
         """
+        return self.labels_of(self.q)
+
+    def labels_of(self, q: Array) -> tuple[tuple[str, ...], ...]:
+        """Return the names of the postures of other configurations (k, nq), such as `outside_limits`."""
         from robotics1.ik.postures.labels import postures
 
         if self.robot is None or self.task is None:
-            return ((),) * len(self)
-        return postures(self.robot, self.task).labels(self.q)
+            return ((),) * len(q)
+        return postures(self.robot, self.task).labels(q)
 
     def __len__(self) -> int:
         return len(self.q)

@@ -8,15 +8,14 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.ik.postures.determinant import determinant
 from robotics1.ik.postures.labels import postures
-from robotics1.ik.postures.posture_change import PostureChangeStatus, by_signs, join
+from robotics1.ik.postures.path_between import PostureChangeStatus, by_signs, join
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import counting_number
 from robotics1.notation import count
-from robotics1.results import Frozen
 
 
-@dataclass(frozen=True, eq=False)
-class Aspects(Frozen):
+@dataclass(frozen=True)
+class Aspects:
     """The solutions of one target in groups: those of a group are joined by paths without singularities.
 
     Attributes:

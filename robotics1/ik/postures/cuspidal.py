@@ -10,7 +10,7 @@ import numpy as np
 from robotics1.ik.postures.cusps import Cusps, cusps
 from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import postures
-from robotics1.ik.postures.posture_change import PostureChange, PostureChangeStatus, path_of, region_of
+from robotics1.ik.postures.path_between import PostureChange, PostureChangeStatus, path_of, region_of
 from robotics1.ik.postures.roadmap import Region
 from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number

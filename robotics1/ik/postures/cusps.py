@@ -1,7 +1,7 @@
 """The cusps of a 3R arm: targets at which three solutions meet, found by excluding all other places.
 
-The first joint only turns the target about its axis, so that (q₂, q₃) → (ρ², z), with ρ the distance from that axis, is
-the whole problem. With the 2 × 2 Jacobian [a b; c d] of this map, J is singular where D = ad − bc = 0. There (b, −a) and
+The first joint only turns the target about its axis, so that (q₂, q₃) → (ρ², z), with ρ the distance from it, is the
+whole problem. With its 2 × 2 Jacobian [a b; c d], J is singular where D = ad − bc = 0. There (b, −a) and
 (d, −c) do not move the target, and three solutions meet where one of them is tangent to the curve D = 0:
 D = 0, g₁ = ∇D · (b, −a) = 0, g₂ = ∇D · (d, −c) = 0. All are trigonometric polynomials.
 

@@ -14,6 +14,7 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 SAMPLES = 200  # configurations at which the largest |det J| is taken
+ZERO = 1e-12  # the largest |det J| of a J that is singular everywhere
 DEPENDS = 1e-9  # change of det J, beside its largest value, with a joint that it depends on
 
 
@@ -37,11 +38,19 @@ class Determinant:
 
     @cached_property
     def largest(self) -> float:
-        """The largest |det J|, without units, at random configurations."""
-        values = np.abs(self._values(self.problem.random(np.random.default_rng(0), SAMPLES)))
-        if values.max() < 1e-12:
+        """The largest |det J|, without units, at random configurations.
+
+        Raises:
+            TaskError: J is singular everywhere.
+        """
+        value = float(np.abs(self._values(self.problem.random(np.random.default_rng(0), SAMPLES))).max())
+        if value < ZERO:
             raise TaskError("J is singular everywhere, so that no configuration is apart from a singularity")
-        return float(values.max())
+        return value
+
+    def require_regular(self) -> None:
+        """Raise TaskError if J is singular everywhere."""
+        _ = self.largest
 
     @cached_property
     def active(self) -> npt.NDArray[np.bool_]:
@@ -112,7 +121,7 @@ def determinant(robot: Robot, task: Task) -> Determinant:
         )
     chain, rows = chain_and_rows(problem)
     found = Determinant(problem, chain if len(rows) == n else None, rows)
-    assert found.largest > 0
+    found.require_regular()
     return found
 
 

@@ -111,7 +111,7 @@ def self_motion(
         robot: an arm of revolute and prismatic joints.
         task: r = f(q).
         target: r_d, in the form of the task's value.
-        criterion: what the best solution has the most of: "manipulability", √det(J Jᵀ) without units; "middle",
+        criterion: what the best solution has the most of: "manipulability", √det(J Jᵀ); "middle",
             −½ Σ ((q − q̄)/(q_max − q_min))² over the joints with limits; or "near", minus the distance from q0.
         q0: (nq,) the configuration for "near" [rad or m].
         samples: of each curve, at equal distances.
@@ -138,7 +138,7 @@ def self_motion(
             f"{n or 'no'} joints move the task, which has {task.rows} rows: only with more joints than rows there are "
             f"curves of solutions; ik_solutions has the single ones"
         )
-    measure = _measure(problem, criterion, None if q0 is None else robot.configuration(q0, "q0"))
+    measure = _measure(problem, criterion, problem.middle if q0 is None else robot.configuration(q0, "q0"))
     found = ik_solutions(robot, task, target, box=box, starts=starts, seed=seed)
     single = found.dimension != 1
     curves = () if single else _curves(problem, task.target(target), found.q, samples, measure)
@@ -147,23 +147,22 @@ def self_motion(
     return SelfMotion(found.status, found.dimension, curves, found.q, best, value, criterion, starts)
 
 
-def _measure(problem: ScaledTask, criterion: str, q0: Array | None) -> Criterion:
+def _measure(problem: ScaledTask, criterion: str, q0: Array) -> Criterion:
     """Return what is to be large."""
     robot, moving = problem.robot, problem.moving
     limited = np.isfinite(problem.upper - problem.lower) & moving & (problem.upper > problem.lower)
 
     def manipulability(q: Array) -> float:
-        return float(np.prod(np.linalg.svd(problem.jacobian(q)[:, moving], compute_uv=False)))
+        J = problem.task.jacobian(robot, q)[:, moving]
+        return float(np.prod(np.linalg.svd(J, compute_uv=False)))
 
     def middle(q: Array) -> float:
         share = (q - 0.5 * (problem.lower + problem.upper))[limited] / (problem.upper - problem.lower)[limited]
         return -0.5 * float(share @ share)
 
     def near(q: Array) -> float:
-        assert q0 is not None
         return -float(np.linalg.norm(problem.box.difference(q, q0)[moving]))
 
-    assert robot.nq == len(moving)
     return {"manipulability": manipulability, "middle": middle, "near": near}[criterion]
 
 
