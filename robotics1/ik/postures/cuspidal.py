@@ -19,8 +19,8 @@ from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
-REGULAR = 0.01  # |det J|, beside its largest value, of the configurations that are asked about
-BESIDE = (0.1, 0.3)  # [rad] from a cusp, where three solutions are near
+REGULAR = 1e-3  # |det J|, beside its largest value, of the configurations that are asked about
+BESIDE = (0.03, 0.1, 0.2, 0.3, 0.1, 0.2, 0.3)  # [rad] from a cusp, where three solutions are near
 APART = 0.1  # of two solutions that are two postures, in units
 NONE = np.zeros((0, 2))
 Pair = tuple[Array, Array, PostureChange]
@@ -92,7 +92,9 @@ def is_cuspidal(robot: Robot, task: Task, *, targets: int = 20, samples: int = 6
     det, names = determinant(robot, task), postures(robot, task)
     if names.factors:
         parts = ", ".join(factor.part for factor in names.factors)
-        return _not_cuspidal(True, f"There is one solution for each pattern of signs of its factors ({parts}).")
+        return _not_cuspidal(
+            True, f"There is one solution for each pattern of signs of its factors ({parts}).{names.remark}"
+        )
     if task.rows == 1:
         return _not_cuspidal(True, "One joint moves the task, and its solutions are apart by its singularities.")
     known = _cusps(det)

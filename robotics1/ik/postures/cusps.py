@@ -22,6 +22,7 @@ Complex = npt.NDArray[np.complex128]
 GRID = 32  # samples a turn, more than twice the degree of any of the polynomials
 CELLS, LEVELS, MOST_CELLS = 64, 14, 6_000  # of the first grid; how often cells are halved, and how many at most
 ROUNDING = 1e-11  # of a value, beside the sum of the coefficients' sizes
+BESIDE = 0.01  # [rad] from a cusp, within which cells are not excluded
 SAME = 1e-4  # [rad] distance of two cusps that are one
 
 
@@ -62,10 +63,12 @@ class TrigSurface:
         return cls(np.where(np.abs(c) < 1e-14 * np.abs(c).max(initial=0.0), 0.0, c), k, m)
 
     def __call__(self, x: Array) -> Array:
-        """Return the values at (..., 2)."""
+        """Return the values at (k, 2): (k,)."""
         some = np.abs(self.c) > 0
-        phase = x[..., :1] * self.k[some] + x[..., 1:] * self.m[some]
-        return np.asarray((np.exp(1j * phase) @ self.c[some]).real)
+        rows, columns = np.flatnonzero(some.any(axis=1)), np.flatnonzero(some.any(axis=0))
+        of_x = np.exp(1j * x[..., :1] * self.k[rows, 0])
+        of_y = np.exp(1j * x[..., 1:] * self.m[0, columns])
+        return np.asarray((of_x @ self.c[np.ix_(rows, columns)] * of_y).sum(axis=-1).real)
 
     def slope(self, axis: int) -> "TrigSurface":
         """Return ∂f/∂x of the first or the second angle."""
@@ -137,7 +140,7 @@ def _common_zeros(surfaces: tuple[TrigSurface, TrigSurface, TrigSurface]) -> tup
 
 def _polished(surfaces: tuple[TrigSurface, ...], x: Array) -> Array:
     """Return the distinct common zeros to which Newton's method leads from x (k, 2)."""
-    x = x[:: max(1, len(x) // 400)].copy()
+    x = x[:: max(1, len(x) // 100)].copy()
     slopes = [(f.slope(0), f.slope(1)) for f in surfaces]
     sizes = np.array([f.bound(0) or 1.0 for f in surfaces])
     for _ in range(12):
@@ -157,4 +160,4 @@ def _polished(surfaces: tuple[TrigSurface, ...], x: Array) -> Array:
 def _all_near(cells: Array, found: Array, half: float) -> bool:
     """Whether all cells that are left lie at the zeros found."""
     apart = np.abs(np.angle(np.exp(1j * (cells[:, None] - found)))).max(axis=2).min(axis=1)
-    return bool(apart.max() < max(8 * half, SAME) and half < 1e-3)
+    return bool(apart.max() < BESIDE and half < 0.1 * BESIDE)

@@ -19,7 +19,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.ik.postures.joint_lines import (
-    MEETS,
     JointLines,
     are_parallel,
     are_perpendicular,
@@ -30,7 +29,10 @@ from robotics1.ik.structure import FixedChain
 from robotics1.inputs import Array
 
 SEEN_FROM = np.array([1.0, -1.0, 1.0])  # planes yz, xz and xy are seen from +x, −y and +z: up is y or z on paper
-SAMPLES = 32  # configurations at which a factor's usual size is taken
+ROUNDED, EXACT = (
+    1e-5,
+    1e-10,
+)  # sine of the angle of axes that count as parallel; distance, beside the arm, of those that meet
 Quantity = Callable[[JointLines], Array]
 
 
@@ -56,6 +58,7 @@ class Arm:
 
     chain: FixedChain
     lines: JointLines
+    tolerance: float
 
     def turn(self, *joints: int) -> bool:
         """Whether all of these joints are revolute."""
@@ -63,21 +66,21 @@ class Arm:
 
     def parallel(self, i: int, j: int) -> bool:
         """Whether the axes of joints i and j are parallel everywhere."""
-        return are_parallel(self.lines.z[:, i], self.lines.z[:, j])
+        return are_parallel(self.lines.z[:, i], self.lines.z[:, j], self.tolerance)
 
     def meet(self, joints: Sequence[int]) -> bool:
         """Whether the axes of revolute joints go through one point, neighbours not being parallel."""
         z, o = self.lines.z[:, joints], self.lines.o[:, joints]
         apart = float(meeting_point(z, o)[1].max())
         turned = any(map(self.parallel, joints[1:], joints[:-1]))
-        return self.turn(*joints) and not turned and apart < MEETS * (self.chain.length or 1.0)
+        return self.turn(*joints) and not turned and apart < self.tolerance * (self.chain.length or 1.0)
 
     def planar(self, i: int, j: int) -> bool:
         """Whether joints i and j move points in one plane: parallel turns, slides across a turn, or two slides."""
         if self.turn(i, j):
             return self.parallel(i, j)
         if self.turn(i) or self.turn(j):
-            return are_perpendicular(self.lines.z[:, i], self.lines.z[:, j])
+            return are_perpendicular(self.lines.z[:, i], self.lines.z[:, j], self.tolerance)
         return not self.parallel(i, j)
 
     def normal(self, lines: JointLines, i: int, j: int) -> Array:
@@ -89,18 +92,19 @@ class Arm:
     def crosses(self, k: int, i: int, j: int) -> bool:
         """Whether joint k moves points out of the plane of joints i and j."""
         n = self.normal(self.lines, i, j)
-        return not (are_parallel if self.turn(k) else are_perpendicular)(self.lines.z[:, k], n)
+        return not (are_parallel if self.turn(k) else are_perpendicular)(self.lines.z[:, k], n, ROUNDED)
 
 
-def posture_factors(chain: FixedChain, rows: Sequence[int]) -> tuple[Factor, ...]:
+def posture_factors(chain: FixedChain, rows: Sequence[int], tolerance: float = ROUNDED) -> tuple[Factor, ...]:
     """Return the factors that name the postures of a chain; none where it has no such postures.
 
     Args:
         chain: of the joints that move the task.
         rows: which of (x, y, z, and the turns about them) the task has.
+        tolerance: by how much axes may miss each other, or a parallel.
     """
     n = len(chain.prismatic)
-    arm = Arm(chain, joint_lines(chain, some_coordinates(chain, 4)))
+    arm = Arm(chain, joint_lines(chain, some_coordinates(chain, 4)), tolerance)
     if max(rows) < 3:
         return _of_a_point(arm, lambda lines: lines.p) if len(rows) == n else ()
     if n == 3:

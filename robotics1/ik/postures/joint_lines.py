@@ -8,9 +8,6 @@ from robotics1.ik.structure import FixedChain
 from robotics1.ik.subproblems import motions
 from robotics1.inputs import Array
 
-PARALLEL = 1e-5  # sine of the angle between two axes that count as parallel, and of one beside a right angle
-MEETS = 1e-5  # distance of lines that count as meeting, relative to the arm
-
 
 class JointLines(NamedTuple):
     """The axes of n joints, at k configurations, and the point that the frame is at.
@@ -51,11 +48,11 @@ def meeting_point(z: Array, o: Array) -> tuple[Array, Array]:
     return c, apart.max(axis=1)
 
 
-def are_parallel(a: Array, b: Array) -> bool:
+def are_parallel(a: Array, b: Array, tolerance: float) -> bool:
     """Whether unit vectors (k, 3) are parallel or opposite at all k configurations."""
-    return bool(np.linalg.norm(np.cross(a, b), axis=1).max() < PARALLEL)
+    return bool(np.linalg.norm(np.cross(a, b), axis=1).max() < tolerance)
 
 
-def are_perpendicular(a: Array, b: Array) -> bool:
+def are_perpendicular(a: Array, b: Array, tolerance: float) -> bool:
     """Whether unit vectors (k, 3) are perpendicular at all k configurations."""
-    return bool(np.abs((a * b).sum(axis=1)).max() < PARALLEL)
+    return bool(np.abs((a * b).sum(axis=1)).max() < tolerance)

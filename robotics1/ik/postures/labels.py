@@ -9,7 +9,7 @@ import numpy as np
 
 from robotics1.errors import TaskError
 from robotics1.ik.postures.determinant import Determinant, chain_and_rows, determinant
-from robotics1.ik.postures.factors import Factor, posture_factors, some_coordinates
+from robotics1.ik.postures.factors import EXACT, Factor, posture_factors, some_coordinates
 from robotics1.ik.postures.joint_lines import joint_lines
 from robotics1.ik.scaled_task import scaled_task
 from robotics1.ik.structure import FixedChain
@@ -29,13 +29,22 @@ class Postures:
         chain: of the joints that move the task.
         factors: what vanishes between two postures; none where the arm has no postures with names.
         sizes: (f,) the largest values of the factors.
+        rounded: whether its axes are parallel, or meet, but for rounding only.
         determinant: det J, whose sign stands in for names; None where J is not square.
     """
 
     chain: FixedChain | None
     factors: tuple[Factor, ...]
     sizes: Array
+    rounded: bool
     determinant: Determinant | None
+
+    @property
+    def remark(self) -> str:
+        """What is to be said of an arm whose axes are parallel, or meet, but for rounding."""
+        return (
+            " Its axes are taken as parallel, or meeting, where they are so but for rounding." if self.rounded else ""
+        )
 
     def values(self, q: Array) -> Array:
         """Return the factors relative to their largest values at configurations (k, nq): (k, f)."""
@@ -67,10 +76,12 @@ def _postures(robot: Robot, task: Task) -> Postures:
     chain, rows = chain_and_rows(problem)
     factors = () if chain is None else posture_factors(chain, rows)
     if chain is None or not factors:
-        return Postures(chain, (), np.zeros(0), _determinant(robot, task))
+        return Postures(chain, (), np.zeros(0), False, _determinant(robot, task))
     lines = joint_lines(chain, some_coordinates(chain, SAMPLES))
     sizes = np.array([np.abs(factor.values(lines)).max() for factor in factors])
-    return Postures(chain, factors, sizes, None)
+    exact = posture_factors(chain, rows, EXACT)
+    rounded = [factor.part for factor in exact] != [factor.part for factor in factors]
+    return Postures(chain, factors, sizes, rounded, None)
 
 
 _kept = lru_cache(maxsize=64)(_postures)

@@ -159,7 +159,8 @@ def by_signs(det: Determinant, names: Postures, ends: Array) -> PostureChange | 
         if a * b < 0 and min(abs(a), abs(b)) > NO_POSTURE:
             words = [factor.positive if value > 0 else factor.negative for value in (a, b)]
             return _impossible(
-                f"the factor of det J for the {factor.part} changes its sign: {words[0]}, then {words[1]}"
+                f"the factor of det J for the {factor.part} changes its sign: {words[0]}, then {words[1]}."
+                + names.remark
             )
     if values[0] * values[1] < 0:
         return _impossible("det J has different signs at the two, so that it vanishes on the way")

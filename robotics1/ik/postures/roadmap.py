@@ -166,26 +166,26 @@ class Region:
 def least_along(determinant: Determinant, corners: Array, sign: float) -> tuple[Array, float] | None:
     """Return samples (k, nq) of a path of straight lines, and a bound below which sign · det J never falls on it.
 
-    Between two samples det J is at least half of the sum of its values minus the bound of its change: a line is halved
-    until that is half of the least value seen. None where it is not reached.
+    Between two configurations det J is at least half of the sum of its values minus the bound of its change. Where that
+    is less than half of the least value seen, the line is halved. None where det J vanishes, or nearly so.
     """
     starts, steps = corners[:-1], np.diff(corners, axis=0)
     moving = np.abs(steps).max(axis=1) > 0
     starts, steps = starts[moving], steps[moving]
-    parts = 8
-    while len(starts) * parts <= MOST_PARTS:
-        t = np.arange(parts) / parts
-        q = (starts[:, None] + t[:, None] * steps[:, None]).reshape(-1, corners.shape[1])
-        q = np.vstack([q, corners[-1:]])
-        values = sign * determinant(q)
-        if values.min() <= 0:
+    path = _sampled(starts, steps, corners[-1], determinant.problem.box.unit)
+    q, step = path[:-1], np.diff(path, axis=0)
+    least, looked_at, bound = np.inf, 0, np.inf
+    while len(q):
+        ends = sign * np.stack([determinant(q), determinant(q + step)])
+        least, looked_at = min(least, float(ends.min())), looked_at + len(q)
+        if least <= 0 or looked_at > MOST_PARTS:
             return None
-        change = determinant.change(q[:-1], np.diff(q, axis=0))
-        bound = 0.5 * (values[:-1] + values[1:] - change)
-        if bound.min() >= 0.5 * values.min():
-            return _sampled(starts, steps, corners[-1], determinant.problem.box.unit), float(bound.min())
-        parts *= 2
-    return None
+        bounds = 0.5 * (ends.sum(axis=0) - determinant.change(q, step))
+        loose = bounds < 0.5 * least
+        bound = min(bound, float(bounds[~loose].min(initial=np.inf)))
+        half = 0.5 * step[loose]
+        q, step = np.vstack([q[loose], q[loose] + half]), np.vstack([half, half])
+    return path, bound
 
 
 def _sampled(starts: Array, steps: Array, end: Array, unit: Array) -> Array:
