@@ -24,7 +24,7 @@ class PostureChangeStatus(Enum):
     """Whether two configurations are joined by a path without singularities."""
 
     FOUND = "a path without singularities joins them"
-    IMPOSSIBLE = "it is proven that every path between them crosses a singularity"
+    IMPOSSIBLE = "every path between them crosses a singularity"
     NOT_FOUND = "no path without singularities was found; that proves nothing"
 
 
