@@ -25,6 +25,8 @@ from test_all_solutions import (
 
 import robotics1 as r1
 from robotics1.ik import PostureChangeStatus as Change, group_by_aspect, posture_change
+from robotics1.ik.postures.determinant import determinant
+from robotics1.ik.postures.walls import crossed_wall, walls
 
 H = pi / 2
 XY, PLANE = r1.PositionTask("xy"), r1.PlanarPoseTask()
@@ -148,11 +150,11 @@ def det_of_the_orthogonal_arm(q2, q3, a1=1.0, a2=2.0, a3=1.5, d2=1.0):
     return a3 * (a2 + a3 * np.cos(q3)) * (a1 * np.sin(q3) + (a2 * np.sin(q3) - d2 * np.cos(q3)) * np.cos(q2))
 
 
-def same_part(a, b, cells=400):
+def same_part(a, b, cells=400, **lengths):
     """Whether a flood fill of a grid over (q2, q3) joins two configurations of the orthogonal arm."""
     ticks = -pi + 2 * pi / cells * np.arange(3 * cells)  # three turns, so that no seam is in the way
     q2, q3 = np.meshgrid(ticks, ticks, indexing="ij")
-    parts, _ = label(det_of_the_orthogonal_arm(q2, q3) * det_of_the_orthogonal_arm(*a[1:]) > 0)
+    parts, _ = label(det_of_the_orthogonal_arm(q2, q3, **lengths) * det_of_the_orthogonal_arm(*a[1:], **lengths) > 0)
 
     def places(q):
         i, j = np.round((q[1:] + pi) / (2 * pi / cells)).astype(int) % cells
@@ -161,18 +163,31 @@ def same_part(a, b, cells=400):
     return bool(places(a) & places(b))
 
 
-@given(st.integers(0, 10_000))
-@settings(max_examples=5)
-def test_a_path_of_the_orthogonal_arm_exists_where_a_flood_fill_finds_one(seed):
-    robot, q = robot_of(ORTHOGONAL), drawn(seed, 3)
-    found = r1.ik_solutions(robot, XYZ, XYZ.value(robot, q))
-    for p in found.q[1:]:
-        ends = [det_of_the_orthogonal_arm(*x[1:]) for x in (found.q[0], p)]
-        if min(map(abs, ends)) < 0.3:
+@pytest.mark.parametrize(("a2", "a3", "d2", "joined"), [(2.0, 1.5, 1.0, {True}), (0.5, 0.7, 0.2, {True, False})])
+def test_a_path_of_an_orthogonal_arm_exists_where_a_flood_fill_finds_one(a2, a3, d2, joined):
+    """With a3 > a2 there is a further factor, a2 + a3 cos q3, so that det J has one sign on several parts."""
+    robot = robot_of([R(1, -H, 0), R(a2, H, d2), R(a3, 0, 0)])
+    pairs = [drawn(seed, 6).reshape(2, 3) for seed in range(60)]
+    seen = set()
+    for a, b in pairs:
+        ends = [det_of_the_orthogonal_arm(*q[1:], a2=a2, a3=a3, d2=d2) for q in (a, b)]
+        if min(map(abs, ends)) < 0.1 * a3 or ends[0] * ends[1] < 0:
             continue
-        change = posture_change(robot, XYZ, found.q[0], p)
+        change = posture_change(robot, XYZ, a, b)
         assert change.proven
-        assert (change.status is Change.FOUND) == same_part(found.q[0], p)
+        seen.add(change.status is Change.FOUND)
+        assert (change.status is Change.FOUND) == same_part(a, b, a2=a2, a3=a3, d2=d2)
+    assert seen == joined
+
+
+@given(st.integers(0, 10_000), st.sampled_from([ORTHOGONAL, STANFORD, UR5, [R(0.2, 1, 0.3), P(0.8), R(0.3, 0.5, 0.1)]]))
+@settings(max_examples=15)
+def test_the_slope_of_det_j_is_not_above_its_bound(seed, rows):
+    """What the proof of a path rests on: differences along a random segment, against the bound of |d det J/dt|."""
+    det = determinant(robot_of(rows), POSE if len(rows) == 6 else XYZ)
+    q, step = drawn(seed, 2 * len(rows)).reshape(2, 1, -1) * [[[1.0]], [[0.1]]]
+    values = det(q + np.linspace(0, 1, 101)[:, None] * step)
+    assert np.abs(np.diff(values)).max() * 100 <= det.change(q, step)[0]
 
 
 def assert_free_of_singularities(robot, task, change, q_a, q_b):
@@ -218,6 +233,18 @@ def test_no_path_joins_postures_that_differ_by_a_factor_of_det_j(rows, task):
     assert "changes its sign" in change.explain()
 
 
+def test_the_joint_values_at_which_det_j_always_vanishes_are_its_factors_in_one_joint():
+    """Of a polar arm det J = ∓q3² sin q2: one sign on both sides of q3 = 0, which no path crosses all the same."""
+    det = determinant(robot_of([R(0, H, 0.3), R(0, H, 0), P(0)], slide=1.0), XYZ)
+    circular = np.array([True, True, False])
+    found = walls(det, -np.ones(3), np.ones(3), circular)
+    assert sorted(np.abs(found[1])) == pytest.approx([0, pi, pi], abs=1e-9)
+    assert found[2] == pytest.approx([0], abs=1e-6)
+    assert sorted(found) == [1, 2]
+    a, b, c = np.array([[0.2, 1, 0.5], [0.4, 0.8, -0.5], [0.4, 0.8, 0.9]])
+    assert [crossed_wall(found, a, q, circular, circular) for q in (b, c)] == [2, None]
+
+
 def test_a_path_may_have_to_keep_the_limits():
     """From q1 = 3 to −3 the way is short through π, and long where the limits are ±3.1."""
     robot = r1.robot_from_dh([R(0.4, 0, 0), R(0.3, 0, 0)], lower=[-3.1, -3.1], upper=[3.1, 3.1])
@@ -253,7 +280,7 @@ def test_what_is_singular_outside_the_limits_or_redundant_is_refused_by_a_senten
         posture_change(robot, XY, [0, 1], [0, 0])
     with pytest.raises(r1.InputError, match="q_a is outside the joint limits"):
         posture_change(robot, XY, [3, 1], [0, 1], within_limits=True)
-    with pytest.raises(r1.TaskError, match="2 joints move the task, which has 1 rows"):
+    with pytest.raises(r1.TaskError, match="2 joints and 1 row of the task"):
         posture_change(robot, r1.PositionTask("x"), [0, 1], [0, 1])
     with pytest.raises(r1.InputError, match="what ik_solutions returns"):
         group_by_aspect([[0, 1]])

@@ -97,6 +97,8 @@ def test_a_locked_joint_leaves_finitely_many_solutions():
     assert fixed.q[:, 0] == pytest.approx([0.4, 0.4])
     with pytest.raises(r1.UnknownNameError, match="q9"):
         r1.ik_solutions(three, XY, [0.5, 0.3], locked={"q9": 0.4})
+    with pytest.raises(r1.InputError, match="the locked 'q1' must be"):
+        r1.ik_solutions(three, XY, [0.5, 0.3], locked={"q1": "a"})
     with pytest.raises(r1.InputError, match="locked"):
         r1.ik_solutions(three, XY, [0.5, 0.3], locked=[0.4])
 

@@ -135,7 +135,7 @@ def self_motion(
     n = int(np.count_nonzero(problem.moving))
     if n <= task.rows:
         raise TaskError(
-            f"{n or 'no'} joints move the task, which has {task.rows} rows: only with more joints than rows there are "
+            f"{count(n, 'joint')} and {count(task.rows, 'row')} of the task: where no joint is left over there are no "
             f"curves of solutions; ik_solutions has the single ones"
         )
     measure = _measure(problem, criterion, problem.middle if q0 is None else robot.configuration(q0, "q0"))

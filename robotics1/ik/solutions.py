@@ -1,6 +1,6 @@
 """Every inverse kinematics solution of a target."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
@@ -14,11 +14,11 @@ from robotics1.ik.descent import REACHED
 from robotics1.ik.exact import ExactSolver
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
-from robotics1.ik.scaled_task import ScaledTask, scaled_task
+from robotics1.ik.scaled_task import ScaledTask, never_changes, scaled_task
 from robotics1.ik.solution_search import SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.structure import closed_form
-from robotics1.inputs import Array, a_robot_and_a_task, by_name, counting_number, one_of
+from robotics1.inputs import Array, a_robot_and_a_task, by_name, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
 from robotics1.singularities.points import singular_points
 from robotics1.tasks.task import Task
@@ -98,8 +98,7 @@ class Prepared:
 
 def _prepared(robot: Robot, task: Task, box: Any, locked: Any) -> Prepared:
     """Return what does not depend on the target; of a task on a pose it is kept."""
-    form = task.frame_map()
-    if box is None and not locked and form is not None and form.pose_error is not None and isinstance(task, Hashable):
+    if box is None and not locked and never_changes(task):
         with suppress(TypeError):  # a task that cannot be hashed
             return _kept(robot, task)
     return _prepare(robot, task, box, locked)
@@ -107,7 +106,8 @@ def _prepared(robot: Robot, task: Task, box: Any, locked: Any) -> Prepared:
 
 def _prepare(robot: Robot, task: Task, box: Any = None, locked: Any = None) -> Prepared:
     still = by_name("locked", locked, "{'q1': 0.5}")
-    where = dict(by_name("box", box, "{'q1': (-1, 1)}")) | {name: (value, value) for name, value in still.items()}
+    values = {name: real_number(f"the locked {name!r}", value) for name, value in still.items()}
+    where = dict(by_name("box", box, "{'q1': (-1, 1)}")) | {name: (value, value) for name, value in values.items()}
     problem = scaled_task(robot, task, where or None)
     if still:
         moving = problem.moving & ~np.isin(robot.joint_names, list(still))

@@ -22,7 +22,7 @@ from robotics1.tasks.task import Task
 REGULAR = 1e-3  # |det J|, beside its largest value, of the configurations that are asked about
 BESIDE = (0.03, 0.1, 0.2, 0.3, 0.1, 0.2, 0.3)  # [rad] from a cusp, where three solutions are near
 APART = 0.1  # of two solutions that are two postures, in units
-NONE = np.zeros((0, 2))
+NONE, NOTHING = np.zeros((0, 2)), np.zeros((0, 0))
 Pair = tuple[Array, Array, PostureChange]
 RISK = 0.05  # the chance of an error that a search is given
 
@@ -101,18 +101,24 @@ def is_cuspidal(robot: Robot, task: Task, *, targets: int = 20, samples: int = 6
     if known is not None and known.complete and known.generic and not len(known.q):
         return _not_cuspidal(True, "It is proven that no three solutions meet: there is no cusp.")
     at = known.q if known is not None and known.complete else NONE
-    search = _Search(det, samples, seed)
-    for n, q in enumerate(_starts(det, at, targets, np.random.default_rng(seed)), 1):
+    search, asked = _Search(det, samples, seed), 0
+    for q in _starts(det, at, targets, np.random.default_rng(seed)):
+        asked += 1
         pair = search.pair_of(q)
         if pair is not None:
-            return _cuspidal(pair, at, n)
-    share = 1 - RISK ** (1 / targets)
+            return _cuspidal(pair, at, asked)
+    if known is not None and known.generic and len(known.q):
+        reason = (
+            f"Three solutions meet at {count(len(known.q), 'cusp')}, as of cuspidal arms only; no example is known."
+        )
+        return Cuspidality(CuspidalityStatus.CUSPIDAL, False, NOTHING, NOTHING, NOTHING, 0.0, known.q, asked, reason)
+    share = 1 - RISK ** (1 / max(1, asked))
     return _not_cuspidal(
         False,
-        f"No two solutions of {count(targets, 'random target')} were joined: with a confidence of 95 % this search "
+        f"No two solutions of {count(asked, 'random target')} were joined: with a confidence of 95 % this search "
         f"would join two of less than {100 * share:.0f} % of the targets.",
         at,
-        targets,
+        asked,
     )
 
 
@@ -198,5 +204,5 @@ def _cuspidal(pair: Pair, at: Array, n: int) -> Cuspidality:
 
 
 def _not_cuspidal(proven: bool, reason: str, at: Array = NONE, targets: int = 0) -> Cuspidality:
-    nothing = np.zeros((0, 0))
-    return Cuspidality(CuspidalityStatus.NOT_CUSPIDAL, proven, nothing, nothing, nothing, 0.0, at, targets, reason)
+    status = CuspidalityStatus.NOT_CUSPIDAL
+    return Cuspidality(status, proven, NOTHING, NOTHING, NOTHING, 0.0, at, targets, reason)

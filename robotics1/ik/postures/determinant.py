@@ -10,6 +10,7 @@ from robotics1.errors import TaskError
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.structure import FixedChain, fixed_chain
 from robotics1.inputs import Array
+from robotics1.notation import count
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -108,16 +109,17 @@ def determinant(robot: Robot, task: Task) -> Determinant:
     """Return det J of a task.
 
     Raises:
-        TaskError: as many joints as the task has rows do not move it, or J is singular everywhere.
+        TaskError: as many joints as the task has rows do not move it, its axes move, or J is singular everywhere.
     """
+    task.check_integrable(robot)
     problem = scaled_task(robot, task, open_ranges=True)
     n = int(np.count_nonzero(problem.moving))
     if n == 0:
         raise TaskError("no joint moves the task, so that it has no postures")
     if n != task.rows:
         raise TaskError(
-            f"{n} joints move the task, which has {task.rows} rows: postures are told apart by the sign of det J, "
-            f"which is of a square J"
+            f"{count(n, 'joint')} and {count(task.rows, 'row')} of the task: postures are told apart by the sign "
+            f"of det J, which is of a square J"
         )
     chain, rows = chain_and_rows(problem)
     found = Determinant(problem, chain if len(rows) == n else None, rows)

@@ -1,6 +1,5 @@
 """The names of postures: "shoulder right", "elbow up", "wrist not flipped"."""
 
-from collections.abc import Hashable
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
@@ -11,7 +10,7 @@ from robotics1.errors import TaskError
 from robotics1.ik.postures.determinant import Determinant, chain_and_rows, determinant
 from robotics1.ik.postures.factors import EXACT, Factor, posture_factors, some_coordinates
 from robotics1.ik.postures.joint_lines import joint_lines
-from robotics1.ik.scaled_task import scaled_task
+from robotics1.ik.scaled_task import never_changes, scaled_task
 from robotics1.ik.structure import FixedChain
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
@@ -64,8 +63,8 @@ class Postures:
 
 
 def postures(robot: Robot, task: Task) -> Postures:
-    """Return how the postures of a robot in a task are told apart; of a task that can be hashed it is kept."""
-    if isinstance(task, Hashable):
+    """Return how the postures of a robot in a task are told apart; of a task on a pose it is kept."""
+    if never_changes(task):
         with suppress(TypeError):
             return _kept(robot, task)
     return _postures(robot, task)

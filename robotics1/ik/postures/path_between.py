@@ -11,7 +11,9 @@ from robotics1.ik.postures.barrier import are_apart
 from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import NO_POSTURE, Postures, postures
 from robotics1.ik.postures.roadmap import Region, least_along
+from robotics1.ik.postures.walls import crossed_wall, walls
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number
+from robotics1.notation import joint_value, number
 from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -110,17 +112,31 @@ def join(
     """Return a path between configurations (nq,) at which det J has the same sign, or why there is none."""
     region = region_of(det, np.array([a, b]), within_limits=within_limits)
     corners = region.direct(a, b)
-    rng, refuted = np.random.default_rng(seed), not refute
+    provable = refute and det.has_bound
+    reason = _wall_between(det, region, a, b) if corners is None and provable else ""
+    rng = np.random.default_rng(seed)
     for count in (*[n for n in GROWTH if n < samples], samples):
-        if corners is not None:
+        if corners is not None or reason:
             break
         region = region.grown(count - (len(region.nodes) - 2), rng)
         corners = region.path(0, 1)
-        if corners is None and not refuted and count >= GROWTH[1]:
-            refuted = True
-            if are_apart(det, a, b, region.lower, region.upper, region.circular):
-                return _impossible("a grid over the joints that det J depends on separates them")
+        if corners is None and provable and count == min(GROWTH[1], samples):
+            apart = are_apart(det, a, b, region.lower, region.upper, region.circular)
+            reason = "a grid over the joints that det J depends on separates them" if apart else ""
+    if reason:
+        return _impossible(reason)
     return path_of(det, region, corners, a, b)
+
+
+def _wall_between(det: Determinant, region: Region, a: Array, b: Array) -> str:
+    """Return at which values of a joint every path from a to b, (nq,) each, meets a singularity; "" if at none."""
+    robot = det.problem.robot
+    found = walls(det, region.lower, region.upper, region.circular)
+    j = crossed_wall(found, a, b, region.circular, robot.revolute)
+    if j is None:
+        return ""
+    values = ", ".join(map(joint_value if robot.revolute[j] else number, found[j].tolist()))
+    return f"det J vanishes at {robot.joint_names[j]} = {values}, whatever the other joints do"
 
 
 def path_of(det: Determinant, region: Region, corners: Array | None, a: Array, b: Array) -> PostureChange:

@@ -174,7 +174,8 @@ def least_along(determinant: Determinant, corners: Array, sign: float) -> tuple[
     starts, steps = starts[moving], steps[moving]
     path = _sampled(starts, steps, corners[-1], determinant.problem.box.unit)
     q, step = path[:-1], np.diff(path, axis=0)
-    least, looked_at, bound = np.inf, 0, np.inf
+    bound = least = float(sign * determinant(path[-1:])[0])
+    looked_at = 0
     while len(q):
         ends = sign * np.stack([determinant(q), determinant(q + step)])
         least, looked_at = min(least, float(ends.min())), looked_at + len(q)
