@@ -25,6 +25,7 @@ from test_all_solutions import (
 
 import robotics1 as r1
 from robotics1.ik import PostureChangeStatus as Change, group_by_aspect, posture_change
+from robotics1.ik.postures.barrier import are_apart
 from robotics1.ik.postures.determinant import determinant
 from robotics1.ik.postures.walls import crossed_wall, walls
 
@@ -178,6 +179,16 @@ def test_a_path_of_an_orthogonal_arm_exists_where_a_flood_fill_finds_one(a2, a3,
         seen.add(change.status is Change.FOUND)
         assert (change.status is Change.FOUND) == same_part(a, b, a2=a2, a3=a3, d2=d2)
     assert seen == joined
+
+
+def test_a_grid_separates_nothing_that_a_flood_fill_joins():
+    """All configurations of the classical orthogonal arm at which det J has one sign are joined, also narrowly."""
+    det, ends, circular = determinant(robot_of(ORTHOGONAL), XYZ), np.full(3, pi), np.full(3, True)
+    q = np.random.default_rng(3).uniform(-pi, pi, (12, 3))
+    for sign in (1, -1):
+        first, *others = q[sign * det(q) > 0.01]
+        assert all(same_part(first, other) for other in others)
+        assert not any(are_apart(det, first, other, -ends, ends, circular) for other in others[:1])
 
 
 @given(st.integers(0, 10_000), st.sampled_from([ORTHOGONAL, STANFORD, UR5, [R(0.2, 1, 0.3), P(0.8), R(0.3, 0.5, 0.1)]]))
