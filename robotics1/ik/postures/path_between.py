@@ -76,8 +76,9 @@ def posture_change(
     """Return a joint path from q_a to q_b on which det J(q) ≠ 0, or why there is none.
 
     On a path without singularities det J keeps its sign, and so does each of its factors. Where a sign differs, there
-    is no path; nor where det J vanishes at values of one joint between them, whatever the others do. Otherwise
-    straight lines are tried, both ways round each joint, and then a roadmap of random configurations. Where det J depends on two joints only, as of a 3R arm, a grid can prove that there is no path.
+    is no path; nor where det J vanishes at values of one joint between them, whatever the others do. Otherwise straight
+    lines are tried, both ways round each joint, and then a roadmap of random configurations. Where det J depends on two
+    joints only, as of a 3R arm, a grid can prove that there is no path.
 
     Args:
         robot: an arm of revolute and prismatic joints.
