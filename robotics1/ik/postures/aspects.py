@@ -6,11 +6,19 @@ from itertools import combinations
 import numpy as np
 
 from robotics1.errors import InputError
-from robotics1.ik.postures.determinant import determinant
+from robotics1.ik.postures.barrier import are_apart
+from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import postures
-from robotics1.ik.postures.path_between import PostureChangeStatus, by_signs, join
+from robotics1.ik.postures.path_between import (
+    GROWTH,
+    PostureChangeStatus,
+    by_signs,
+    path_of,
+    region_of,
+    wall_between,
+)
 from robotics1.ik.solution_set import IKSolutions
-from robotics1.inputs import counting_number
+from robotics1.inputs import Array, counting_number
 from robotics1.notation import count
 
 
@@ -58,14 +66,42 @@ def group_by_aspect(found: IKSolutions, *, samples: int = 600, seed: int = 0) ->
     det, names = determinant(found.robot, found.task), postures(found.robot, found.task)
     regular = np.flatnonzero(~found.singular).tolist()
     leader = {i: i for i in regular}
-    doubts = []
-    for i, j in combinations(regular, 2):
-        if leader[i] == leader[j] or by_signs(det, names, found.q[[i, j]]) is not None:
-            continue
-        change = join(det, found.q[i], found.q[j], within_limits=False, samples=samples, seed=seed)
-        if change.status is PostureChangeStatus.FOUND:
-            leader |= {k: leader[i] for k in regular if leader[k] == leader[j]}
-        elif not change.proven:
-            doubts.append((i, j))
+    proven = True
+    for sign in (1.0, -1.0):
+        members = [i for i in regular if sign * det(found.q[[i]])[0] > 0]
+        pairs = [(i, j) for i, j in combinations(members, 2) if by_signs(det, names, found.q[[i, j]]) is None]
+        if pairs:
+            proven &= _merge(det, found.q, members, pairs, leader, samples, seed)
     groups = [tuple(k for k in regular if leader[k] == first) for first in dict.fromkeys(leader.values())]
-    return Aspects(tuple(groups), all(leader[i] == leader[j] for i, j in doubts))
+    return Aspects(tuple(groups), proven)
+
+
+def _merge(
+    det: Determinant,
+    q: Array,
+    members: list[int],
+    pairs: list[tuple[int, int]],
+    leader: dict[int, int],
+    samples: int,
+    seed: int,
+) -> bool:
+    """Give one leader to those of the pairs that a path joins; return whether the others are proven to be apart."""
+    region, rng = region_of(det, q[members], within_limits=False), np.random.default_rng(seed)
+    for nodes in (0, *[n for n in GROWTH if n < samples], samples):
+        region = region.grown(nodes - (len(region.nodes) - len(members)), rng) if nodes else region
+        for i, j in pairs:
+            if leader[i] == leader[j]:
+                continue
+            a, b = members.index(i), members.index(j)
+            corners = region.path(a, b) if nodes else region.direct(q[i], q[j])
+            if path_of(det, region, corners, q[i], q[j]).status is PostureChangeStatus.FOUND:
+                first, other = leader[i], leader[j]
+                leader.update({k: first for k in leader if leader[k] == other})
+        if all(leader[i] == leader[j] for i, j in pairs):
+            return True
+    return det.has_bound and all(
+        leader[i] == leader[j]
+        or wall_between(det, region, q[i], q[j]) != ""
+        or are_apart(det, q[i], q[j], region.lower, region.upper, region.circular)
+        for i, j in pairs
+    )

@@ -114,7 +114,7 @@ def join(
     region = region_of(det, np.array([a, b]), within_limits=within_limits)
     corners = region.direct(a, b)
     provable = refute and det.has_bound
-    reason = _wall_between(det, region, a, b) if corners is None and provable else ""
+    reason = wall_between(det, region, a, b) if corners is None and provable else ""
     rng = np.random.default_rng(seed)
     for count in (*[n for n in GROWTH if n < samples], samples):
         if corners is not None or reason:
@@ -129,7 +129,7 @@ def join(
     return path_of(det, region, corners, a, b)
 
 
-def _wall_between(det: Determinant, region: Region, a: Array, b: Array) -> str:
+def wall_between(det: Determinant, region: Region, a: Array, b: Array) -> str:
     """Return at which values of a joint every path from a to b, (nq,) each, meets a singularity; "" if at none."""
     robot = det.problem.robot
     found = walls(det, region.lower, region.upper, region.circular)
