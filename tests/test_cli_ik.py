@@ -197,7 +197,7 @@ def number(formula, values):
 
 def test_ik_writes_a_page_of_all_solutions_with_their_names(tmp_path):
     page = tmp_path / "solutions.html"
-    assert f"wrote {page}" in run(*XY, *UNIT, "--target", "1,1", "--out", str(page)).stdout.replace("\n", "")
+    assert f"wrote {page}" in run(*XY, *UNIT, "--target", "1,1", "--page", str(page)).stdout.replace("\n", "")
     text = page.read_text(encoding="utf-8")
     assert text.count("elbow up") == text.count("elbow down") == 1
     assert "for all solutions" in run(*XY, "--target", "1,1", "--method", "solve", "--out", str(page)).refusal

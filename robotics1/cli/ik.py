@@ -37,7 +37,8 @@ Iterations = Annotated[int | None, typer.Option(help="For newton, ..., damped: t
 
 Formulas = Annotated[bool, typer.Option("--formulas", help="Print the formulas of all solutions; needs no --target.")]
 PageFile = Annotated[
-    Path | None, typer.Option("--out", "-o", help="For all solutions: the page to write, which shows them together.")
+    Path | None,
+    typer.Option("--page", "--out", "-o", help="For all solutions: the page to write, which shows them together."),
 ]
 
 ALL, SOLVE, ITERATE = "all solutions", "--method solve", "--method newton, pseudoinverse, gradient or damped"
@@ -48,7 +49,7 @@ USES = {  # option → the questions whose answer it changes
     "time_limit": (SOLVE,),
     "tolerance": (SOLVE, ITERATE),
     "max_iterations": (ITERATE,),
-    "out": (ALL,),
+    "page": (ALL,),
 }
 
 
@@ -65,7 +66,7 @@ def ik(
     tolerance: Tolerance = None,
     max_iterations: Iterations = None,
     formulas: Formulas = False,
-    out: PageFile = None,
+    page: PageFile = None,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
@@ -78,7 +79,7 @@ def ik(
     from robotics1.ik.iterate import METHODS
 
     given: dict[str, Any] = {"q0": q0, "prefer": prefer, "seed": seed, "time_limit": time_limit}
-    given |= {"tolerance": tolerance, "max_iterations": max_iterations, "out": out}
+    given |= {"tolerance": tolerance, "max_iterations": max_iterations, "page": page}
     if formulas:
         _refuse_beside_formulas({"target": target, "targets": targets, "method": method, **given})
         arm = arguments.parse_robot(robot, param, tool, packages)

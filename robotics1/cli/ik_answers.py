@@ -70,7 +70,7 @@ def all_solutions(
     robot: Robot, task: FrameTask, target: Any, _: None, options: dict[str, Any], *, degrees: bool, json: bool
 ) -> bool:
     """Print every solution, write a page of them if that is asked for, and return whether there is one."""
-    page = options.pop("out", None)
+    page = options.pop("page", None)
     found = ik_solutions(robot, task, target, **options)
     if page is not None and len(found):
         view(robot, file=page, task=task, solutions=found)
