@@ -137,6 +137,11 @@ def inverse():
     return r1.ik.ik_formulas(arm("planar_2r"), PLANE)
 
 
+@cache
+def swaying():
+    return r1.ik.self_motion(arm("planar_3r"), PLANE, [0.5, 0.3], samples=5, starts=3)
+
+
 LIMITS = r1.MotionLimits(1.0, 3.0, 20.0)
 
 
@@ -173,6 +178,9 @@ INSTANCES = {
     "FrenetFrame": lambda: [r1.curves.frenet_frame(r1.curves.circle_path([0, 0], 1.0), 0.3)],
     "FunctionMotion": lambda: [r1.trajectories.FunctionMotion(moved_position, moved_velocity)],
     "FunctionTask": lambda: [r1.FunctionTask(squared_distance, 1), r1.FunctionTask(squared_distance, 1, its_jacobian)],
+    "Aspects": lambda: [r1.ik.group_by_aspect(r1.ik_solutions(arm("planar_2r"), PLANE, TARGET))],
+    "Cuspidality": lambda: [r1.ik.is_cuspidal(arm("planar_2r"), PLANE)],
+    "CuspidalityStatus": lambda: list(r1.ik.CuspidalityStatus),
     "GainChoice": lambda: [r1.control.smallest_gain(cubic(), [0.1, 1], 1e-2)],
     "GainStatus": lambda: list(r1.control.GainStatus),
     "HarmonicCurve": lambda: [r1.curves.circle_path([0, 0], 1.0), *laws()[1:3], r1.curves.stretched(laws()[1], 2.0)],
@@ -189,6 +197,10 @@ INSTANCES = {
         r1.IKSolver(arm("planar_2r"), r1.FunctionTask(squared_distance, 1), time_limit=0.2),
     ],
     "IKStatus": lambda: list(r1.ik.IKStatus),
+    "PostureChange": lambda: [r1.ik.posture_change(arm("planar_2r"), PLANE, Q, b) for b in ([1, 0.5], [1, -0.5])],
+    "PostureChangeStatus": lambda: list(r1.ik.PostureChangeStatus),
+    "SelfMotion": lambda: [swaying()],
+    "SelfMotionCurve": lambda: list(swaying().curves),
     "SingularSetStatus": lambda: list(r1.singularities.SingularSetStatus),
     "Intersections": lambda: [r1.singularities.find_intersections(found) for found in singular_sets()],
     "Join": lambda: list(r1.curves.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),

@@ -3,10 +3,11 @@ from math import pi
 
 import numpy as np
 import pytest
+import sympy
 from arms import ROBOTS
 from command import answer, run
 
-from robotics1 import load_robot
+from robotics1 import PositionTask, load_robot
 
 XY = ["ik", "planar_2r", "--task", "position:xy"]
 UNIT = ["-p", "l1=1", "-p", "l2=1"]
@@ -156,3 +157,47 @@ def test_misuse_ends_with_2_and_a_word_on_the_line(tmp_path):
     path = tmp_path / "targets.csv"
     path.write_text("1,1\n1,x\n", encoding="utf-8")
     assert "targets.csv, line 2: 'x' is not a number" in run(*XY, "--targets", path).refusal
+
+
+def test_ik_names_the_posture_of_each_solution_and_lists_those_outside_the_limits(tmp_path):
+    found = answer(*XY, *UNIT, "--target", "1,1")
+    assert np.array(found["solutions"]) == pytest.approx(np.array([[0, pi / 2], [pi / 2, -pi / 2]]), abs=1e-9)
+    assert found["labels"] == [["elbow down"], ["elbow up"]]
+    assert found["within_limits"] == [True, True]
+    assert "elbow down" in run(*XY, *UNIT, "--target", "1,1").stdout
+    path = tmp_path / "limited.urdf"
+    path.write_text((ROBOTS / "elbow_limited.urdf").read_text(encoding="utf-8"), encoding="utf-8")
+    robot = load_robot(str(path))
+    target = ",".join(map(str, np.round(r1_position(robot, [0.2, robot.upper[1] - 0.2]), 12)))
+    found = answer("ik", str(path), "--task", "position:xy", "--target", target)
+    assert len(found["outside_limits"]) == 1
+    assert "outside the limits" in run("ik", str(path), "--task", "position:xy", "--target", target).stdout
+
+
+def r1_position(robot, q):
+    return PositionTask("xy").value(robot, q)
+
+
+def test_ik_prints_the_formulas_of_all_solutions():
+    """The 2R of lengths l1 and l2: cos q2 = (x² + y² − l1² − l2²)/(2 l1 l2), and two signs of q2."""
+    printed = run(*XY, "--formulas").stdout
+    assert "2 solutions" in printed
+    assert "q2 = acos(" in printed
+    found = answer(*XY, "--formulas")
+    names = {"x": 1.0, "y": 1.0, "l1": 1.0, "l2": 1.0}
+    values = [[number(branch[q], names) for q in ("q1", "q2")] for branch in found["branches"]]
+    assert sorted(values) == pytest.approx(np.array([[0, pi / 2], [pi / 2, -pi / 2]]), abs=1e-12)
+    assert "--target 1,1 changes nothing for --formulas" in run(*XY, "--formulas", "--target", "1,1").refusal
+
+
+def number(formula, values):
+    symbols = {name: sympy.Symbol(name) for name in values}
+    return float(sympy.sympify(formula, locals=symbols).subs(values))
+
+
+def test_ik_writes_a_page_of_all_solutions_with_their_names(tmp_path):
+    page = tmp_path / "solutions.html"
+    assert f"wrote {page}" in run(*XY, *UNIT, "--target", "1,1", "--page", str(page)).stdout.replace("\n", "")
+    text = page.read_text(encoding="utf-8")
+    assert text.count("elbow up") == text.count("elbow down") == 1
+    assert "for all solutions" in run(*XY, "--target", "1,1", "--method", "solve", "--out", str(page)).refusal

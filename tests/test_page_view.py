@@ -111,8 +111,8 @@ def test_what_ik_solutions_has_found_is_leafed_through():
     robot = arm("planar_2r")
     found = r1.ik_solutions(robot, r1.PositionTask("xy"), [0.5, 1.1])
     html = r1.view(robot, solutions=found).html
-    assert f'"solutions":[{{"label":"","q":{json.dumps(found.q[0].tolist(), separators=(",", ":"))}}}' in html
-    assert html.count('"label":""') == len(found) == 2
+    assert f'"solutions":[{{"label":"elbow down","q":{json.dumps(found.q[0].tolist(), separators=(",", ":"))}}}' in html
+    assert html.count('"label":"elbow ') == len(found) == 2
 
 
 @pytest.mark.parametrize("solutions", [3, "q", [[0, 0], [0]], {"a": [0, np.nan]}, {1: [0, 0]}, [None]])

@@ -141,6 +141,9 @@ def nothing_moves(still, task, folder):
         "solve_ik": lambda: r1.solve_ik(still, task, value),
         "IKSolver": lambda: r1.IKSolver(still, task)(value),
         "ik_formulas": lambda: r1.ik.ik_formulas(still, task),
+        "is_cuspidal": lambda: r1.ik.is_cuspidal(still, task),
+        "posture_change": lambda: r1.ik.posture_change(still, task, [], []),
+        "self_motion": lambda: r1.ik.self_motion(still, task, value),
         "ik_solutions": lambda: r1.ik_solutions(still, task, value),
         "rendezvous": lambda: r1.rendezvous(still, task, r1.LinearMotion(P, [0, 0, 0]), [], meet=1.0),
         "follow_trajectory": lambda: r1.follow_trajectory(still, task, motion, []),
@@ -160,7 +163,7 @@ def nothing_moves(still, task, folder):
     }
 
 
-RESULTS = {"RobotReport", "Formulas", "IKFormulas", "SingularBranch", "SingularSet", "SingularityScan"}
+RESULTS = {"RobotReport", "Formulas", "IKFormulas", "SingularBranch", "SingularSet", "SingularityScan", "IKSolutions"}
 CALLS = sorted(
     name
     for name, value in PUBLIC.items()

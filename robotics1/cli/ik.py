@@ -35,6 +35,12 @@ TimeLimit = Annotated[float | None, typer.Option(help="For solve: the most secon
 Tolerance = Annotated[float | None, typer.Option(help="For a method: the wanted |e|; by default 1e-4, for solve 1e-6.")]
 Iterations = Annotated[int | None, typer.Option(help="For newton, ..., damped: the most iterations; by default 50.")]
 
+Formulas = Annotated[bool, typer.Option("--formulas", help="Print the formulas of all solutions; needs no --target.")]
+PageFile = Annotated[
+    Path | None,
+    typer.Option("--page", "--out", "-o", help="For all solutions: the page to write, which shows them together."),
+]
+
 ALL, SOLVE, ITERATE = "all solutions", "--method solve", "--method newton, pseudoinverse, gradient or damped"
 USES = {  # option → the questions whose answer it changes
     "q0": (SOLVE, ITERATE),
@@ -43,6 +49,7 @@ USES = {  # option → the questions whose answer it changes
     "time_limit": (SOLVE,),
     "tolerance": (SOLVE, ITERATE),
     "max_iterations": (ITERATE,),
+    "page": (ALL,),
 }
 
 
@@ -58,6 +65,8 @@ def ik(
     time_limit: TimeLimit = None,
     tolerance: Tolerance = None,
     max_iterations: Iterations = None,
+    formulas: Formulas = False,
+    page: PageFile = None,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
@@ -65,10 +74,16 @@ def ik(
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
-    """Inverse kinematics: all solutions, one found robustly, many targets, or the table of one method's iterations."""
+    """Inverse kinematics: all solutions or their formulas, one solution, many targets, or one method's iterations."""
     from robotics1.cli import ik_answers as answers
     from robotics1.ik.iterate import METHODS
 
+    given: dict[str, Any] = {"q0": q0, "prefer": prefer, "seed": seed, "time_limit": time_limit}
+    given |= {"tolerance": tolerance, "max_iterations": max_iterations, "page": page}
+    if formulas:
+        _refuse_beside_formulas({"target": target, "targets": targets, "method": method, **given})
+        arm = arguments.parse_robot(robot, param, tool, packages)
+        raise typer.Exit(0 if answers.formulas(arm, arguments.parse_task(task, frame), json=json) else 1)
     if (target is None) == (targets is None):
         raise InputError("give either --target, as in --target 1,-1,3, or --targets FILE with a target on each line")
     if method is not None:
@@ -76,8 +91,7 @@ def ik(
     if targets is not None and method not in (None, "solve"):
         raise InputError(f"--targets is for --method solve; {method!r} takes one --target")
     question = SOLVE if method == "solve" or targets is not None else ALL if method is None else ITERATE
-    given = {"prefer": prefer, "seed": seed, "time_limit": time_limit, "tolerance": tolerance}
-    options = _used(question, given | {"q0": q0, "max_iterations": max_iterations})
+    options = _used(question, given)
     arm = arguments.parse_robot(robot, param, tool, packages)
     what = arguments.parse_task(task, frame)
     start = None if q0 is None else arguments.configuration(arm, q0, degrees)
@@ -96,6 +110,15 @@ def ik(
         }
         done = kinds[question](arm, what, goal, start, options, degrees=degrees, json=json)
     raise typer.Exit(0 if done else 1)
+
+
+def _refuse_beside_formulas(given: dict[str, Any]) -> None:
+    """Raise InputError if an option is given that changes nothing for the formulas."""
+    for name, value in given.items():
+        if value is not None:
+            raise InputError(
+                f"--{name.replace('_', '-')} {value} changes nothing for --formulas, which hold of every target"
+            )
 
 
 def _used(question: str, given: dict[str, Any]) -> dict[str, Any]:

@@ -10,17 +10,21 @@ import numpy as np
 from robotics1.cli.arguments import parse_vector, read_text
 from robotics1.cli.output import PlainConsole, in_degrees, joint_names, progress_bar, say_outside_limits, write_json
 from robotics1.errors import InputError
+from robotics1.ik.closed_form.find import ik_formulas
 from robotics1.ik.iterate import IKIterate, IKIteration, iterate_ik
 from robotics1.ik.result import IKBatch, IKResult
+from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solutions import ik_solutions
 from robotics1.ik.solver import IKSolver
 from robotics1.inputs import Array
-from robotics1.notation import count, vector
+from robotics1.notation import count, number, vector
 from robotics1.report.tables import iteration_table, matrix_table, table
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
+from robotics1.viewer.animation import view
 
 OF_A_FAMILY = 16  # solutions that are printed, where there are infinitely many
+IN_COLUMNS = 4  # joints, up to which the table has a column for the posture
 OF_A_FILE = 20  # targets that are printed; JSON has all
 
 
@@ -65,25 +69,77 @@ def read_targets(path: Path, task: FrameTask, degrees: bool) -> list[Any]:
 def all_solutions(
     robot: Robot, task: FrameTask, target: Any, _: None, options: dict[str, Any], *, degrees: bool, json: bool
 ) -> bool:
-    """Print every solution, and return whether there is one."""
+    """Print every solution, write a page of them if that is asked for, and return whether there is one."""
+    page = options.pop("page", None)
     found = ik_solutions(robot, task, target, **options)
+    if page is not None and len(found):
+        view(robot, file=page, task=task, solutions=found)
     if json:
-        answer = {"status": found.status.name, "complete": found.complete, "solutions": found.q}
-        answer |= {"singular": found.singular, "error_norm": found.error_norm}
-        write_json(answer | {"free_joints": found.free_joints, "dimension": found.dimension})
+        write_json(_solutions_as_json(found))
         return len(found) > 0
     out = PlainConsole()
     out.print(f"{found.status.value} ({len(found)} found by {found.method})")
+    if len(found) or len(found.outside_limits):
+        _print_solutions(out, found, robot, degrees)
+    if len(found) > OF_A_FAMILY:
+        out.print(f"and {len(found) - OF_A_FAMILY} more")
     if not len(found):
         nearest = vector(in_degrees(robot, found.closest, degrees))
         out.print(f"the nearest miss is |e| = {found.error_norm:.4g} at q = {nearest}")
         return False
-    rows = tuple(f"{i + 1}{' singular' if flag else ''}" for i, flag in enumerate(found.singular[:OF_A_FAMILY]))
-    out.print(matrix_table(in_degrees(robot, found.q[:OF_A_FAMILY], degrees), rows, joint_names(robot)))
-    if len(found) > OF_A_FAMILY:
-        out.print(f"and {len(found) - OF_A_FAMILY} more")
     if found.free_joints:
         out.print(f"{', '.join(found.free_joints)}: anywhere in the limits, since the task does not move")
+    if page is not None:
+        out.print(f"wrote {page}", soft_wrap=True)
+    return True
+
+
+def _print_solutions(out: PlainConsole, found: IKSolutions, robot: Robot, degrees: bool) -> None:
+    """Print the solutions as a table, and the posture of each in a column, or below where there are many joints."""
+    inside = found.q[:OF_A_FAMILY]
+    q = in_degrees(robot, np.vstack([inside, found.outside_limits]), degrees)
+    labels = (*found.labels[: len(inside)], *found.labels_of(found.outside_limits))
+    singular = (*found.singular[: len(inside)], *[False] * len(found.outside_limits))
+    notes = []
+    for i, (names, flag) in enumerate(zip(labels, singular, strict=True)):
+        beside = ["singular"] * bool(flag) + ["outside the limits"] * (i >= len(inside))
+        notes.append(", ".join((*names, *beside)))
+    numbers = [(str(i + 1), *(number(float(value)) for value in values)) for i, values in enumerate(q)]
+    headings = ("", *joint_names(robot))
+    if any(notes) and robot.nq <= IN_COLUMNS:
+        rows = [(*row, note) for row, note in zip(numbers, notes, strict=True)]
+        out.print(table((*headings, "posture"), rows, left=("posture",)))
+        return
+    out.print(table(headings, numbers))
+    for i, note in enumerate(notes, 1):
+        if note:
+            out.print(f"{i}: {note}", soft_wrap=True)
+
+
+def _solutions_as_json(found: IKSolutions) -> dict[str, Any]:
+    return {
+        "status": found.status.name,
+        "complete": found.complete,
+        "method": found.method,
+        "solutions": found.q,
+        "labels": found.labels,
+        "singular": found.singular,
+        "within_limits": found.within_limits,
+        "outside_limits": found.outside_limits,
+        "error_norm": found.error_norm,
+        "free_joints": found.free_joints,
+        "dimension": found.dimension,
+    }
+
+
+def formulas(robot: Robot, task: FrameTask, *, json: bool) -> bool:
+    """Print the formulas of every solution, and return that there are some."""
+    found = ik_formulas(robot, task)
+    if json:
+        branches = [{name: str(e) for name, e in branch.q.items()} for branch in found.branches]
+        write_json({"branches": branches, "free_joints": found.free_joints, "latex": found.latex()})
+    else:
+        PlainConsole().print(found.explain(), soft_wrap=True)
     return True
 
 

@@ -1,9 +1,9 @@
 """A task as a search for q sees it: without units, in a box, with the joints that move it."""
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, replace
 from time import perf_counter
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 import numpy.typing as npt
@@ -48,7 +48,8 @@ class ScaledTask:
     @property
     def free_joints(self) -> tuple[str, ...]:
         """The names of the joints that do not move the task."""
-        return tuple(name for name, moves in zip(self.robot.joint_names, self.moving, strict=True) if not moves)
+        moves = self.moving | (self.box.upper == self.box.lower)  # what is locked is not free
+        return tuple(name for name, kept in zip(self.robot.joint_names, moves, strict=True) if not kept)
 
     @property
     def middle(self) -> Array:
@@ -90,6 +91,14 @@ class ScaledTask:
         size = self.robot.fixed_length + float(np.abs(q[~self.robot.revolute]).sum())
         base = float(np.hypot.reduce(self.robot.model.jointPlacements[1].translation)) if self.robot.nq else 0.0
         return max(size, ROUNDED * base, ROUNDED * self.length)
+
+
+def never_changes(task: Task) -> TypeGuard[Hashable]:
+    """Whether what is found of a task can be kept: it is one on a pose, which no function of the user's makes, and has
+    a hash.
+    """
+    form = task.frame_map()
+    return form is not None and form.pose_error is not None and isinstance(task, Hashable)
 
 
 def scaled_task(

@@ -1,13 +1,16 @@
 """Every solution of one target, and how much is known about them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.caching import cached_property
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array
 from robotics1.results import Frozen, require
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +32,7 @@ class IKSolutions(Frozen):
         outside_limits: (j, nq) the solutions outside the limits, where the method finds these too.
         boundary_distance: how far the target is from the nearest one with a double solution that was seen [m, rad],
             where that is less than 1e-6; else ∞.
-        labels: names of the solutions' postures; empty, since no arm has them yet.
+        robot, task: whose solutions they are.
     """
 
     q: Array
@@ -44,7 +47,38 @@ class IKSolutions(Frozen):
     within_limits: npt.NDArray[np.bool_]
     outside_limits: Array
     boundary_distance: float = np.inf
-    labels: tuple[tuple[str, ...], ...] = ()
+    robot: Robot | None = field(default=None, repr=False)
+    task: Task | None = field(default=None, repr=False)
+
+    @cached_property
+    def labels(self) -> tuple[tuple[str, ...], ...]:
+        """The names of each solution's posture, such as ("shoulder right", "elbow up", "wrist not flipped").
+
+        Each name is the sign of a factor of det J, so that it changes at a singularity only:
+
+        - shoulder: (z₁ × n) · (c − o₁), with n the axis of joint 2 and c the tool's point, or the centre of the wrist.
+          Right is where a positive turn of joint 2 raises c along z₁ (Lee and Ziegler, 1984: their ARM).
+        - elbow: n · ((c − o₂) × (c − o₃)), times the shoulder's sign. Up is where axis 3 lies above the line from joint
+          2 to c, along z₁. Of arms in a plane: where it lies left of the line, with the plane's axes right and up.
+          Of SCARA arms the elbow is left or right of that line, seen from above.
+        - reach: (c − o) · z of a prismatic joint, from the turning joint beside it: forward if it is positive.
+        - wrist: (z₄ × z₆) · z₅ = sin q₅ if q₅ = 0 is where axes 4 and 6 point the same way. Flipped if it is negative.
+
+        An arm of another structure is given the sign of det J if J is square, else no names. A name ends with
+        "singular" where its factor is zero.
+
+        Source: Lee and Ziegler, IEEE Trans. Aerospace and Electronic Systems, 1984; Siciliano, Sciavicco, Villani,
+        Oriolo, Robotics, 2009, section 2.12.
+        """
+        return self.labels_of(self.q)
+
+    def labels_of(self, q: Array) -> tuple[tuple[str, ...], ...]:
+        """Return the names of the postures of other configurations (k, nq), such as `outside_limits`."""
+        from robotics1.ik.postures.labels import postures
+
+        if self.robot is None or self.task is None:
+            return ((),) * len(q)
+        return postures(self.robot, self.task).labels(q)
 
     def __len__(self) -> int:
         return len(self.q)

@@ -1,6 +1,6 @@
 """Every inverse kinematics solution of a target."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
@@ -14,11 +14,11 @@ from robotics1.ik.descent import REACHED
 from robotics1.ik.exact import ExactSolver
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
-from robotics1.ik.scaled_task import ScaledTask, scaled_task
+from robotics1.ik.scaled_task import ScaledTask, never_changes, scaled_task
 from robotics1.ik.solution_search import SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.structure import closed_form
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
+from robotics1.inputs import Array, a_robot_and_a_task, by_name, counting_number, one_of, real_number
 from robotics1.robot.model import Robot
 from robotics1.singularities.points import singular_points
 from robotics1.tasks.task import Task
@@ -34,6 +34,7 @@ def ik_solutions(
     method: str = "auto",
     windings: bool = False,
     box: Mapping[str, tuple[float, float]] | None = None,
+    locked: Mapping[str, float] | None = None,
     starts: int = 100,
     seed: int = 0,
 ) -> IKSolutions:
@@ -60,6 +61,8 @@ def ik_solutions(
         method: "auto", or "search" to search in any case.
         windings: whether to list also what differs by whole turns, inside limits that both end.
         box: joint name → (lower, upper), where to look; needed for prismatic joints without limits that move the task.
+        locked: joint name → value [rad or m], of joints that stand still: a redundant arm then has finitely many
+            solutions.
         starts: the number of random starts of a search.
         seed: of the random starts.
 
@@ -77,10 +80,11 @@ def ik_solutions(
     seed, starts = counting_number("seed", seed), counting_number("starts", starts, least=1)
     task.check_integrable(robot)
     target = task.target(target)
-    prepared = _prepared(robot, task, box)
+    prepared = _prepared(robot, task, box, locked)
     searched = partial(_searched, prepared.problem, target, starts, seed)
     exact = prepared.exact if method == "auto" else None
     found = searched() if exact is None else exact.solve(target, searched)
+    found = replace(found, robot=robot, task=task)
     return with_windings(found, prepared.problem) if windings else found
 
 
@@ -92,17 +96,22 @@ class Prepared:
     exact: ExactSolver | None
 
 
-def _prepared(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None) -> Prepared:
+def _prepared(robot: Robot, task: Task, box: Any, locked: Any) -> Prepared:
     """Return what does not depend on the target; of a task on a pose it is kept."""
-    form = task.frame_map()
-    if box is None and form is not None and form.pose_error is not None and isinstance(task, Hashable):
+    if box is None and not locked and never_changes(task):
         with suppress(TypeError):  # a task that cannot be hashed
             return _kept(robot, task)
-    return _prepare(robot, task, box)
+    return _prepare(robot, task, box, locked)
 
 
-def _prepare(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None = None) -> Prepared:
-    problem = scaled_task(robot, task, box)
+def _prepare(robot: Robot, task: Task, box: Any = None, locked: Any = None) -> Prepared:
+    still = by_name("locked", locked, "{'q1': 0.5}")
+    values = {name: real_number(f"the locked {name!r}", value) for name, value in still.items()}
+    where = dict(by_name("box", box, "{'q1': (-1, 1)}")) | {name: (value, value) for name, value in values.items()}
+    problem = scaled_task(robot, task, where or None)
+    if still:
+        moving = problem.moving & ~np.isin(robot.joint_names, list(still))
+        problem = replace(problem, moving=moving)
     form = closed_form(robot, task, problem.moving, problem.middle) if problem.moving.any() else None
     exact = None if form is None else ExactSolver(problem, form)
     return Prepared(problem, exact if exact is not None and exact.is_regular else None)
@@ -159,7 +168,6 @@ def with_windings(found: IKSolutions, problem: ScaledTask) -> IKSolutions:
         q=np.array(copies).reshape(len(copies), problem.robot.nq),
         singular=found.singular[sources],
         within_limits=found.within_limits[sources],
-        labels=tuple(found.labels[i] for i in sources) if found.labels else (),
     )
 
 

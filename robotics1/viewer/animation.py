@@ -121,7 +121,7 @@ def view(
         RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
     a_robot(robot)
-    states = _labelled(robot, solutions.q if isinstance(solutions, IKSolutions) else solutions)
+    states = _labelled(robot, solutions)
     start = robot.configuration(q) if q is not None else states[0][1] if states else _resting(robot)
     shapes = Shapes()
     arms = [_arm(robot, start, task, shapes, robot.name)]
@@ -130,7 +130,10 @@ def view(
 
 def _labelled(robot: Robot, solutions: Any) -> list[tuple[str, Array]]:
     """Return the solutions, each with its label or none."""
-    if isinstance(solutions, Mapping):
+    found: list[tuple[str, Any]]
+    if isinstance(solutions, IKSolutions):
+        found = [(", ".join(names), q) for names, q in zip(solutions.labels, solutions.q, strict=True)]
+    elif isinstance(solutions, Mapping):
         found = list(solutions.items())
     elif isinstance(solutions, str) or not np.iterable(solutions):
         raise InputError(f"solutions must be configurations, or label → configuration; it is {solutions!r}")
