@@ -41,6 +41,7 @@ from robotics1 import (
     TaskError,
     forward_kinematics,
     ik_solutions,
+    load_robot,
     robot_from_dh,
 )
 from robotics1.ik import ik_formulas
@@ -315,3 +316,11 @@ def test_a_pose_target_is_an_se3():
 def test_a_task_that_no_joint_moves_is_refused():
     with pytest.raises(TaskError, match="no joint of robot 'planar_2r' moves the task"):
         ik_formulas(arm("planar_2r"), PositionTask("z"))
+
+
+def test_conditions_are_written_as_in_a_book():
+    """Bars for the absolute value, and no sign before all of what is zero."""
+    text = ik_formulas(load_robot("prr"), PlanarPoseTask()).explain()
+    assert "|(l3·sin(phi) − y)/l2| ≤ 1" in text
+    assert "Abs" not in text
+    assert "q2 is free where q3 = 0" in ik_formulas(load_robot("cylindrical"), PositionTask()).explain()

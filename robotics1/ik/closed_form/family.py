@@ -224,5 +224,8 @@ def _sentence(condition: Any) -> str:
         return " and ".join(sorted(map(_sentence, condition.args)))
     if isinstance(condition, sympy.core.relational.Relational):
         symbol = {"==": "=", "<=": "≤", ">=": "≥", "!=": "≠"}.get(condition.rel_op, condition.rel_op)
-        return f"{line_text(condition.lhs)} {symbol} {line_text(condition.rhs)}"
+        lhs = condition.lhs
+        if isinstance(condition, sympy.Eq) and condition.rhs == 0 and lhs.could_extract_minus_sign():
+            lhs = -lhs
+        return f"{line_text(lhs)} {symbol} {line_text(condition.rhs)}"
     return str(condition)

@@ -11,6 +11,7 @@ import sympy
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.mathml import MathMLPresentationPrinter
 from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.str import StrPrinter
 
 from robotics1.names import printable
 
@@ -144,6 +145,13 @@ def _inside_quotes(text: str) -> str:
     return printable(text.replace("\\", r"\\").replace('"', r"\""))
 
 
+class _Line(StrPrinter):  # type: ignore[misc]
+    """SymPy's text, with |x| for its Abs(x)."""
+
+    def _print_Abs(self, formula: sympy.Abs) -> str:
+        return f"|{self._print(formula.args[0])}|"
+
+
 def line_text(formula: Any) -> str:
     """Return a formula on one line, as in l2·cos(q2) + l3·cos(q2 + q3) = 0; a column as (a, b, c)."""
     if isinstance(formula, sympy.MatrixBase):
@@ -151,7 +159,7 @@ def line_text(formula: Any) -> str:
     if isinstance(formula, sympy.Equality):
         return f"{line_text(formula.lhs)} = {line_text(formula.rhs)}"
     formula = _with_short_numbers(formula)
-    text = re.sub(r"\*\*([2-9])\b", lambda power: "²³⁴⁵⁶⁷⁸⁹"[int(power[1]) - 2], str(formula))
+    text = re.sub(r"\*\*([2-9])\b", lambda power: "²³⁴⁵⁶⁷⁸⁹"[int(power[1]) - 2], _Line().doprint(formula))
     return re.sub(r"\bpi\b", "π", text.replace("*", "·").replace("-", "−"))
 
 
