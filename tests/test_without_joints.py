@@ -140,6 +140,7 @@ def nothing_moves(still, task, folder):
         "iterate_ik": lambda: r1.iterate_ik(still, task, value, [], method="damped"),
         "solve_ik": lambda: r1.solve_ik(still, task, value),
         "IKSolver": lambda: r1.IKSolver(still, task)(value),
+        "SolutionSolver": lambda: r1.ik.SolutionSolver(still, task)(value),
         "ik_formulas": lambda: r1.ik.ik_formulas(still, task),
         "ik_solutions": lambda: r1.ik_solutions(still, task, value),
         "rendezvous": lambda: r1.rendezvous(still, task, r1.LinearMotion(P, [0, 0, 0]), [], meet=1.0),

@@ -89,11 +89,11 @@ class ExactSolver:
             families = self._with_families(inside, search, goal)
             return self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)
         status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
-        proven = proven and (status is IKStatus.FINITE or self._is_short)
+        proven = proven and (status is IKStatus.FINITE or self.is_short)
         return self._answer(inside, outside, status, search, proven=proven, near=near)
 
     @property
-    def _is_short(self) -> bool:
+    def is_short(self) -> bool:
         """Whether rounding hides no solution beside a double one: of six joints it may."""
         return len(self.form.chain.coordinate) <= 3
 
@@ -243,7 +243,7 @@ class ExactSolver:
         if near is not None and search.error_norm(near) < BOUNDARY:
             distance = search.error_norm(near)
             root = Root(near, 0.0, True)
-            proven = proven and self._is_short
+            proven = proven and self.is_short
             return self._answer([root], outside, IKStatus.BOUNDARY, search, proven=proven, near=distance)
         searched = otherwise()
         if len(searched) or not proven:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.ik.loops import LoopSolve, loop_solver
+from robotics1.ik.loops import LoopSolve, LoopSolver, loop_solver
 from robotics1.ik.subproblems import inverse, motion, motions, one_row, orientation, planar_loop, point, two_rows
 from robotics1.inputs import Array
 from robotics1.kernels.chain import chain_arrays
@@ -33,12 +33,14 @@ class ClosedForm:
         chain: of the joints that it finds.
         deviation: by how much the arm differs from one for which it is exact, relative.
         solve: goal (4, 4) in the task's axes → (k, n), q modulo 2π; None where they are not finitely many.
+        loop: of six joints, how their loop is solved, and the joint at which it begins.
     """
 
     method: str
     chain: "FixedChain"
     deviation: float
     solve: Callable[[Array], Array | None]
+    loop: tuple[LoopSolver, int] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,7 +203,7 @@ def _pose(chain: FixedChain) -> ClosedForm | None:
         part = loop_solver(chain.P[1:6], chain.prismatic, i, chain.length)
         if part is not None:
             name = f"{part.name}, joints {i + 1} to {i + 3}"
-            return ClosedForm(name, chain, part.deviation, _around(chain, i, part.solve))
+            return ClosedForm(name, chain, part.deviation, _around(chain, i, part.solve), (part, i))
     return None
 
 
