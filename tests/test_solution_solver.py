@@ -1,4 +1,4 @@
-"""The compiled solver of all solutions answers as the careful way and as brute force do; what it leaves is looked at."""
+"""The compiled solver of all solutions answers as the careful way and brute force do; what it leaves is looked at."""
 
 import pickle
 from dataclasses import fields

@@ -1,5 +1,6 @@
 """All solutions by compiled formulas: what the kernels of `kernels/every_solution.py` are given, and answer."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -7,14 +8,15 @@ from typing import Any
 import numpy as np
 
 from robotics1.ik.exact import AS_FORMULA, BOUNDARY, REGULAR, ExactSolver
+from robotics1.ik.general_six import Roots
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import Array
 from robotics1.kernels.candidates import PLANAR, PLANE, ROWS, SPHERICAL, TURNS
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import is_ready, on_all_cores
-from robotics1.kernels.every_solution import solutions_of_few, solutions_of_six
-from robotics1.kernels.real_roots import MANY
+from robotics1.kernels.every_solution import COUNT, solutions_of_candidates, solutions_of_few, solutions_of_six
+from robotics1.kernels.real_roots import MANY, UNKNOWN
 
 SINGULAR = 1e-5  # a bound of σ_min/σ_max below which the distance of the singularity is estimated
 BACKWARDS = np.array([2, 1, 0, 5, 4, 3])  # the joints of a loop from its other end
@@ -41,8 +43,10 @@ class CompiledSolutions:
             [problem.lower[own], problem.upper[own], problem.middle[own], problem.box.unit[own], own, chain.prismatic]
         )
         rows = np.array(sorted(exact.pose_error.rows), dtype=np.int64)
-        arrays, few = _arrays(exact, joints, rows), exact.form.loop is None
-        self.kernel = partial(solutions_of_few if few else solutions_of_six, *arrays)
+        self.kernel = partial(self._kernel(exact), *_arrays(exact, joints, rows))
+
+    def _kernel(self, exact: ExactSolver) -> Callable[..., None]:
+        return solutions_of_few if exact.form.loop is None else solutions_of_six
 
     @property
     def is_ready(self) -> bool:
@@ -90,6 +94,45 @@ class CompiledSolutions:
         return found if edge >= BOUNDARY else self.at_the_boundary(found, edge)
 
 
+class EliminatedSolutions(CompiledSolutions):
+    """All solutions of six joints without special geometry: roots of a pencil by LAPACK, and the rest in a kernel."""
+
+    def __init__(self, exact: ExactSolver, roots: Callable[[Array], Roots | None]) -> None:
+        super().__init__(exact)
+        self.roots = roots
+
+    def _kernel(self, exact: ExactSolver) -> Callable[..., None]:
+        return solutions_of_candidates
+
+    def solve(self, goal: Array) -> IKSolutions | None:
+        """Return all solutions of a goal (4, 4); None where it is left to the careful way."""
+        q, answer = self.blank.copy(), np.empty(4)
+        self._solve(goal, q, answer)
+        return self.answer(q, *answer.tolist())
+
+    def solve_many(self, goals: Array) -> tuple[Array, Array]:
+        """Return what `CompiledSolutions.solve_many` does."""
+        q, answers = np.empty((len(goals), *self.blank.shape)), np.empty((len(goals), 4))
+        q[:] = self.blank
+        for goal, rows, answer in zip(goals, q, answers, strict=True):
+            self._solve(goal, rows, answer)
+        return q, answers
+
+    def _solve(self, goal: Array, q: Array, answer: Array) -> None:
+        roots = self.roots(goal) if np.isfinite(goal).all() else None
+        answer[COUNT] = UNKNOWN
+        if roots is not None and roots.proven:
+            self.kernel(goal, np.ascontiguousarray(roots.x), q, answer)
+            if answer[COUNT] < np.count_nonzero(roots.real):  # a root that is no solution
+                answer[COUNT] = UNKNOWN
+
+
+def compiled_solutions(exact: ExactSolver) -> CompiledSolutions:
+    """Return the way to all solutions with the kernel that fits."""
+    roots = exact.form.roots
+    return CompiledSolutions(exact) if roots is None else EliminatedSolutions(exact, roots)
+
+
 ALL, NONE = np.ones(MANY, dtype=bool), np.zeros(MANY, dtype=bool)
 ALL.setflags(write=False)
 NONE.setflags(write=False)
@@ -102,6 +145,8 @@ def _arrays(exact: ExactSolver, joints: Array, rows: Indices) -> tuple[Any, ...]
     placements = np.array([P[:3] for P in chain.P]).reshape(-1, 12)
     links = np.column_stack([placements, np.vstack([own, np.zeros(3)])])
     least = SINGULAR if form.deviation < AS_FORMULA else REGULAR
+    if form.roots is not None:
+        return links, joints, rows, np.array([0, 0, 0, 0, 0, chain.length, least])
     if form.loop is None:
         turns, moves = np.count_nonzero(rows >= 3), np.count_nonzero(rows < 3)
         kind = ROWS if not turns else PLANE if moves else TURNS

@@ -70,15 +70,19 @@ class ExactSolver:
             otherwise: gives the answer of a search, for targets that the formula cannot serve and for nearest misses.
         """
         goal = self.pose_error.goal(self.problem.robot, target)
-        found = self.form.solve(goal)
+        roots = None if self.form.roots is None else self.form.roots(goal)
+        found = self.form.solve(goal) if self.form.roots is None else None if roots is None else roots.x
         if found is None:
             return otherwise()
         search = SolutionSearch(self.problem, target, points=self.points)
         candidates, sigma = self._polished(np.array([self._whole(x) for x in found]), goal)
         reached = np.array([search.relative_error(q) <= REACHED for q in candidates], dtype=bool)
         proven = self.form.deviation < AS_FORMULA or bool((reached & (sigma > REGULAR)).all())
-        roots = self._roots(candidates[reached], sigma[reached], search)
-        inside, outside = self._by_limits(roots)
+        if roots is not None:
+            proven = proven and roots.proven and bool(reached[roots.real].all())
+            if not proven and not reached.any():
+                return otherwise()
+        inside, outside = self._by_limits(self._roots(candidates[reached], sigma[reached], search))
         dimension = max((search.dimension(root.q) for root in inside if root.singular), default=0)
         if dimension > 1:
             return otherwise()

@@ -6,7 +6,7 @@ from time import perf_counter
 from typing import Any
 
 from robotics1.caching import cached_property
-from robotics1.ik.compiled_solutions import CompiledSolutions
+from robotics1.ik.compiled_solutions import CompiledSolutions, compiled_solutions
 from robotics1.ik.exact import ExactSolver
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.solution_set import IKSolutions
@@ -33,7 +33,7 @@ class Prepared:
     @cached_property
     def compiled(self) -> CompiledSolutions | None:
         """The kernel for targets at which no two solutions meet; None if there is none for this arm."""
-        return None if self.exact is None else CompiledSolutions(self.exact)
+        return None if self.exact is None else compiled_solutions(self.exact)
 
     def solve(self, target: Any, starts: int, seed: int) -> IKSolutions:
         """Return the solutions of a target, in the form of the task's value.

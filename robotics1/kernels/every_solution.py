@@ -217,3 +217,20 @@ def solutions_of_few(
             scaled_goal(targets[i], unit, goal)
             count = few_joints(scaled, goal, kind, rows, numbers, x)
         settled(scaled, goal, joints, rows, unit, numbers[LEAST], count, x, q[i], answers[i])
+
+
+@compiled(contract=True)
+def solutions_of_candidates(
+    links: Array, joints: Array, rows: Indices, numbers: Array, target: Array, x: Array, q: Array, answer: Array
+) -> None:
+    """Do what `solutions_of_six` does for one target from candidates x, (k, 6), in radians and metres."""
+    scaled, goal, candidates = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
+    unit, count = 1.0, UNKNOWN
+    if is_pose(target) and len(x) <= MANY:
+        unit, count = unit_of(links, target, numbers[LENGTH]), len(x)
+        scaled_links(links, unit, scaled)
+        scaled_goal(target, unit, goal)
+        for i in range(count):
+            for j in range(6):
+                candidates[i, j] = x[i, j] / unit if joints[j, SLIDES] != 0.0 else x[i, j]
+    settled(scaled, goal, joints, rows, unit, numbers[LEAST], count, candidates, q, answer)
