@@ -81,7 +81,8 @@ class GeneralLoop:
         zero = [A0 @ motion(self.prismatic[0], -x) @ back for x in first]
         frames = np.array([[A1 @ motion(self.prismatic[1], -y) @ T for y in second] for T in zero])
         values = fourteen(frames[..., :3, 3], frames[..., :3, 2])
-        return np.einsum("kij,ai,bj->kab", values, *map(_basis, self.prismatic[:2])).reshape(14, 9)
+        found = np.einsum("kij,ai,bj->kab", values, *map(_basis, self.prismatic[:2]))
+        return np.asarray(found).reshape(14, 9)
 
     def _of_pencil(self, six: Array, offset: float) -> Roots | None:
         """Return the roots with coordinates of joints 2, 3, 4 alone, (k, 3); None at a singular pencil."""
@@ -119,8 +120,7 @@ class GeneralLoop:
 
     def _of_products(self, v: Array) -> list[float]:
         """Return the coordinates of joints 3 and 4 from the products of their half tangents, (4, 3), up to a factor."""
-        i, j = np.unravel_index(np.argmax(np.abs(v)), v.shape)
-        i, j = max(int(i), 1), max(int(j), 1)
+        i, j = (max(int(k), 1) for k in np.unravel_index(np.argmax(np.abs(v)), v.shape))
         found = []
         for slides, below in ((self.prismatic[3], v[i - 1, j]), (self.prismatic[4], v[i, j - 1])):
             high, low = (v[i, j] * np.conj(below)).real, abs(below) ** 2
