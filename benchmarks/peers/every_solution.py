@@ -86,6 +86,8 @@ def make_ik_geo(arm: Arm) -> AllSolver:
     from ik_geo import Robot
 
     H, P, R0 = axes_and_offsets(arm)
+    if arm.name == "Puma 560":  # whose joint 4 it wants to be counted from the centre of the wrist
+        P[:, 3], P[:, 4] = P[:, 3] + P[:, 4], 0.0
     solver = getattr(Robot, FAMILIES.get(arm.name, "gen_six_dof"))(H.T, P.T)
 
     def convert(T: pin.SE3) -> tuple[Array, Array]:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.ik.subproblems import inverse, motion
+from robotics1.ik.subproblems import inverse, motions
 from robotics1.inputs import Array
 
 ANGLES, LENGTHS = np.array([0.0, 0.5 * np.pi, np.pi]), np.array([-1.0, 0.0, 1.0])
@@ -51,12 +51,10 @@ class GeneralLoop:
 
     Attributes:
         prismatic: of its joints; joint 5 turns.
-        A: the placements (4, 4) behind joints 2, 3, 4, with lengths of about 1.
         left: (14, 3, 3, 3) the fourteen functions in those of joints 2, 3, 4.
     """
 
     prismatic: tuple[bool, ...]
-    A: tuple[Array, ...]
     left: Array
 
     def roots(self, A: Sequence[Array]) -> Roots | None:
@@ -75,11 +73,10 @@ class GeneralLoop:
 
     def _right(self, A: Sequence[Array]) -> Array:
         """Return the fourteen functions in the nine products of joints 0 and 1, (14, 9)."""
-        back = inverse(A[5])
         first, second = (LENGTHS if slides else ANGLES for slides in self.prismatic[:2])
-        A0, A1 = inverse(A[0]), inverse(A[1])
-        zero = [A0 @ motion(self.prismatic[0], -x) @ back for x in first]
-        frames = np.array([[A1 @ motion(self.prismatic[1], -y) @ T for y in second] for T in zero])
+        zero = motions(self.prismatic[0], -first) @ inverse(A[5])
+        one = motions(self.prismatic[1], -second) @ inverse(A[0])
+        frames = inverse(A[1]) @ one @ zero[:, None]
         values = fourteen(frames[..., :3, 3], frames[..., :3, 2])
         found = np.einsum("kij,ai,bj->kab", values, *map(_basis, self.prismatic[:2]))
         return np.asarray(found).reshape(14, 9)
@@ -131,36 +128,32 @@ class GeneralLoop:
         """Return all six coordinates, (k, 6), from those of joints 2, 3, 4."""
         found = np.zeros((len(x), 6))
         found[:, 2:5] = x
-        for n, (x2, x3, x4) in enumerate(x):
-            T = motion(self.prismatic[2], x2) @ A[2] @ motion(self.prismatic[3], x3) @ A[3]
-            T = T @ motion(self.prismatic[4], x4) @ A[4]
-            m = np.linalg.lstsq(products, fourteen(T[:3, 3], T[:3, 2]) - constant, rcond=1e-10)[0]
-            found[n, 0] = m[2] if self.prismatic[0] else np.arctan2(m[5], m[2])
-            found[n, 1] = m[0] if self.prismatic[1] else np.arctan2(m[1], m[0])
-            front = motion(self.prismatic[0], found[n, 0]) @ A[0] @ motion(self.prismatic[1], found[n, 1]) @ A[1]
-            last = inverse(front @ T) @ inverse(A[5])
-            found[n, 5] = np.arctan2(last[1, 0], last[0, 0])
+        Z = [motions(slides, column) for slides, column in zip(self.prismatic[2:5], x.T, strict=True)]
+        T = Z[0] @ A[2] @ Z[1] @ A[3] @ Z[2] @ A[4]
+        m = np.linalg.pinv(products, rcond=1e-10) @ (fourteen(T[:, :3, 3], T[:, :3, 2]) - constant[:, None])
+        found[:, 0] = m[2] if self.prismatic[0] else np.arctan2(m[5], m[2])
+        found[:, 1] = m[0] if self.prismatic[1] else np.arctan2(m[1], m[0])
+        front = motions(self.prismatic[0], found[:, 0]) @ A[0] @ motions(self.prismatic[1], found[:, 1]) @ A[1]
+        around = A[5] @ front @ T  # the inverse of Z₅
+        found[:, 5] = np.arctan2(around[:, 0, 1], around[:, 0, 0])
         return found
 
 
 def general_loop(A: Sequence[Array], prismatic: Sequence[bool]) -> GeneralLoop:
     """Return what a loop has in common for all targets: A are placements (4, 4), of which 2, 3, 4 count."""
-    samples = [LENGTHS if slides else ANGLES for slides in prismatic[2:5]]
-    frames = np.array(
-        [
-            [[motion(prismatic[2], x) @ A[2] @ motion(prismatic[3], y) @ A[3] @ motion(prismatic[4], z) @ A[4]
-              for z in samples[2]] for y in samples[1]] for x in samples[0]
-        ]
-    )  # fmt: skip
+    Z = [motions(slides, LENGTHS if slides else ANGLES) for slides in prismatic[2:5]]
+    frames = (Z[0] @ A[2])[:, None, None] @ (Z[1] @ A[3])[:, None] @ (Z[2] @ A[4])
     values = fourteen(frames[..., :3, 3], frames[..., :3, 2])
     left = np.einsum("kxyz,ax,by,cz->kabc", values, *map(_basis, prismatic[2:5]))
-    return GeneralLoop(tuple(prismatic), tuple(A[2:5]), left)
+    return GeneralLoop(tuple(prismatic), left)
 
 
 def fourteen(p: Array, axis: Array) -> Array:
     """Return p, l, |p|², pᵀl, p × l, |p|² l − 2 (pᵀl) p of points and directions (..., 3): (14, ...)."""
     square, along = (p * p).sum(axis=-1, keepdims=True), (p * axis).sum(axis=-1, keepdims=True)
-    parts = [p, axis, square, along, np.cross(p, axis), square * axis - 2 * along * p]
+    (x, y, z), (a, b, c) = np.moveaxis(p, -1, 0), np.moveaxis(axis, -1, 0)
+    moment = np.stack([y * c - z * b, z * a - x * c, x * b - y * a], axis=-1)
+    parts = [p, axis, square, along, moment, square * axis - 2 * along * p]
     return np.moveaxis(np.concatenate(parts, axis=-1), -1, 0)
 
 
