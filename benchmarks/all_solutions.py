@@ -111,8 +111,8 @@ def measure(arm: Arm, count: int) -> tuple[list[list[str]], dict[str, float | No
             absent[name] = absence(error)
         except NotThisArmError as error:
             absent[name] = str(error)
-        except Exception as error:  # a peer that cannot take this arm raises what it likes
-            absent[name] = f"refuses this arm: {type(error).__name__}"
+        except KeyError:
+            absent[name] = "does not have this arm"
     times: dict[str, dict[int, float]] = {name: {} for name in made}
     answers: dict[str, dict[int, Array]] = {name: {} for name in made}
     every = {name: _every(solver, poses[:2]) for name, solver in made.items()}

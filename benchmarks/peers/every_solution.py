@@ -11,11 +11,6 @@ from benchmarks.arms import Arm, Array
 from benchmarks.peers import NotThisArmError
 from benchmarks.peers.ssik import SAME, artifact_of
 
-FAMILIES = {  # of IK-Geo, by the arm's name; the others are general
-    "UR5": "three_parallel_two_intersecting",
-    "Puma 560": "spherical_two_parallel",
-}
-
 
 @dataclass(frozen=True)
 class AllSolver:
@@ -82,13 +77,13 @@ def make_eaik(arm: Arm) -> AllSolver:
 
 
 def make_ik_geo(arm: Arm) -> AllSolver:
-    """Return IK-Geo's solver of the arm's family."""
+    """Return IK-Geo's solver of arms such as the UR5."""
     from ik_geo import Robot
 
+    if arm.name != "UR5":  # its other solvers want the offsets in a form of their own, which is not made here
+        raise NotThisArmError("asked about the UR5 alone")
     H, P, R0 = axes_and_offsets(arm)
-    if arm.name == "Puma 560":  # whose joint 4 it wants to be counted from the centre of the wrist
-        P[:, 3], P[:, 4] = P[:, 3] + P[:, 4], 0.0
-    solver = getattr(Robot, FAMILIES.get(arm.name, "gen_six_dof"))(H.T, P.T)
+    solver = Robot.three_parallel_two_intersecting(H.T, P.T)
 
     def convert(T: pin.SE3) -> tuple[Array, Array]:
         return (T.rotation @ R0.T).T, T.translation  # column by column
