@@ -5,12 +5,43 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
-from robotics1.kernels.loops import WORK, beside_a_plane, one_row, orientation, planar_loop, point, spherical, two_rows
-from robotics1.kernels.placements import after_joint, invert, set_to, turn_back
-from robotics1.kernels.real_roots import MANY
+from robotics1.kernels.equation_pairs import common_roots, function_of_samples, functions_of_samples, sample
+from robotics1.kernels.loops import WORK, beside_a_plane, orientation, planar_loop, point, spherical
+from robotics1.kernels.placements import after_joint, invert, place, set_to, turn_back
+from robotics1.kernels.real_roots import MANY, roots_of_one
 
 SPHERICAL, PLANAR, ROWS, TURNS, PLANE = 0, 1, 2, 3, 4  # kinds of formulas: of six joints, and of one to three
 HERE, THERE, NORMAL, LENGTH, LEAST = 0, 1, 2, 5, 6  # the entries of `numbers`; NORMAL takes three
+
+
+@compiled()
+def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> int:
+    """Solve row · Z(x) p = value; found is (MANY, 1)."""
+    moved, values, x = np.empty(3), np.empty(3), np.empty(2)
+    for k in range(3):
+        sample(slides, k, p, moved)
+        values[k] = row[0] * moved[0] + row[1] * moved[1] + row[2] * moved[2] - value
+    f0, f1, f2 = function_of_samples(slides, values[0], values[1], values[2])
+    count = roots_of_one(slides, f0, f1, f2, x)
+    for i in range(count):
+        found[i, 0] = x[i]
+    return count
+
+
+@compiled()
+def two_rows(A: Array, slides: Indices, c: Array, rows: Array, values: Array, found: Array) -> int:
+    """Solve rows · Z₀ A Z₁ c = values; rows are (2, 3), found is (MANY, 2)."""
+    F, G, p, moved = np.empty((3, 3)), np.empty((3, 3)), np.empty(3), np.empty(3)
+    for k in range(3):
+        sample(slides[1], k, c, moved)
+        place(A, moved, p)
+        for i in range(3):
+            sample(slides[0], i, p, moved)
+            F[i, k] = rows[0, 0] * moved[0] + rows[0, 1] * moved[1] + rows[0, 2] * moved[2] - values[0]
+            G[i, k] = rows[1, 0] * moved[0] + rows[1, 1] * moved[1] + rows[1, 2] * moved[2] - values[1]
+    functions_of_samples(slides[0], slides[1], F)
+    functions_of_samples(slides[0], slides[1], G)
+    return common_roots(F, G, slides[0], slides[1], found)
 
 
 @compiled(contract=True)

@@ -29,36 +29,6 @@ PARALLEL = 1e-3  # sine of an angle between axes whose common plane is not to be
 
 
 @compiled()
-def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> int:
-    """Solve row · Z(x) p = value; found is (MANY, 1)."""
-    moved, values, x = np.empty(3), np.empty(3), np.empty(2)
-    for k in range(3):
-        sample(slides, k, p, moved)
-        values[k] = row[0] * moved[0] + row[1] * moved[1] + row[2] * moved[2] - value
-    f0, f1, f2 = function_of_samples(slides, values[0], values[1], values[2])
-    count = roots_of_one(slides, f0, f1, f2, x)
-    for i in range(count):
-        found[i, 0] = x[i]
-    return count
-
-
-@compiled()
-def two_rows(A: Array, slides: Indices, c: Array, rows: Array, values: Array, found: Array) -> int:
-    """Solve rows · Z₀ A Z₁ c = values; rows are (2, 3), found is (MANY, 2)."""
-    F, G, p, moved = np.empty((3, 3)), np.empty((3, 3)), np.empty(3), np.empty(3)
-    for k in range(3):
-        sample(slides[1], k, c, moved)
-        place(A, moved, p)
-        for i in range(3):
-            sample(slides[0], i, p, moved)
-            F[i, k] = rows[0, 0] * moved[0] + rows[0, 1] * moved[1] + rows[0, 2] * moved[2] - values[0]
-            G[i, k] = rows[1, 0] * moved[0] + rows[1, 1] * moved[1] + rows[1, 2] * moved[2] - values[1]
-    functions_of_samples(slides[0], slides[1], F)
-    functions_of_samples(slides[0], slides[1], G)
-    return common_roots(F, G, slides[0], slides[1], found)
-
-
-@compiled()
 def point(A: Array, B: Array, slides: Indices, c: Array, t: Array, found: Array) -> int:
     """Solve Z₀ A Z₁ B Z₂ c = t from what the first joint leaves alone; found is (MANY, 3).
 
@@ -225,27 +195,13 @@ def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> in
     """Solve Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1 where joints 0 to 2 move in a plane and joint 3 turns, as `ik/loops.py` says."""
     F, G, pairs, plane = np.empty((3, 3)), np.empty((3, 3)), np.empty((MANY, 2)), np.empty((2, 3))
     work, vectors, T = np.empty((WORK, 4)), np.zeros((8, 3)), np.empty((3, 4))
-    n2, wanted, m, p, v, u, zero = (
-        vectors[0], vectors[1], vectors[2], vectors[3], vectors[4], vectors[5], vectors[6],
-    )  # fmt: skip
-    turn_back(A[0], normal, v)
-    turn_back(A[1], v, n2)
+    n2, wanted, m = vectors[0], vectors[1], vectors[2]
+    turn_back(A[0], normal, m)
+    turn_back(A[1], m, n2)
     turn_back(A[2], n2, wanted)
     if wanted[0] * wanted[0] + wanted[1] * wanted[1] < PARALLEL * PARALLEL:
         return UNKNOWN
-    for i in range(3):
-        v[i] = A[1, i, 3]
-    place(A[0], v, p)
-    level = 0.0
-    for i in range(3):
-        level += normal[i] * p[i] + n2[i] * A[2, i, 3]
-    for i in range(3):
-        for k in range(3):
-            behind(A, slides, i, k, normal, zero, u, v, m, p)
-            F[i, k] = m[2] - wanted[2]
-            G[i, k] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + level
-    functions_of_samples(slides[4], slides[5], F)
-    functions_of_samples(slides[4], slides[5], G)
+    plane_equations(A, slides, normal, n2, wanted[2], vectors, F, G)
     many = common_roots(F, G, slides[4], slides[5], pairs)
     count = 0
     for n in range(many):
@@ -269,6 +225,27 @@ def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> in
             found[count, 3], found[count, 4], found[count, 5] = x, pairs[n, 0], pairs[n, 1]
             count += 1
     return count if many != UNKNOWN else UNKNOWN
+
+
+@compiled()
+def plane_equations(
+    A: Array, slides: Indices, normal: Array, n2: Array, wanted: float, vectors: Array, F: Array, G: Array
+) -> None:
+    """Write the two equations of `beside_a_plane` to F and G, (3, 3); vectors 2 to 6 of (8, 3) are working space."""
+    m, p, v, u, zero = vectors[2], vectors[3], vectors[4], vectors[5], vectors[6]
+    for i in range(3):
+        v[i] = A[1, i, 3]
+    place(A[0], v, p)
+    level = 0.0
+    for i in range(3):
+        level += normal[i] * p[i] + n2[i] * A[2, i, 3]
+    for i in range(3):
+        for k in range(3):
+            behind(A, slides, i, k, normal, zero, u, v, m, p)
+            F[i, k] = m[2] - wanted
+            G[i, k] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + level
+    functions_of_samples(slides[4], slides[5], F)
+    functions_of_samples(slides[4], slides[5], G)
 
 
 @compiled()
