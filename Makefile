@@ -63,6 +63,7 @@ fuzz: $(INSTALLED)  ## 300 arms drawn at random, and 100 000 mutants of robot fi
 bench: $(PEERS)  ## benchmarks beside the peers, some ten minutes; writes benchmarks/results
 	$(BIN)/python benchmarks/formulas.py
 	$(BIN)/python -m benchmarks.inverse_kinematics
+	$(BIN)/python -m benchmarks.all_solutions
 	$(BIN)/python -m benchmarks.scans
 
 $(PEERS): $(INSTALLED)

@@ -11,8 +11,8 @@ from pathlib import Path
 
 RESULTS = Path(__file__).parent / "results"
 PACKAGES = (
-    "numpy", "scipy", "numba", "pin", "roboticstoolbox-python", "rtb-data", "optik-py", "pytracik", "ssik", "pin-pink",
-    "quadprog", "example-robot-data",
+    "numpy", "scipy", "numba", "pin", "roboticstoolbox-python", "rtb-data", "optik-py", "pytracik", "ssik", "eaik",
+    "ik-geo", "jaik", "pin-pink", "quadprog", "example-robot-data",
 )  # fmt: skip
 
 

@@ -140,6 +140,7 @@ def nothing_moves(still, task, folder):
         "iterate_ik": lambda: r1.iterate_ik(still, task, value, [], method="damped"),
         "solve_ik": lambda: r1.solve_ik(still, task, value),
         "IKSolver": lambda: r1.IKSolver(still, task)(value),
+        "SolutionSolver": lambda: r1.ik.SolutionSolver(still, task)(value),
         "ik_formulas": lambda: r1.ik.ik_formulas(still, task),
         "is_cuspidal": lambda: r1.ik.is_cuspidal(still, task),
         "posture_change": lambda: r1.ik.posture_change(still, task, [], []),

@@ -15,7 +15,7 @@ SAME = 1e-9  # [m, rad]
 
 def make_nearest(arm: Arm) -> Solver:
     """Return the solver of the one solution nearest to the start."""
-    artifact, convert = _artifact(arm)
+    artifact, convert = artifact_of(arm)
 
     def solve(target: Array, q0: Array) -> Array | None:
         answers = artifact.solve(target, q_seed=q0, max_solutions=1)
@@ -26,7 +26,7 @@ def make_nearest(arm: Arm) -> Solver:
 
 def make_all(arm: Arm) -> Solver:
     """Return the solver of all solutions, each geometric one told once; the first is verified."""
-    artifact, convert = _artifact(arm)
+    artifact, convert = artifact_of(arm)
 
     def solve(target: Array, q0: Array) -> Array | None:
         answers = artifact.solve(target, enumerate_windings=False)
@@ -35,7 +35,7 @@ def make_all(arm: Arm) -> Solver:
     return Solver(solve, convert)
 
 
-def _artifact(arm: Arm) -> tuple[Any, Any]:
+def artifact_of(arm: Arm) -> tuple[Any, Any]:
     """Return the peer's module of the arm and the conversion of targets: its tool may be turned against ours.
 
     Raises:

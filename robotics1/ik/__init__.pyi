@@ -9,7 +9,9 @@ from .postures.cuspidal import Cuspidality, CuspidalityStatus, is_cuspidal
 from .postures.path_between import PostureChange, PostureChangeStatus, posture_change
 from .result import IKBatch, IKResult, IKStatus
 from .self_motions import SelfMotion, SelfMotionCurve, self_motion
+from .solution_batch import IKSolutionsBatch
 from .solution_set import IKSolutions
+from .solution_solver import SolutionSolver
 from .solutions import ik_solutions
 from .solver import IKSolver, solve_ik
 
@@ -24,6 +26,7 @@ __all__ = [
     "IKIteration",
     "IKResult",
     "IKSolutions",
+    "IKSolutionsBatch",
     "IKSolver",
     "IKStatus",
     "PostureChange",
@@ -31,6 +34,7 @@ __all__ = [
     "SelfMotion",
     "SelfMotionCurve",
     "SingularTarget",
+    "SolutionSolver",
     "TrigSolutions",
     "group_by_aspect",
     "ik_formulas",

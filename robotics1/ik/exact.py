@@ -70,15 +70,19 @@ class ExactSolver:
             otherwise: gives the answer of a search, for targets that the formula cannot serve and for nearest misses.
         """
         goal = self.pose_error.goal(self.problem.robot, target)
-        found = self.form.solve(goal)
+        roots = None if self.form.roots is None else self.form.roots(goal)
+        found = self.form.solve(goal) if self.form.roots is None else None if roots is None else roots.x
         if found is None:
             return otherwise()
         search = SolutionSearch(self.problem, target, points=self.points)
         candidates, sigma = self._polished(np.array([self._whole(x) for x in found]), goal)
         reached = np.array([search.relative_error(q) <= REACHED for q in candidates], dtype=bool)
         proven = self.form.deviation < AS_FORMULA or bool((reached & (sigma > REGULAR)).all())
-        roots = self._roots(candidates[reached], sigma[reached], search)
-        inside, outside = self._by_limits(roots)
+        if roots is not None:
+            proven = proven and roots.proven and bool(reached[roots.real].all())
+            if not proven and not reached.any():
+                return otherwise()
+        inside, outside = self._by_limits(self._roots(candidates[reached], sigma[reached], search))
         dimension = max((search.dimension(root.q) for root in inside if root.singular), default=0)
         if dimension > 1:
             return otherwise()
@@ -89,11 +93,11 @@ class ExactSolver:
             families = self._with_families(inside, search, goal)
             return self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)
         status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
-        proven = proven and (status is IKStatus.FINITE or self._is_short)
+        proven = proven and (status is IKStatus.FINITE or self.is_short)
         return self._answer(inside, outside, status, search, proven=proven, near=near)
 
     @property
-    def _is_short(self) -> bool:
+    def is_short(self) -> bool:
         """Whether rounding hides no solution beside a double one: of six joints it may."""
         return len(self.form.chain.coordinate) <= 3
 
@@ -243,7 +247,7 @@ class ExactSolver:
         if near is not None and search.error_norm(near) < BOUNDARY:
             distance = search.error_norm(near)
             root = Root(near, 0.0, True)
-            proven = proven and self._is_short
+            proven = proven and self.is_short
             return self._answer([root], outside, IKStatus.BOUNDARY, search, proven=proven, near=distance)
         searched = otherwise()
         if len(searched) or not proven:
@@ -284,4 +288,6 @@ class ExactSolver:
             within_limits=np.ones(len(inside), dtype=bool),
             outside_limits=self._rows(outside),
             boundary_distance=near,
+            robot=self.problem.robot,
+            task=self.problem.task,
         )

@@ -6,6 +6,7 @@ What the three cannot change are two equations in two of the others.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -30,13 +31,23 @@ LoopSolve = Callable[[Sequence[Array]], Array | None]
 
 @dataclass(frozen=True)
 class LoopSolver:
-    """How a loop is solved: its name, by how much the arm differs from one for which it is exact, and the function of
-    the placements A that returns the coordinates, (k, 6); None where they are not finitely many.
+    """How a loop is solved.
+
+    Attributes:
+        name: of what is special.
+        deviation: by how much the arm differs from one for which it is exact.
+        solve: placements A → the coordinates, (k, 6); None where they are not finitely many.
+        normal: (3,) of the plane in which the first three joints move, before them; None of a spherical wrist.
+        ends: where the common point of a spherical wrist is, on the first axis and on the last.
+        backwards: whether the loop of a plane is gone through from its other end, where a joint turns.
     """
 
     name: str
     deviation: float
     solve: LoopSolve
+    normal: Array | None = None
+    ends: tuple[float, float] = (0.0, 0.0)
+    backwards: bool = False
 
 
 def loop_solver(between: Sequence[Array], prismatic: Sequence[bool], i: int, length: float) -> LoopSolver | None:
@@ -52,10 +63,12 @@ def loop_solver(between: Sequence[Array], prismatic: Sequence[bool], i: int, len
     turned = [prismatic[(i + k) % 6] for k in range(6)]
     miss = _miss_of_a_point(A) / max(length, 1e-300)
     if not any(turned[:3]) and miss < ROUNDED:
-        return LoopSolver("a spherical wrist", miss, lambda A: _spherical(A, turned))
+        ends = _meeting(A[0])[0], _meeting(A[1])[1]
+        return LoopSolver("a spherical wrist", miss, lambda A: _spherical(A, turned), ends=ends)
     tilt, n = _tilt_of_a_plane(A, turned)
     if tilt < ROUNDED and not all(turned[:3]) and not (turned[3] and turned[5]):
-        return LoopSolver("three joints of a plane", tilt, lambda A: _planar(A, turned, n))
+        solve = partial(_planar, prismatic=turned, n=n)
+        return LoopSolver("three joints of a plane", tilt, solve, normal=n, backwards=turned[3])
     return None
 
 

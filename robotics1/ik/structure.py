@@ -5,12 +5,13 @@ what is found is then polished on the real arm.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.ik.loops import LoopSolve, loop_solver
+from robotics1.ik.general_six import Roots, general_loop
+from robotics1.ik.loops import LoopSolve, LoopSolver, loop_solver
 from robotics1.ik.subproblems import inverse, motion, motions, one_row, orientation, planar_loop, point, two_rows
 from robotics1.inputs import Array
 from robotics1.kernels.chain import chain_arrays
@@ -19,6 +20,7 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 SAME = 1e-9  # of a multiplier that is 1
+SAMPLES = 5  # poses at which an elimination is tried
 STEPS = 20  # of Newton's method
 RANK = 1e-9  # σ beside σ₁, in one of its steps
 EXACT = 1e-15  # |e|, lengths relative to the arm, at which it ends
@@ -33,12 +35,16 @@ class ClosedForm:
         chain: of the joints that it finds.
         deviation: by how much the arm differs from one for which it is exact, relative.
         solve: goal (4, 4) in the task's axes → (k, n), q modulo 2π; None where they are not finitely many.
+        loop: of six joints, how their loop is solved, and the joint at which it begins.
+        roots: of six joints without special geometry, goal → the same with what is known about the roots.
     """
 
     method: str
     chain: "FixedChain"
     deviation: float
     solve: Callable[[Array], Array | None]
+    loop: tuple[LoopSolver, int] | None = None
+    roots: Callable[[Array], Roots | None] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,13 +202,59 @@ def _planar_pose(chain: FixedChain, n: Array) -> Callable[[Array], Array | None]
 
 
 def _pose(chain: FixedChain) -> ClosedForm | None:
-    """Return the solver of an arm with six joints, three of which, one after the other, are special."""
+    """Return the solver of an arm with six joints: by three of them that are special, if there are, else by all."""
     for i in (3, 0, 1, 2):
         part = loop_solver(chain.P[1:6], chain.prismatic, i, chain.length)
         if part is not None:
             name = f"{part.name}, joints {i + 1} to {i + 3}"
-            return ClosedForm(name, chain, part.deviation, _around(chain, i, part.solve))
-    return None
+            return ClosedForm(name, chain, part.deviation, _around(chain, i, part.solve), (part, i))
+    roots = _elimination(chain)
+    if roots is None:
+        return None
+
+    def solve(goal: Array) -> Array | None:
+        found = roots(goal)
+        return None if found is None else found.x
+
+    return ClosedForm("elimination to an eigenvalue problem", chain, 0.0, solve, roots=roots)
+
+
+def _elimination(chain: FixedChain) -> Callable[[Array], Roots | None] | None:
+    """Return the solver of six joints without special geometry; None if it proves nothing at poses of the arm.
+
+    The loop may begin at any joint before one that turns; those that prove most are tried first.
+    """
+    orders = [[(i + k) % 6 for k in range(6)] for i in range(6) if not chain.prismatic[i - 1]]
+    x = np.random.default_rng(0).uniform(-1, 1, (SAMPLES, 6)) * np.where(chain.prismatic, chain.length or 1.0, np.pi)
+    goals = chain.poses_and_jacobians(x)[0]
+    found = [[_roots_in_order(chain, order, goal) for goal in goals] for order in orders]
+    proofs = [sum(roots is not None and roots.proven for roots in row) for row in found]
+    best = [orders[k] for k in sorted(range(len(orders)), key=lambda k: -proofs[k]) if proofs[k] > 0][:3]
+
+    def roots(goal: Array) -> Roots | None:
+        """Return the roots that are proven to be all, or some."""
+        some = None
+        for order in best:
+            found = _roots_in_order(chain, order, goal)
+            if found is not None and found.proven:
+                return found
+            some = found if some is None else some
+        return some
+
+    return roots if best else None
+
+
+def _roots_in_order(chain: FixedChain, order: list[int], goal: Array) -> Roots | None:
+    """Return the roots of the loop whose joints stand in that order."""
+    P, T, unit = chain.scaled(goal)
+    A = [*P[1:6], P[6] @ inverse(T) @ P[0]]
+    around, slides = [A[k] for k in order], [chain.prismatic[k] for k in order]
+    found = general_loop(around, slides).roots(around)
+    if found is None:
+        return None
+    x = np.zeros((len(found.x), 6))
+    x[:, order] = found.x
+    return replace(found, x=x * np.where(chain.prismatic, unit, 1.0))
 
 
 def _around(chain: FixedChain, i: int, solve: LoopSolve) -> Callable[[Array], Array | None]:

@@ -50,6 +50,14 @@ def compiled(*, contract: bool = False, inline: bool = False) -> Callable[[Funct
     return compile_later
 
 
+def is_ready(kernel: Callable[..., Any]) -> bool:
+    """Whether a kernel runs without being compiled first: it was, in this process or for the code on disk."""
+    if not COMPILED:
+        return True
+    dispatcher = cast(Any, kernel)
+    return bool(dispatcher.signatures) or bool(getattr(dispatcher._cache, "holds_code", bool)())
+
+
 def threads() -> int:
     """Return on how many cores kernels run: all that this process may use, or NUMBA_NUM_THREADS."""
     return int(numba.config.NUMBA_NUM_THREADS) if COMPILED else 1

@@ -33,6 +33,13 @@ class MachineCode(FunctionCache):  # type: ignore[misc]
         super().__init__(function)
         self._cache_file = CheckedFile(self._cache_path, self._impl.filename_base, _sources())
 
+    def holds_code(self) -> bool:
+        """Whether there is machine code on disk that was made from the sources as they are."""
+        try:
+            return bool(self._cache_file._load_index())
+        except Exception:  # a damaged file raises anything
+            return False
+
     def load_overload(self, signature: Any, target_context: Any) -> Any:
         """Return the compiled function for a signature, or None: then it is compiled anew, and saved."""
         try:

@@ -78,15 +78,26 @@ class PlanarPoseTask(FrameTask):
     def _goal(self, robot: Robot, target: Any) -> Array:
         """Return the pose of the target; the tilt out of the plane is that of every pose of the robot."""
         r = self.target(target)
-        here = self._pose(robot, pin.neutral(robot.model))
-        a, b = np.eye(3)[numbers_of(self.plane)]
-        turn = pin.exp3((r[2] - self.g(here.translation, here.rotation)[2]) * np.cross(a, b))
-        return np.asarray(pin.SE3(turn @ here.rotation, r[0] * a + r[1] * b).homogeneous)
+        a, b = numbers_of(self.plane)
+        n, T = 3 - a - b, np.zeros((4, 4))
+        c, s = np.cos(r[2]), np.sin(r[2])
+        T[[a, b, n], [a, b, n]], T[b, a], T[a, b] = (c, c, 1.0), s, -s
+        T[:3, :3] = T[:3, :3] @ _tilt(robot, self)
+        T[a, 3], T[b, 3], T[3, 3] = r[0], r[1], 1.0
+        return T
 
     def check(self, robot: Robot) -> None:
         """Raise TaskError if the frame leaves the plane, or its x axis stands on it."""
         a_robot(robot)
         _check_planar(robot, self)
+
+
+@lru_cache(maxsize=256)
+def _tilt(robot: Robot, task: PlanarPoseTask) -> Array:
+    """Return the R of the frame where φ = 0, (3, 3)."""
+    here = task._pose(robot, pin.neutral(robot.model))
+    a, b = np.eye(3)[numbers_of(task.plane)]
+    return np.asarray(pin.exp3(-task.g(here.translation, here.rotation)[2] * np.cross(a, b)) @ here.rotation)
 
 
 @lru_cache(maxsize=256)

@@ -1,0 +1,177 @@
+"""All inverse kinematics solutions of many targets: what does not depend on the target is prepared once."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from pinocchio import SE3
+
+from robotics1.ik.compiled_solutions import CompiledSolutions
+from robotics1.ik.exact import BOUNDARY
+from robotics1.ik.prepared import Prepared, prepare
+from robotics1.ik.result import IKStatus
+from robotics1.ik.search import numbered
+from robotics1.ik.solution_batch import IKSolutionsBatch
+from robotics1.ik.solution_set import IKSolutions
+from robotics1.ik.solver import list_of_targets
+from robotics1.inputs import Array, a_robot_and_a_task, counting_number
+from robotics1.kernels.chain import Indices
+from robotics1.kernels.every_solution import COUNT, EDGE, ERROR, INSIDE
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+
+
+class SolutionSolver:
+    """Finds the solutions of f(q) = r_d that `ik_solutions` finds, with what does not depend on r_d prepared once.
+
+    Where all solutions follow from formulas, these are compiled: the first solver of its kind on a machine takes some
+    seconds for that, and a target then takes microseconds. Targets at or near singularities, and those without a
+    solution inside the limits, are looked at with more care, which takes milliseconds or more.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: r = f(q).
+        box: joint name → (lower, upper), where to look; needed for prismatic joints without limits that move the task.
+        locked: joint name → value [rad or m], of joints that stand still.
+        starts: the number of random starts of a search, where no formula is known.
+        seed: of the random starts.
+
+    Raises:
+        InputError: a prismatic joint has neither limits nor a box, or an option has a wrong value.
+        TaskError: the task does not fit the robot, or its axes move.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        task: Task,
+        *,
+        box: Mapping[str, tuple[float, float]] | None = None,
+        locked: Mapping[str, float] | None = None,
+        starts: int = 100,
+        seed: int = 0,
+    ) -> None:
+        a_robot_and_a_task(robot, task)
+        self.robot, self.task = robot, task
+        self._box = None if box is None else dict(box)
+        self._locked = None if locked is None else dict(locked)
+        self._starts = counting_number("starts", starts, least=1)
+        self._seed = counting_number("seed", seed)
+        task.check_integrable(robot)
+        self._prepare()
+
+    def _prepare(self) -> None:
+        self._prepared: Prepared = prepare(self.robot, self.task, self._box, self._locked)
+        self._compiled: CompiledSolutions | None = self._prepared.compiled
+        self._goal: Callable[[Any], Array] | None = None
+        exact = self._prepared.exact
+        if self._compiled is not None and exact is not None:
+            pose_error = exact.pose_error
+            self._takes_poses = pose_error.takes_poses
+            self._goal = lambda target: pose_error.goal(self.robot, target)
+            self._compiled.solve(np.eye(4))  # so that no target pays for the compilation
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled and copied: what is prepared, machine code among it, is prepared again."""
+        return {
+            name: value
+            for name, value in vars(self).items()
+            if name not in ("_prepared", "_compiled", "_goal", "_takes_poses")
+        }
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._prepare()
+
+    def __call__(self, target: Any) -> IKSolutions:
+        """Return the solutions of one target.
+
+        Args:
+            target: r_d, in the form of the task's value.
+
+        Raises:
+            InputError: the target has the wrong form, or is not finite.
+        """
+        if self._compiled is not None and self._goal is not None:
+            pose = self._takes_poses and type(target) is SE3  # which the kernel checks
+            found = self._compiled.solve(target.homogeneous if pose else self._goal(target))
+            if found is not None:
+                return found
+        return self._carefully(target)
+
+    def solve_batch(self, targets: Any) -> IKSolutionsBatch:
+        """Return the solutions of many targets, on all cores.
+
+        Args:
+            targets: k targets, in the form of the task's value: a sequence, or an array with k for its first size.
+
+        Raises:
+            InputError: there is no target, or one has the wrong form, and the message says which.
+        """
+        listed = list_of_targets(targets)
+        if self._compiled is None or self._goal is None:
+            return self._one_by_one(listed)
+        q, answers = self._compiled.solve_many(self._goals(listed))
+        careful: dict[int, IKSolutions] = {}
+        for i in np.flatnonzero((answers[:, COUNT] < 0) | (answers[:, EDGE] < BOUNDARY)).tolist():
+            found = self._compiled.answer(q[i], *answers[i].tolist())
+            with numbered(i):
+                careful[i] = self._carefully(listed[i]) if found is None else found
+            answers[i, [INSIDE, COUNT]] = 0.0
+        inside, counts = answers[:, [INSIDE, COUNT]].T.astype(np.int64)
+        return self._batch(q, inside, counts, answers[:, ERROR].copy(), careful)
+
+    def _carefully(self, target: Any) -> IKSolutions:
+        return self._prepared.carefully(self.task.target(target), self._starts, self._seed)
+
+    def _goals(self, targets: list[Any]) -> Array:
+        """Return the poses (k, 4, 4) of targets; one that is a pose itself is left for the kernel to check."""
+        goals = np.empty((len(targets), 4, 4))
+        unchecked = SE3 if self._takes_poses else None
+        for i, target in enumerate(targets):
+            if type(target) is unchecked:
+                goals[i] = target.homogeneous
+            elif self._goal is not None:
+                with numbered(i):
+                    goals[i] = self._goal(target)
+        return goals
+
+    def _one_by_one(self, targets: list[Any]) -> IKSolutionsBatch:
+        careful = {}
+        for i, target in enumerate(targets):
+            with numbered(i):
+                careful[i] = self(target)
+        k, nq = len(targets), self.robot.nq
+        none = np.zeros(k, dtype=np.int64)
+        return self._batch(np.zeros((k, 0, nq)), none, none.copy(), np.zeros(k), careful)
+
+    def _batch(
+        self, q: Array, inside: Indices, counts: Indices, errors: Array, careful: dict[int, IKSolutions]
+    ) -> IKSolutionsBatch:
+        """Return what the kernel has left, and the answers of the careful way between it."""
+        place = np.arange(q.shape[1])
+        first = place < inside[:, None]
+        rows, rest = q[first], q[(place < counts[:, None]) & ~first]
+        status = np.full(len(inside), IKStatus.FINITE)
+        complete, outside = np.ones(len(inside), dtype=bool), counts - inside
+        at, rest_at = np.cumsum(inside), np.cumsum(outside)
+        for i in sorted(careful, reverse=True):
+            found = careful[i]
+            rows, rest = (np.insert(rows, at[i], found.q, axis=0), np.insert(rest, rest_at[i], found.outside_limits, 0))
+            inside[i], outside[i] = len(found), len(found.outside_limits)
+            status[i], complete[i], errors[i] = found.status, found.complete, found.error_norm
+        compiled = self._compiled
+        return IKSolutionsBatch(
+            q=rows,
+            counts=inside,
+            status=status,
+            complete=complete,
+            error_norm=errors,
+            outside_limits=rest,
+            outside_counts=outside,
+            method="search" if compiled is None else str(compiled.facts["method"]),
+            free_joints=self._prepared.problem.free_joints,
+            careful=careful,
+            robot=self.robot,
+            task=self.task,
+        )

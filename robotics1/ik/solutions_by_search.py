@@ -1,0 +1,83 @@
+"""The solutions of a target that descents from random starts lead to: some of them, or a proof that there are none."""
+
+from typing import Any
+
+import numpy as np
+
+from robotics1.ik.descent import REACHED
+from robotics1.ik.proof import is_out_of_reach
+from robotics1.ik.result import IKStatus
+from robotics1.ik.scaled_task import ScaledTask
+from robotics1.ik.solution_search import SolutionSearch
+from robotics1.ik.solution_set import IKSolutions
+from robotics1.inputs import Array
+from robotics1.singularities.points import singular_points
+
+
+def searched(problem: ScaledTask, target: Any, starts: int, seed: int) -> IKSolutions:
+    """Return the solutions that descents from random starts lead to."""
+    robot, task = problem.robot, problem.task
+    rng = np.random.default_rng(seed)
+    if not problem.moving.any():
+        return _of_a_task_that_nothing_moves(problem, target, problem.box.random(rng, starts))
+    search = SolutionSearch(problem, target, points=singular_points(robot, task, problem.box, rng))
+    ends = [search.descend(q) for q in problem.random(rng, starts)]
+    found = search.distinct(ends)
+    closest = found[0] if found else search.nearest_miss(min(ends, key=lambda end: end[1])[0])
+    if not found:  # what is nearest may be a solution after all
+        found = search.distinct([(closest, 0.0)])
+    dimension = _dimension(search, found)
+    if found:
+        status, closest = IKStatus.INFINITE if dimension else IKStatus.FINITE, found[0]
+    else:
+        status = IKStatus.UNREACHABLE if is_out_of_reach(problem, target) else IKStatus.NOT_FOUND
+    return _answer(problem, target, found, status, closest, dimension, [search.singular(q) for q in found])
+
+
+def _dimension(search: "SolutionSearch", found: list[Array]) -> int:
+    """Return the dimension of the largest family; where many were found, some of them are asked first."""
+    some = found[:: max(1, len(found) // 8)]
+    return max((search.dimension(q) for q in some), default=0) or max(
+        (search.dimension(q) for q in found if len(found) > len(some)), default=0
+    )
+
+
+def _of_a_task_that_nothing_moves(problem: ScaledTask, target: Any, samples: Array) -> IKSolutions:
+    """Return the answer where f(q) is a constant: every q in the box is a solution, or none is."""
+    middle = problem.middle
+    if problem.relative_error(middle, target) > REACHED:
+        proven = is_out_of_reach(problem, target)
+        return _answer(problem, target, [], IKStatus.UNREACHABLE if proven else IKStatus.NOT_FOUND, middle, 0, [])
+    dimension = int(np.count_nonzero(problem.box.upper > problem.box.lower))
+    found = list(samples) if dimension else [middle]
+    status = IKStatus.INFINITE if dimension else IKStatus.FINITE
+    return _answer(problem, target, found, status, found[0], dimension, [True] * len(found))
+
+
+def _answer(
+    problem: ScaledTask,
+    target: Any,
+    found: list[Array],
+    status: IKStatus,
+    closest: Array,
+    dimension: int,
+    singular: list[bool],
+) -> IKSolutions:
+    robot = problem.robot
+    e = problem.task.error(robot, closest, target)
+    e = np.where(problem.turns.angle, problem.turns.wrapped(e), e)  # whole turns of an angle are no error
+    return IKSolutions(
+        q=np.array(found).reshape(len(found), robot.nq),
+        singular=np.array(singular, dtype=bool),
+        status=status,
+        complete=status is IKStatus.UNREACHABLE or not (dimension or problem.moving.any()),
+        method="search",
+        closest=closest,
+        error_norm=float(np.hypot.reduce(e)),
+        free_joints=problem.free_joints,
+        dimension=dimension,
+        within_limits=np.array([robot.within_limits(q) for q in found], dtype=bool),
+        outside_limits=np.zeros((0, robot.nq)),
+        robot=robot,
+        task=problem.task,
+    )

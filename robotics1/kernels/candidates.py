@@ -1,0 +1,137 @@
+"""Candidates for all solutions of six joints with a spherical wrist or three joints of a plane, and of one to three."""
+
+import numpy as np
+
+from robotics1.inputs import Array
+from robotics1.kernels.chain import PRISMATIC, Indices
+from robotics1.kernels.compilation import compiled
+from robotics1.kernels.equation_pairs import common_roots, function_of_samples, functions_of_samples, sample
+from robotics1.kernels.loops import WORK, beside_a_plane, orientation, planar_loop, point, spherical
+from robotics1.kernels.placements import after_joint, invert, place, set_to, turn_back
+from robotics1.kernels.real_roots import MANY, roots_of_one
+
+SPHERICAL, PLANAR, ROWS, TURNS, PLANE = 0, 1, 2, 3, 4  # kinds of formulas: of six joints, and of one to three
+HERE, THERE, NORMAL, LENGTH, LEAST = 0, 1, 2, 5, 6  # the entries of `numbers`; NORMAL takes three
+
+
+@compiled()
+def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> int:
+    """Solve row · Z(x) p = value; found is (MANY, 1)."""
+    moved, values, x = np.empty(3), np.empty(3), np.empty(2)
+    for k in range(3):
+        sample(slides, k, p, moved)
+        values[k] = row[0] * moved[0] + row[1] * moved[1] + row[2] * moved[2] - value
+    f0, f1, f2 = function_of_samples(slides, values[0], values[1], values[2])
+    count = roots_of_one(slides, f0, f1, f2, x)
+    for i in range(count):
+        found[i, 0] = x[i]
+    return count
+
+
+@compiled()
+def two_rows(A: Array, slides: Indices, c: Array, rows: Array, values: Array, found: Array) -> int:
+    """Solve rows · Z₀ A Z₁ c = values; rows are (2, 3), found is (MANY, 2)."""
+    F, G, p, moved = np.empty((3, 3)), np.empty((3, 3)), np.empty(3), np.empty(3)
+    for k in range(3):
+        sample(slides[1], k, c, moved)
+        place(A, moved, p)
+        for i in range(3):
+            sample(slides[0], i, p, moved)
+            F[i, k] = rows[0, 0] * moved[0] + rows[0, 1] * moved[1] + rows[0, 2] * moved[2] - values[0]
+            G[i, k] = rows[1, 0] * moved[0] + rows[1, 1] * moved[1] + rows[1, 2] * moved[2] - values[1]
+    functions_of_samples(slides[0], slides[1], F)
+    functions_of_samples(slides[0], slides[1], G)
+    return common_roots(F, G, slides[0], slides[1], found)
+
+
+@compiled(contract=True)
+def placement(links: Array, i: int, A: Array) -> None:
+    """Write the placement before joint i to A, (3, 4)."""
+    for row in range(3):
+        for column in range(4):
+            A[row, column] = links[i, 4 * row + column]
+
+
+@compiled(contract=True)
+def closing_placement(links: Array, goal: Array, A: Array) -> None:
+    """Write P_n T⁻¹ P₀, which closes the loop of the joints, to A, (3, 4)."""
+    T, P = np.empty((3, 4)), np.empty((3, 4))
+    placement(links, len(links) - 1, A)
+    invert(goal, T)
+    after_joint(A, 1, 0.0, T)
+    placement(links, 0, P)
+    after_joint(A, 1, 0.0, P)
+
+
+@compiled(contract=True)
+def six_joints(
+    links: Array, goal: Array, kind: int, link_of: Indices, joint_of: Indices, side: float, numbers: Array,
+    unit: float, x: Array,
+) -> int:  # fmt: skip
+    """Write candidates to x, (MANY, 6), and return how many there are.
+
+    Args:
+        links: with lengths in units, as the goal's.
+        link_of, joint_of: (6,) which placement and which joint stand at each place of the loop.
+        side: −1 for a loop that is gone through from its other end.
+        numbers: as the constants HERE, ... say, in metres.
+    """
+    A, L, found = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6))
+    slides = np.empty(6, dtype=np.int64)
+    for k in range(6):
+        slides[k] = int(links[joint_of[k], PRISMATIC])
+        if link_of[k] == 5:
+            closing_placement(links, goal, L)
+        else:
+            placement(links, link_of[k] + 1, L)
+        if side < 0.0:
+            invert(L, A[k])
+        else:
+            set_to(L, A[k])
+    if kind == SPHERICAL:
+        count = spherical(A, slides, numbers[HERE] / unit, numbers[THERE] / unit, found)
+    else:
+        count = beside_a_plane(A, slides, numbers[NORMAL : NORMAL + 3], found)
+    for n in range(count):
+        for k in range(6):
+            x[n, joint_of[k]] = side * found[n, k]
+    return count
+
+
+@compiled(contract=True)
+def few_joints(links: Array, goal: Array, kind: int, rows: Indices, numbers: Array, x: Array) -> int:
+    """Write candidates for one to three joints to x, (MANY, n), and return how many there are."""
+    n = len(links) - 1
+    slides, P, A, B = np.empty(3, dtype=np.int64), np.empty((3, 4)), np.empty((3, 4)), np.empty((3, 4))
+    c, t, d, S = np.empty(3), np.empty(3), np.empty(3), np.empty((2, 3))
+    for k in range(n):
+        slides[k] = int(links[k, PRISMATIC])
+    placement(links, 0, P)
+    placement(links, 1, A)
+    placement(links, min(2, n), B)
+    if kind == TURNS:
+        C, R = np.empty((3, 4)), np.empty((3, 4))
+        placement(links, 3, C)
+        set_to(C, R)
+        for i in range(3):  # R = P₀ᵀ R_d P₃ᵀ
+            for j in range(3):
+                R[i, j] = 0.0
+                for k in range(3):
+                    for m in range(3):
+                        R[i, j] += P[k, i] * goal[k, m] * C[j, m]
+        return orientation(A, B, R, np.empty((WORK, 4)), x)
+    if kind == PLANE:
+        C = np.empty((3, 4))
+        closing_placement(links, goal, C)
+        turn_back(P, numbers[NORMAL : NORMAL + 3], c)
+        return planar_loop(A, B, C, slides, c, np.empty((WORK, 4)), x)
+    for i in range(3):
+        c[i], d[i] = links[n, 4 * i + 3], goal[i, 3] - P[i, 3]
+    if n == 3:
+        turn_back(P, d, t)
+        return point(A, B, slides, c, t, x)
+    for i in range(n):
+        t[i] = d[rows[i]]
+        for j in range(3):
+            S[i, j] = P[rows[i], j]
+    return one_row(slides[0], c, S[0], t[0], x) if n == 1 else two_rows(A, slides, c, S, t, x)

@@ -1,0 +1,286 @@
+"""The common roots of two equations in two joint coordinates, each at most quadratic in both: `ik/common_roots.py`,
+compiled, for targets at which no two roots meet.
+
+A function of one coordinate is f₀ + f₁ cos θ + f₂ sin θ of a joint that turns, f₀ + f₁ d + f₂ d² of one that slides:
+three values determine it. In t = tan(θ/2) the first is (f₀ + f₁) + 2 f₂ t + (f₀ − f₁) t², over 1 + t².
+"""
+
+import math
+
+import numpy as np
+
+from robotics1.inputs import Array
+from robotics1.kernels.compilation import compiled
+from robotics1.kernels.real_roots import ABSENT, MANY, UNKNOWN, VANISHES, roots_of_one, roots_of_polynomial
+
+ROUNDED = 1e-9  # of coefficients that are the digits of a file
+ARBITRARY = 1e-5  # of all coefficients in the second coordinate: any value may solve them
+PLAUSIBLE, MISS = 0.02, 1e-4  # residual with which Newton's method begins, and ends
+SAME = 1e-8  # distance of two roots that are one
+
+
+@compiled(inline=True)
+def sample(slides: int, k: int, p: Array, moved: Array) -> None:
+    """Write Z(x) p to moved, (3,), at the sample x number k: 0, π/2, π of a joint that turns, −1, 0, 1 of the other."""
+    moved[2] = p[2]
+    if slides:
+        moved[0], moved[1] = p[0], p[1]
+        moved[2] += k - 1.0
+    elif k == 1:
+        moved[0], moved[1] = -p[1], p[0]
+    else:
+        moved[0], moved[1] = (1.0 - k) * p[0], (1.0 - k) * p[1]
+
+
+@compiled(inline=True)
+def function_of_samples(slides: int, a: float, b: float, c: float) -> tuple[float, float, float]:
+    """Return f₀, f₁, f₂ from the values at the three samples."""
+    if slides:
+        return b, 0.5 * (c - a), 0.5 * (a + c) - b
+    return 0.5 * (a + c), 0.5 * (a - c), b - 0.5 * (a + c)
+
+
+@compiled()
+def functions_of_samples(first: int, second: int, F: Array) -> None:
+    """Overwrite values at all samples, (3, 3), with coefficients: the first coordinate's down, the second's across."""
+    for i in range(3):
+        F[i, 0], F[i, 1], F[i, 2] = function_of_samples(second, F[i, 0], F[i, 1], F[i, 2])
+    for j in range(3):
+        F[0, j], F[1, j], F[2, j] = function_of_samples(first, F[0, j], F[1, j], F[2, j])
+
+
+@compiled(inline=True)
+def basis(slides: int, x: float, b: Array) -> None:
+    """Write (1, cos x, sin x), or (1, x, x²), to b, (3,)."""
+    b[0] = 1.0
+    if slides:
+        b[1], b[2] = x, x * x
+    else:
+        b[1], b[2] = math.cos(x), math.sin(x)
+
+
+@compiled()
+def scaled_to_one(F: Array) -> bool:
+    """Divide F, (3, 3), by its largest entry; return whether there is one above rounding."""
+    largest = 0.0
+    for i in range(3):
+        for j in range(3):
+            largest = max(largest, abs(F[i, j]))
+    if largest < ABSENT:
+        return False
+    for i in range(3):
+        for j in range(3):
+            F[i, j] /= largest
+    return True
+
+
+@compiled()
+def lacks_the_second(F: Array, G: Array) -> bool:
+    """Add a multiple of F to G so that the second coordinate leaves G, and return True; False if none does so."""
+    ff, fg, gg = 0.0, 0.0, 0.0
+    for i in range(3):
+        for j in range(1, 3):
+            ff += F[i, j] * F[i, j]
+            fg += F[i, j] * G[i, j]
+            gg += G[i, j] * G[i, j]
+    if ff <= ABSENT**2 and gg > ABSENT**2:
+        for i in range(3):
+            for j in range(3):
+                F[i, j], G[i, j] = G[i, j], F[i, j]
+        return True
+    factor = fg / ff if ff > ABSENT**2 else 0.0
+    left = 0.0
+    for i in range(3):
+        for j in range(1, 3):
+            left += (G[i, j] - factor * F[i, j]) ** 2
+    if left > ROUNDED**2 * gg and gg > ABSENT**2:
+        return False
+    for i in range(3):
+        for j in range(3):
+            G[i, j] = 0.0 if j else G[i, 0] - factor * F[i, 0]
+    return True
+
+
+@compiled()
+def transpose(F: Array) -> None:
+    """Exchange the coordinates of F, (3, 3)."""
+    for i in range(3):
+        for j in range(i):
+            F[i, j], F[j, i] = F[j, i], F[i, j]
+
+
+@compiled()
+def common_roots(F: Array, G: Array, first: int, second: int, pairs: Array) -> int:
+    """Write the coordinates at which F = G = 0 to pairs, (MANY, 2), and return how many there are.
+
+    UNKNOWN where they are not finitely many, or the equations do not tell.
+
+    Args:
+        F, G: (3, 3) coefficients, which are overwritten.
+        first, second: whether each coordinate slides.
+        pairs: the result.
+    """
+    if not (scaled_to_one(F) and scaled_to_one(G)):
+        return UNKNOWN
+    for flipped in range(2):
+        if lacks_the_second(F, G):
+            if not scaled_to_one(G):
+                return UNKNOWN
+            return one_after_the_other(F, G, first, second, flipped, pairs)
+        transpose(F)
+        transpose(G)
+        first, second = second, first
+    work, resultant = np.zeros((4, 16)), np.empty(9)
+    for flipped in range(2):
+        if resultant_of(F, G, first, second, resultant):
+            return both_at_once(F, G, first, second, flipped, resultant, work, pairs)
+        transpose(F)
+        transpose(G)
+        first, second = second, first
+    return UNKNOWN
+
+
+@compiled()
+def one_after_the_other(F: Array, G: Array, first: int, second: int, flipped: int, pairs: Array) -> int:
+    """Do what `common_roots` does where G lacks the second coordinate."""
+    b, x, y = np.empty(3), np.empty(2), np.empty(2)
+    count = 0
+    many = roots_of_one(first, G[0, 0], G[1, 0], G[2, 0], x)
+    if many == UNKNOWN:
+        return UNKNOWN
+    for i in range(many):
+        basis(first, x[i], b)
+        f0 = b[0] * F[0, 0] + b[1] * F[1, 0] + b[2] * F[2, 0]
+        f1 = b[0] * F[0, 1] + b[1] * F[1, 1] + b[2] * F[2, 1]
+        f2 = b[0] * F[0, 2] + b[1] * F[1, 2] + b[2] * F[2, 2]
+        if abs(f0) + abs(f1) + abs(f2) < ARBITRARY:
+            return UNKNOWN
+        of_second = roots_of_one(second, f0, f1, f2, y)
+        if of_second == UNKNOWN:
+            return UNKNOWN
+        for j in range(of_second):
+            pairs[count, flipped], pairs[count, 1 - flipped] = x[i], y[j]
+            count += 1
+    return count
+
+
+@compiled()
+def in_half_tangents(slides: int, F: Array, j: int, p: Array) -> None:
+    """Write the coefficients in t of the function in column j of F to p, (3,)."""
+    if slides:
+        p[0], p[1], p[2] = F[0, j], F[1, j], F[2, j]
+    else:
+        p[0], p[1], p[2] = F[0, j] + F[1, j], 2.0 * F[2, j], F[0, j] - F[1, j]
+
+
+@compiled()
+def product(a: Array, b: Array, factor: float, c: Array) -> None:
+    """Add the product of two polynomials, times a factor, to c."""
+    for i in range(len(a)):
+        for j in range(len(b)):
+            c[i + j] += factor * a[i] * b[j]
+
+
+@compiled()
+def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) -> bool:
+    """Write the polynomial in the first coordinate that vanishes where F and G share a root in the second, (9,).
+
+    (a₀b₂ − a₂b₀)² − (a₀b₁ − a₁b₀)(a₁b₂ − a₂b₁) of two quadratics; return whether it is above rounding.
+    """
+    columns, minors = np.zeros((2, 3, 3)), np.zeros((3, 5))
+    for j in range(3):
+        in_half_tangents(first, F, j, columns[0, j])
+        in_half_tangents(first, G, j, columns[1, j])
+    if not second:
+        for k in range(2):
+            for i in range(3):
+                f0, f1, f2 = columns[k, 0, i], columns[k, 1, i], columns[k, 2, i]
+                columns[k, 0, i], columns[k, 1, i], columns[k, 2, i] = f0 + f1, 2.0 * f2, f0 - f1
+    a, b = columns[0], columns[1]
+    for k in range(3):
+        i, j = (0 if k < 2 else 1), (2 if k != 1 else 1)  # (0, 2), (0, 1), (1, 2)
+        product(a[i], b[j], 1.0, minors[k])
+        product(a[j], b[i], -1.0, minors[k])
+    for i in range(9):
+        resultant[i] = 0.0
+    product(minors[0], minors[0], 1.0, resultant)
+    product(minors[1], minors[2], -1.0, resultant)
+    largest = 0.0
+    for i in range(9):
+        largest = max(largest, abs(resultant[i]))
+    if largest < VANISHES:
+        return False
+    for i in range(9):
+        resultant[i] /= largest
+    return True
+
+
+@compiled()
+def both_at_once(
+    F: Array, G: Array, first: int, second: int, flipped: int, resultant: Array, work: Array, pairs: Array
+) -> int:
+    """Do what `common_roots` does from the roots of the resultant: the second coordinate solves either equation."""
+    xs, y, b, pair = np.empty(2 * MANY), np.empty(2), np.empty(3), np.empty(2)
+    count = 0
+    for k in range(roots_of_polynomial(first, resultant, work, xs)):
+        basis(first, xs[k], b)
+        largest = 0.0
+        for equation in range(2):
+            E = F if equation == 0 else G
+            f0 = b[0] * E[0, 0] + b[1] * E[1, 0] + b[2] * E[2, 0]
+            f1 = b[0] * E[0, 1] + b[1] * E[1, 1] + b[2] * E[2, 1]
+            f2 = b[0] * E[0, 2] + b[1] * E[1, 2] + b[2] * E[2, 2]
+            largest = max(largest, abs(f0), abs(f1), abs(f2))
+            for j in range(roots_of_one(second, f0, f1, f2, y)):
+                pair[0], pair[1] = xs[k], y[j]
+                if count < len(pairs) and led_to_a_root(F, G, first, second, pair):
+                    count = added(pair, first, second, flipped, pairs, count)
+        if largest < ARBITRARY or count == len(pairs):
+            return UNKNOWN
+    return count
+
+
+@compiled()
+def added(pair: Array, first: int, second: int, flipped: int, pairs: Array, count: int) -> int:
+    """Write a pair behind the others unless it is one of them; return how many there are."""
+    for i in range(count):
+        dx, dy = pairs[i, flipped] - pair[0], pairs[i, 1 - flipped] - pair[1]
+        dx -= 0.0 if first else 2 * math.pi * math.floor(dx / (2 * math.pi) + 0.5)
+        dy -= 0.0 if second else 2 * math.pi * math.floor(dy / (2 * math.pi) + 0.5)
+        if max(abs(dx), abs(dy)) < SAME:
+            return count
+    pairs[count, flipped], pairs[count, 1 - flipped] = pair[0], pair[1]
+    return count + 1
+
+
+@compiled()
+def led_to_a_root(F: Array, G: Array, first: int, second: int, pair: Array) -> bool:
+    """Move a pair, (2,), by Newton's method, and return whether it is then near a common root."""
+    a, b, da, db = np.empty(3), np.empty(3), np.empty(3), np.empty(3)
+    f = g = 0.0
+    for step in range(8):
+        basis(first, pair[0], a)
+        basis(second, pair[1], b)
+        da[0], da[1], da[2] = 0.0, (1.0 if first else -a[2]), (2.0 * a[1] if first else a[1])
+        db[0], db[1], db[2] = 0.0, (1.0 if second else -b[2]), (2.0 * b[1] if second else b[1])
+        f = g = fx = fy = gx = gy = 0.0
+        for i in range(3):
+            for j in range(3):
+                f += a[i] * b[j] * F[i, j]
+                g += a[i] * b[j] * G[i, j]
+                fx += da[i] * b[j] * F[i, j]
+                gx += da[i] * b[j] * G[i, j]
+                fy += a[i] * db[j] * F[i, j]
+                gy += a[i] * db[j] * G[i, j]
+        if step == 0 and max(abs(f), abs(g)) > PLAUSIBLE * max(1.0, a[2] if first else 1.0, b[2] if second else 1.0):
+            return False
+        det = fx * gy - fy * gx
+        if abs(det) < 1e-14 or max(abs(f), abs(g)) < 1e-15:
+            break
+        dx, dy = (f * gy - g * fy) / det, (g * fx - f * gx) / det
+        longest = max(1.0, 4.0 * max(abs(dx), abs(dy)))
+        pair[0] -= dx / longest
+        pair[1] -= dy / longest
+        if max(abs(dx), abs(dy)) < 1e-15:
+            break
+    return max(abs(f), abs(g)) < MISS

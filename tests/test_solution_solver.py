@@ -1,0 +1,184 @@
+"""The compiled solver of all solutions answers as the careful way and brute force do; what it leaves is looked at."""
+
+import pickle
+from dataclasses import fields
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from brute_force import all_solutions, apart
+from hypothesis import given, settings, strategies as st
+from test_all_solutions import (
+    ANTHROPOMORPHIC,
+    CYLINDRICAL,
+    ORTHOGONAL,
+    POSE,
+    PUMA,
+    SIX,
+    UR5,
+    WRIST,
+    XYZ,
+    R,
+    drawn_rows,
+    robot_of,
+)
+
+from robotics1 import (
+    FunctionTask,
+    InputError,
+    OrientationTask,
+    PlanarPoseTask,
+    PositionTask,
+    ik_solutions,
+    load_robot,
+    robot_from_dh,
+)
+from robotics1.ik import IKStatus, SolutionSolver
+from robotics1.ik.prepared import prepare
+
+ARMS = {
+    **{f"six {i}": (rows, POSE) for i, rows in enumerate(SIX)},
+    "anthropomorphic": (ANTHROPOMORPHIC, XYZ),
+    "orthogonal": (ORTHOGONAL, XYZ),
+    "cylindrical": (CYLINDRICAL, XYZ),
+    "2R": ([R(1.2, 0, 0), R(0.8, 0, 0)], PositionTask("xy")),
+    "3R in a plane": ([R(1.2, 0, 0), R(0.8, 0, 0), R(0.3, 0, 0)], PlanarPoseTask()),
+    "wrist": (WRIST, OrientationTask()),
+}
+
+
+def random_targets(robot, task, count, seed=0):
+    rng = np.random.default_rng(seed)
+    lower, upper = np.maximum(robot.lower, -np.pi), np.minimum(robot.upper, np.pi)
+    return [task.value(robot, q) for q in rng.uniform(lower, upper, (count, robot.nq))]
+
+
+def carefully(robot, task, target):
+    return prepare(robot, task).carefully(task.target(target), 5, 0)
+
+
+def assert_the_same(found, expected):
+    for field in fields(found):
+        a, b = getattr(found, field.name), getattr(expected, field.name)
+        if field.name == "outside_limits":  # where no turn of a joint is inside, either will do
+            assert a.shape == b.shape
+            assert all(np.abs(np.sin(0.5 * (p - b))).max(axis=1).min() < 1e-7 for p in a)
+        elif isinstance(a, np.ndarray) and a.dtype == float:
+            assert a == pytest.approx(b, abs=1e-7), field.name
+        elif isinstance(a, np.ndarray):
+            assert np.array_equal(a, b), field.name
+        elif isinstance(a, float):
+            assert a == pytest.approx(b, abs=1e-9), field.name
+        else:
+            assert a == b, field.name
+
+
+@pytest.mark.parametrize(("rows", "task"), ARMS.values(), ids=ARMS)
+def test_the_kernel_answers_as_the_careful_way_does(rows, task):
+    robot = robot_of(rows, slide=2.0)
+    solver = SolutionSolver(robot, task)
+    for target in random_targets(robot, task, 6):
+        assert_the_same(solver(target), carefully(robot, task, target))
+
+
+def test_limits_sort_solutions_and_keep_those_outside_apart():
+    robot = robot_from_dh(PUMA, lower=[-2.5, -4, -1, -3, -1.6, -7], upper=[2.5, 0.8, 4, 3, 1.6, 7])
+    solver = SolutionSolver(robot, POSE)
+    for target in random_targets(robot, POSE, 8):
+        found = solver(target)
+        assert_the_same(found, carefully(robot, POSE, target))
+        assert len(found) + len(found.outside_limits) == 8
+
+
+@given(st.integers(0, 100_000))
+@settings(max_examples=10)
+def test_drawn_arms_of_three_joints_have_what_brute_force_finds(seed):
+    rows, rng = drawn_rows(seed, 3), np.random.default_rng(seed)
+    robot, kinds = robot_of(rows), [row[0] for row in rows]
+    q = rng.uniform(-1, 1, 3) * np.where([kind == "R" for kind in kinds], 3, 1)
+    if np.linalg.svd(XYZ.jacobian(robot, q), compute_uv=False)[-1] < 1e-2:
+        return
+    target = XYZ.value(robot, q)
+    found = SolutionSolver(robot, XYZ, starts=5)(target)
+    T = np.eye(4)
+    T[:3, 3] = target
+    assert found.complete
+    for p in all_solutions(rows, T, [0, 1, 2], seed=3, starts=100):
+        slides = np.array(kinds) == "P"
+        assert np.abs(p[slides]).max(initial=0.0) > 50 or apart(kinds, p, found.q).min() < 1e-4
+
+
+@pytest.mark.parametrize("q", [[0.3, 0.7, 0, 0.5, 1.1, 0.2], [0.3, 0.7, 0.9, 0.5, 0, 0.2]], ids=["elbow", "wrist"])
+def test_singular_targets_are_left_to_the_careful_way(q):
+    robot = robot_of(UR5)
+    target = POSE.value(robot, np.array(q))
+    found = SolutionSolver(robot, POSE)(target)
+    assert found.status in (IKStatus.BOUNDARY, IKStatus.INFINITE)
+    assert_the_same(found, carefully(robot, POSE, target))
+
+
+def test_less_than_a_micrometre_inside_the_boundary_is_the_boundary():
+    robot = robot_of([R(1.2, 0, 0), R(0.8, 0, 0)])
+    for inside, status in ((5e-7, IKStatus.BOUNDARY), (2e-6, IKStatus.FINITE)):
+        found = SolutionSolver(robot, PositionTask("xy"))([2 - inside, 0])
+        assert found.status is status
+        assert (len(found), found.complete) == (2, True)
+        assert found.boundary_distance == pytest.approx(inside if inside < 1e-6 else np.inf, rel=1e-2)
+
+
+def test_a_batch_is_the_answers_of_its_targets():
+    robot = load_robot("ur5")
+    solver = SolutionSolver(robot, POSE)
+    targets = random_targets(robot, POSE, 20)
+    targets[3] = POSE.value(robot, np.array([0.3, 0.7, 0, 0.5, 1.1, 0.2]))  # stretched
+    targets[7] = pin.SE3(np.eye(3), np.array([9.0, 0, 0]))
+    batch = solver.solve_batch(targets)
+    assert (len(batch), batch.counts[7], batch.status[7]) == (20, 0, IKStatus.UNREACHABLE)
+    assert len(batch.q) == batch.counts.sum()
+    for i, target in enumerate(targets):
+        assert_the_same(batch[i], solver(target))
+        assert batch.counts[i] == len(batch[i])
+        assert batch.q[batch.ends[i] : batch.ends[i + 1]] == pytest.approx(batch[i].q, abs=1e-12)
+    assert "1 of 20 targets have no solution; the first is target 7" in batch.explain()
+    with pytest.raises(IndexError):
+        batch[20]
+
+
+def test_solutions_of_a_function_are_searched():
+    robot = robot_of([R(1.2, 0, 0), R(0.8, 0, 0)])
+    task = FunctionTask(lambda p, R, q: [p[0], p[1]], 2)
+    solver = SolutionSolver(robot, task, starts=10)
+    assert len(solver([0.5, 1.1])) == 2
+    assert solver.solve_batch([[0.5, 1.1], [0.4, 0.9]]).counts.tolist() == [2, 2]
+
+
+@pytest.mark.parametrize("bad", [np.diag([1, 1, -1, 1]), np.full((4, 4), np.nan), "pose", None])
+def test_what_is_no_pose_is_refused_and_a_batch_says_which(bad):
+    robot = load_robot("ur5")
+    solver = SolutionSolver(robot, POSE)
+    with pytest.raises(InputError, match="the target"):
+        solver(bad)
+    with pytest.raises(InputError, match="target 1 of the batch"):
+        solver.solve_batch([POSE.value(robot, np.zeros(6)), bad])
+
+
+def test_a_pose_that_is_damaged_is_refused():
+    robot = load_robot("ur5")
+    T = POSE.value(robot, np.full(6, 0.3))
+    T.rotation = 1.1 * T.rotation
+    with pytest.raises(InputError):
+        SolutionSolver(robot, POSE)(T)
+
+
+def test_a_solver_can_be_pickled():
+    robot = load_robot("ur5")
+    solver, target = SolutionSolver(robot, POSE), POSE.value(robot, np.full(6, 0.3))
+    assert_the_same(pickle.loads(pickle.dumps(solver))(target), solver(target))
+
+
+def test_the_function_and_the_solver_agree_and_results_are_read_only():
+    robot = load_robot("ur5")
+    target = POSE.value(robot, np.array([0.3, -0.7, 1.1, 0.5, 1.2, 0.2]))
+    found = SolutionSolver(robot, POSE)(target)
+    assert_the_same(found, ik_solutions(robot, POSE, target))
+    assert not any(a.flags.writeable for a in vars(found).values() if isinstance(a, np.ndarray))
