@@ -12,10 +12,10 @@ PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # make pictures names docs/pict
 class OpenPage:
     """A page in a window: its faults, and the numbers behind what it shows."""
 
-    def __init__(self, browser, path, width=900, height=700):
+    def __init__(self, browser, path, width=900, height=700, **options):
         self.faults = []
         self.held = None  # where a hand last held the handle
-        self.tab = browser.new_page(viewport={"width": width, "height": height})
+        self.tab = browser.new_page(viewport={"width": width, "height": height}, **options)
         self.tab.on("pageerror", lambda error: self.faults.append(str(error)))
         self.tab.on("console", lambda message: self.faults.append(message.text) if message.type == "error" else None)
         self.tab.on("request", lambda request: self.faults.append(request.url) if "file:" not in request.url else None)
@@ -73,6 +73,15 @@ class OpenPage:
         self.held = np.array(self.ask("positionOf(app.handle.held.wanted)"))
         self.tab.mouse.up()
         return said
+
+    def touch(self, start, end, steps=6):
+        """Put a finger on a pixel, move it to another one, and lift it."""
+        protocol = self.tab.context.new_cdp_session(self.tab)
+        for kind, share in (("touchStart", 0), *(("touchMove", k / steps) for k in range(1, steps + 1))):
+            x, y = np.asarray(start) + share * (np.asarray(end) - start)
+            protocol.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": float(x), "y": float(y)}]})
+        protocol.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        protocol.detach()
 
     def seek(self, time):
         """Drag the slider of time."""
