@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # make pictures names docs/pictures
+PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # a folder: build/pictures in make test, docs/pictures in make pictures
+PICTURES = None if PICTURES is None else Path(PICTURES).absolute()
 
 
 class OpenPage:
@@ -38,10 +39,11 @@ class OpenPage:
     def picture(self, name, width=1280, height=800):
         """Save what is seen in the folder of the pictures, if one is named."""
         if PICTURES:
+            PICTURES.mkdir(parents=True, exist_ok=True)
             self.tab.set_viewport_size({"width": width, "height": height})
             self.ask("(app.frame(), app.stage.fit())")
             self.tab.wait_for_timeout(300)
-            self.tab.screenshot(path=Path(PICTURES) / f"{name}.png")
+            self.tab.screenshot(path=PICTURES / f"{name}.png")
 
     def place(self, name):
         """Return the world position of the object of a name."""
