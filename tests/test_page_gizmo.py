@@ -34,7 +34,7 @@ def opened(browser, tmp_path_factory):
         page = pages[name]
         page.move(POSTURES[name])
         page.tab.click("#fit")
-        page.tab.wait_for_timeout(100)  # a frame, in which the gizmo faces the camera
+        page.ask("app.handle.face()")  # as in each frame
         return page
 
     yield open_page
@@ -89,6 +89,7 @@ def test_an_arrow_moves_the_target_along_its_axis_only(opened, name, axis):
     page, robot = opened(name), arm(name)
     before = r1.forward_kinematics(robot, POSTURES[name])
     step = step_on_screen(page, axis, -30)  # towards the arm
+    seen = np.array(page.pixels(before.translation))
     wanted, said = drag(page, pixel_of(page, f"arrow {axis}"), step + 7 * np.array([step[1], -step[0]]) / 30)
     assert said == "reached"
     moved = wanted[:, 3] - before.translation
@@ -96,6 +97,7 @@ def test_an_arrow_moves_the_target_along_its_axis_only(opened, name, axis):
     assert abs(along) > 0.01
     assert moved == pytest.approx(along * np.array(AXES[axis]), abs=1e-12)
     assert wanted[:, :3] == pytest.approx(before.rotation, abs=1e-12)
+    assert page.pixels(wanted[:, 3]) - seen == pytest.approx(step, abs=5)  # as far as the hand goes, without a jump
     after = r1.forward_kinematics(robot, page.ask("app.q"))
     assert after.translation == pytest.approx(wanted[:, 3], abs=1e-5)
     assert page.place("tool frame") == pytest.approx(after.translation, abs=1e-5)
@@ -136,7 +138,7 @@ def test_a_ring_in_the_plane_turns_as_far_as_the_hand_goes_round(opened):
 def test_a_finger_on_a_narrow_screen_moves_the_target_and_not_the_camera(browser, tmp_path, name, part):
     robot, q = arm(name), POSTURES[name]
     page = OpenPage(browser, r1.view(robot, q, tmp_path / "t.html").file, 390, 844, has_touch=True)
-    page.tab.wait_for_timeout(100)
+    page.ask("app.handle.face()")
     camera = page.ask("app.stage.viewer.camera.position.toArray()")
     before = r1.forward_kinematics(robot, q)
     start = np.add(pixel_of(page, part, 0.95), 5)  # a finger is not exact
@@ -169,7 +171,7 @@ def test_what_is_under_the_pointer_says_what_it_does(opened):
 def test_an_arrow_that_points_at_the_eye_and_a_ring_seen_from_its_edge_are_not_there(opened):
     page = opened("six_r")
     page.tab.click("#top")
-    page.tab.wait_for_timeout(100)
+    page.ask("app.handle.face()")
     seen = dict(zip(parts(page), page.ask("app.handle.gizmo.parts.map(p => p.node.visible)"), strict=True))
     assert [name for name, visible in seen.items() if visible] == ["ball", "arrow x", "arrow y", "ring z"]
     page.tab.click("#iso")
