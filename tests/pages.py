@@ -9,6 +9,8 @@ import numpy as np
 PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # a folder: build/pictures in make test, docs/pictures in make pictures
 PICTURES = None if PICTURES is None else Path(PICTURES).absolute()
 
+WINDOWS = ((1280, 800), (900, 700), (390, 844), (1600, 500))
+
 
 class OpenPage:
     """A page in a window: its faults, and the numbers behind what it shows."""
@@ -96,3 +98,10 @@ class OpenPage:
         """Return the least and the largest window coordinate (from −1 to 1) of the box of what is drawn."""
         seen = self.ask("corners(app.stage.box).map(p => p.project(app.stage.viewer.camera)).map(p => [p.x, p.y])")
         return np.min(seen), np.max(seen)
+
+    def inside_windows(self):
+        """Yield what `inside` says in windows of four sizes, each after fit."""
+        for width, height in WINDOWS:
+            self.tab.set_viewport_size({"width": width, "height": height})
+            self.ask("app.stage.fit()")
+            yield self.inside()

@@ -164,6 +164,9 @@ def test_what_is_under_the_pointer_says_what_it_does(opened):
     for part, words in (("arrow z", "drag along z"), ("ring y", "turn about y")):
         page.tab.mouse.move(*pixel_of(page, part))
         assert page.tab.inner_text("#hint") == words
+        page.tab.mouse.down()
+        assert not page.tab.is_visible("#hint")
+        page.tab.mouse.up()
     page.tab.mouse.move(5, 690)
     assert not page.tab.is_visible("#hint")
 

@@ -66,6 +66,7 @@ class Handle {
     this.held = { pointer: event.pointerId, wanted, axes: this.axes(placed).slice(), part: found.part };
     this.drag(this.app.stage.pixelUnder(event), event.shiftKey, found.point);
     this.gizmo.light(found.part, true);
+    document.getElementById("hint").hidden = true;
     this.app.stage.element.setPointerCapture(event.pointerId);
     this.app.stage.changed();
   }
