@@ -16,8 +16,8 @@ unexport PYTHONDONTWRITEBYTECODE
 exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every published value
 	$(BIN)/robotics1 exam
 
-test: $(INSTALLED)  ## the tests, in minutes
-	$(BIN)/python -m pytest -n auto --dist loadfile
+test: $(INSTALLED)  ## the tests, in minutes; pictures of the pages are kept in build/pictures
+	ROBOTICS1_PICTURES=build/pictures $(BIN)/python -m pytest -n auto --dist loadfile
 
 sweep: $(INSTALLED)  ## what takes longer: every arm, more examples of each property, an installed wheel, mutants of robot files
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "sweep or hypothesis" --hypothesis-profile=sweep

@@ -6,16 +6,19 @@ from pathlib import Path
 
 import numpy as np
 
-PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # make pictures names docs/pictures
+PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # a folder: build/pictures in make test, docs/pictures in make pictures
+PICTURES = None if PICTURES is None else Path(PICTURES).absolute()
+
+WINDOWS = ((1280, 800), (900, 700), (390, 844), (1600, 500))
 
 
 class OpenPage:
     """A page in a window: its faults, and the numbers behind what it shows."""
 
-    def __init__(self, browser, path, width=900, height=700):
+    def __init__(self, browser, path, width=900, height=700, **options):
         self.faults = []
         self.held = None  # where a hand last held the handle
-        self.tab = browser.new_page(viewport={"width": width, "height": height})
+        self.tab = browser.new_page(viewport={"width": width, "height": height}, **options)
         self.tab.on("pageerror", lambda error: self.faults.append(str(error)))
         self.tab.on("console", lambda message: self.faults.append(message.text) if message.type == "error" else None)
         self.tab.on("request", lambda request: self.faults.append(request.url) if "file:" not in request.url else None)
@@ -38,10 +41,11 @@ class OpenPage:
     def picture(self, name, width=1280, height=800):
         """Save what is seen in the folder of the pictures, if one is named."""
         if PICTURES:
+            PICTURES.mkdir(parents=True, exist_ok=True)
             self.tab.set_viewport_size({"width": width, "height": height})
             self.ask("(app.frame(), app.stage.fit())")
             self.tab.wait_for_timeout(300)
-            self.tab.screenshot(path=Path(PICTURES) / f"{name}.png")
+            self.tab.screenshot(path=PICTURES / f"{name}.png")
 
     def place(self, name):
         """Return the world position of the object of a name."""
@@ -74,6 +78,15 @@ class OpenPage:
         self.tab.mouse.up()
         return said
 
+    def touch(self, start, end, steps=6):
+        """Put a finger on a pixel, move it to another one, and lift it."""
+        protocol = self.tab.context.new_cdp_session(self.tab)
+        for kind, share in (("touchStart", 0), *(("touchMove", k / steps) for k in range(1, steps + 1))):
+            x, y = np.asarray(start) + share * (np.asarray(end) - start)
+            protocol.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": float(x), "y": float(y)}]})
+        protocol.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        protocol.detach()
+
     def seek(self, time):
         """Drag the slider of time."""
         self.tab.evaluate(
@@ -85,3 +98,10 @@ class OpenPage:
         """Return the least and the largest window coordinate (from −1 to 1) of the box of what is drawn."""
         seen = self.ask("corners(app.stage.box).map(p => p.project(app.stage.viewer.camera)).map(p => [p.x, p.y])")
         return np.min(seen), np.max(seen)
+
+    def inside_windows(self):
+        """Yield what `inside` says in windows of four sizes, each after fit."""
+        for width, height in WINDOWS:
+            self.tab.set_viewport_size({"width": width, "height": height})
+            self.ask("app.stage.fit()")
+            yield self.inside()

@@ -270,39 +270,6 @@ def test_triangles_without_area_or_with_corners_that_are_no_numbers_are_left_out
         assert volume([part]) == pytest.approx(1 / 6)
 
 
-def ball(rows):
-    """A ball of radius one, with 2 · rows · 2 rows triangles, some of them without area at the poles."""
-    u, v = np.meshgrid(np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows + 1), indexing="ij")
-    points = np.stack([np.sin(u) * np.cos(v), np.sin(u) * np.sin(v), np.cos(u)], axis=-1).reshape(-1, 3)
-    i = (np.arange(rows)[:, None] * (2 * rows + 1) + np.arange(2 * rows)).ravel()
-    across = 2 * rows + 1
-    return np.vstack([np.c_[i, i + across, i + 1], np.c_[i + 1, i + across, i + across + 1]]), points
-
-
-def test_a_mesh_of_many_triangles_is_decimated_and_keeps_its_size(mesh):
-    faces, points = ball(120)
-    data = np.zeros(len(faces), np.dtype([("n", "<f4", 3), ("p", "<f4", (3, 3)), ("a", "<u2")]))
-    data["p"] = points[faces]
-    content = b"ball".ljust(80) + struct.pack("<I", len(faces)) + data.tobytes()
-    (whole,) = mesh("a.stl", content, most_faces=WHOLE)
-    assert len(whole.faces) == 4 * 120 * 120 - 4 * 120  # at the poles half of the triangles have no area
-    assert np.ptp(whole.faces) + 1 == len(whole.vertices) == 119 * 240 + 2
-    for most in (20_000, 1000):
-        (part,) = mesh("a.stl", content, most_faces=most)
-        assert 0.9 * most <= len(part.faces) <= most
-        assert volume([part]) == pytest.approx(4 / 3 * np.pi, rel=2e-2)
-        assert np.linalg.norm(part.vertices, axis=1) == pytest.approx(1, abs=1e-2)
-
-
-def test_decimation_keeps_the_parts_and_their_colours(mesh):
-    faces, points = ball(40)
-    green = RED.replace("1 0 0", "0 1 0")
-    parts = mesh("a.dae", texts.dae(faces.tolist(), points.tolist(), effects={"a": RED, "b": green}), most_faces=1000)
-    assert [part.color for part in parts] == [(1, 0, 0, 1), (0, 1, 0, 1)]
-    assert 900 <= sum(len(part.faces) for part in parts) <= 1010
-    assert box(parts) == pytest.approx(np.array([[-1] * 3, [1] * 3]), abs=2e-2)
-
-
 def test_triangles_that_draco_compresses_are_those_of_the_plain_file(mesh):
     """Draco rounds to 14 bits of the longest side."""
     pytest.importorskip("DracoPy")

@@ -57,14 +57,6 @@ def test_what_is_no_file_is_refused(tmp_path):
             read_mesh(tmp_path / name)
 
 
-def test_a_file_of_more_than_200_mb_is_refused_before_it_is_read(tmp_path):
-    path = tmp_path / "a.stl"
-    with path.open("wb") as file:
-        file.truncate(200_000_001)
-    with pytest.raises(InputError, match="it has more than 200 MB"):
-        read_mesh(path)
-
-
 def polylist(counts, numbers):
     """A COLLADA file of polygons."""
     polygons = f"<polylist>{texts.VERTEX}<vcount>{counts}</vcount><p>{numbers}</p></polylist>"

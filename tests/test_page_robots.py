@@ -11,7 +11,6 @@ from robotics1.viewer.meshes import read_mesh
 
 ROBOTS = core_first(["ur5", "panda", "icub", "kinova", "tiago", "anymal", "talos_reduced"], {"ur5", "panda"})
 MOST = {"ur5": 3e6, "panda": 4e6}  # bytes of the page
-WINDOWS = ((1280, 800), (900, 700), (390, 800), (1600, 500))
 
 
 def triangles(robot):
@@ -33,10 +32,7 @@ def test_every_mesh_of_a_real_robot_is_in_the_scene_and_inside_the_window(browse
         ".map(m => m.geometry.attributes.position.count / 3)"
     )
     assert sum(drawn) == triangles(robot)
-    for width, height in WINDOWS:
-        page.tab.set_viewport_size({"width": width, "height": height})
-        page.ask("app.stage.fit()")
-        low, high = page.inside()
+    for low, high in page.inside_windows():
         assert low > -1.001
         assert high < 1.001
     q = np.clip(np.full(robot.nq, 0.2), robot.lower, robot.upper) if robot.nq == robot.nv else None

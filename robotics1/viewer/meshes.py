@@ -1,39 +1,22 @@
 """Meshes for the page: few triangles, in parts of one colour each."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.errors import InputError, MissingExtraError
-from robotics1.inputs import Array
-from robotics1.results import Frozen
-from robotics1.robot.visuals import LARGEST, Color
+from robotics1.robot.visuals import Color
+from robotics1.viewer.clusters import FINE, clustered
 from robotics1.viewer.mesh_formats.files import read_pieces
 from robotics1.viewer.mesh_formats.pieces import Piece
+from robotics1.viewer.mesh_parts import MeshPart, box_of, compact, placed
 
-Indices = npt.NDArray[np.int32]
 MOST_FACES = 20_000
 CELLS = 2**20  # along the longest side of a mesh: corners in one cell are one corner
-SIZE_CHANGE = 0.02  # of the longest side of its box
+SIZE_CHANGE = 0.01  # of the longest side of its box
 FEWEST = 12  # faces that a part keeps: those of a box
-
-
-@dataclass(frozen=True, eq=False)
-class MeshPart(Frozen):
-    """Triangles of one colour.
-
-    Attributes:
-        vertices: (n, 3) the corners, in the units and axes of the file.
-        faces: (m, 3) the numbers of the corners of each triangle, anticlockwise as seen from outside.
-        color: red, green, blue and opacity from 0 to 1, as the screen shows them (sRGB), or None.
-    """
-
-    vertices: Array
-    faces: Indices
-    color: Color | None
 
 
 def read_mesh(path: str | Path, *, most_faces: int = MOST_FACES) -> tuple[MeshPart, ...]:
@@ -47,14 +30,17 @@ def read_mesh(path: str | Path, *, most_faces: int = MOST_FACES) -> tuple[MeshPa
         path: the file. It may name images and materials in its folder, below, or in a folder beside its own, and
             buffers in its folder or below.
         most_faces: with more, the triangles are made fewer by quadric decimation (Garland, Heckbert: Surface
-            simplification using quadric error metrics, 1997).
+            simplification using quadric error metrics, 1997), of millions after vertex clustering.
 
     Raises:
         InputError: it is no mesh, or one without triangles, too large, or one that names a file elsewhere.
         MissingExtraError: trimesh is not installed.
     """
     path = Path(path)
-    parts = [part for part in map(_welded, _joined(read_pieces(path))) if len(part.faces)]
+    parts = list(map(placed, _joined(read_pieces(path))))
+    if most_faces < FINE:
+        parts = clustered(parts)
+    parts = [part for part in map(_welded, parts) if len(part.faces)]
     if not parts:
         raise InputError(f"mesh {str(path)!r} has no triangle with an area")
     return tuple(_fewer(parts, most_faces))
@@ -74,9 +60,7 @@ def _joined(pieces: Sequence[Piece]) -> list[MeshPart]:
 
 
 def _welded(part: MeshPart) -> MeshPart:
-    """Return a part whose triangles share corners, without those that have no area or no place."""
-    placed = np.abs(part.vertices).max(axis=1, initial=0) <= LARGEST  # which NaN is not
-    part = _compact(replace(part, faces=part.faces[placed[part.faces].all(axis=1)]))
+    """Return a part whose triangles share corners, without those that have no area."""
     vertices = part.vertices
     if not len(vertices):
         return part
@@ -86,31 +70,19 @@ def _welded(part: MeshPart) -> MeshPart:
     _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
     faces = inverse[part.faces]
     a, b, c = faces.T
-    return _compact(replace(part, vertices=vertices[first], faces=faces[(a != b) & (b != c) & (c != a)]))
-
-
-def _compact(part: MeshPart) -> MeshPart:
-    """Return a part with the corners that its triangles use."""
-    used, inverse = np.unique(part.faces, return_inverse=True)
-    return replace(part, vertices=part.vertices[used], faces=inverse.reshape(-1, 3).astype(np.int32))
+    return compact(replace(part, vertices=vertices[first], faces=faces[(a != b) & (b != c) & (c != a)]))
 
 
 def _fewer(parts: list[MeshPart], most: int) -> list[MeshPart]:
-    """Return about as many triangles as wanted, or more, where the size of the mesh would change by more than 2 %."""
+    """Return about as many triangles as wanted, or more, where the size of the mesh would change by more than 1 %."""
     share = most / sum(len(part.faces) for part in parts)
-    box = _box(parts)
+    box = box_of(parts)
     while share < 1:
         fewer = [_decimated(part, max(FEWEST, round(len(part.faces) * share))) for part in parts]
-        if np.abs(_box(fewer) - box).max() <= SIZE_CHANGE * np.ptp(box, axis=0).max():
+        if np.abs(box_of(fewer) - box).max() <= SIZE_CHANGE * np.ptp(box, axis=0).max():
             return fewer
         share *= 1.5
     return parts
-
-
-def _box(parts: list[MeshPart]) -> Array:
-    """Return the lowest and the highest x, y and z of the corners, (2, 3)."""
-    points = np.vstack([part.vertices for part in parts])
-    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _decimated(part: MeshPart, faces: int) -> MeshPart:
@@ -121,4 +93,4 @@ def _decimated(part: MeshPart, faces: int) -> MeshPart:
     except ImportError as error:
         raise MissingExtraError("fast-simplification", "viewer") from error
     fewer, triangles = simplify(np.array(part.vertices), np.array(part.faces), target_count=faces)[:2]
-    return _compact(replace(part, vertices=np.asarray(fewer, float), faces=np.asarray(triangles)))
+    return compact(replace(part, vertices=np.asarray(fewer, float), faces=np.asarray(triangles)))

@@ -12,7 +12,8 @@ from robotics1.errors import InputError, RobotWarning
 from robotics1.robot.model import Robot
 from robotics1.robot.visuals import Box, Capsule, Cylinder, MeshFile, Sphere, Visual, read_visuals
 from robotics1.viewer.arm_data import placement
-from robotics1.viewer.meshes import MeshPart, read_mesh
+from robotics1.viewer.mesh_parts import MeshPart
+from robotics1.viewer.meshes import read_mesh
 from robotics1.viewer.skeleton import skeleton
 
 GREY = (0.72, 0.75, 0.78, 1.0)  # of a shape without a colour

@@ -78,9 +78,12 @@ class Neighbours:
     def _bytes(self, file: Path) -> bytes:
         if not file.is_file():
             raise OSError("it is no file")
+        too_large = OSError(f"it has more than {LARGEST_FILE // 1_000_000} MB")
+        if file.stat().st_size > self._left:
+            raise too_large
         with file.open("rb") as opened:
             data = opened.read(self._left + 1)
-        if len(data) > self._left:
-            raise OSError(f"it has more than {LARGEST_FILE // 1_000_000} MB")
+        if len(data) > self._left:  # it has grown
+            raise too_large
         self._left -= len(data)
         return data

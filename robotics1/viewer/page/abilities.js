@@ -67,6 +67,7 @@ class Abilities {
   play(yes) {
     this.moving = yes;
     this.button.setAttribute("aria-pressed", String(yes));
+    this.app.stage.changed();
     if (!yes) return;
     this.app.halt(this);
     const { arm } = this.app;

@@ -91,9 +91,11 @@ class Drawing {
     this.links = arm.joints.map(joint => this.linkGroup(joint.name));
     this.base = this.linkGroup("base");
     this.complete = Promise.all(arm.shapes.map(shape => this.addShape(shape, meshes, ghost, tint)));
-    this.tool = arm.tool && !ghost ? triad(0.12 * arm.length, "") : null;
+    this.tool = arm.tool && !ghost ? new THREE.Group() : null;
     if (this.tool) {
       this.tool.name = "tool frame";
+      this.tool.add(triad(1, "", 1.6));
+      this.sizeTool(() => 0.12 * arm.length);
       this.group.add(this.tool);
     }
     this.lost = arrow(0.2 * arm.length, 0.005 * arm.length, COLORS.warning);
@@ -135,6 +137,11 @@ class Drawing {
     return placed;
   }
 
+  /** Let the axes of the tool be as long as a function says of where they are. */
+  sizeTool(size) {
+    this.tool?.children[0].scale.setScalar(size(new THREE.Vector3().setFromMatrixPosition(this.tool.matrixWorld)));
+  }
+
   /** Show, at the tool, the direction in which it cannot move, or nothing. */
   showLost(direction) {
     this.lost.visible = direction !== null;
@@ -150,9 +157,9 @@ class Drawing {
     for (const group of [this.base, ...this.links]) box.expandByObject(group);
     if (this.arm.tool) {
       const p = positionOf(this.arm.frame(this.arm.tool, this.arm.forward(this.q)));
-      const ball = new THREE.Sphere(new THREE.Vector3(...p).add(this.group.position), 0.1 * this.arm.length);
+      const ball = new THREE.Sphere(new THREE.Vector3(...p).add(this.group.position), 0.16 * this.arm.length);
       const round = ball.getBoundingBox(new THREE.Box3());
-      box.union(round); // the axes of the tool
+      box.union(round); // the gizmo
     }
     return box;
   }

@@ -1,20 +1,14 @@
-// The handle at the tool: the arm follows it when it is dragged.
+// The hand at the tool: the arm follows the gizmo when it is dragged.
+
+const NEAR = { mouse: 8, pen: 12, touch: 20 }; // pixels from a part of the gizmo that still take it
 
 class Handle {
   constructor(app) {
     this.app = app;
-    const { stage, arm } = app;
-    this.group = new THREE.Group();
-    this.group.name = "handle";
-    this.ball = new THREE.Mesh(
-      new THREE.SphereGeometry(0.02 * arm.length, 24, 16),
-      paint(COLORS.accent, { opacity: 0.55, transparent: true, depthTest: false }),
-    );
-    this.ball.renderOrder = 5;
-    this.group.add(this.ball);
-    stage.scene.add(this.group);
-    this.ray = new THREE.Raycaster();
+    const { stage } = app;
     this.verdict = document.getElementById("verdict");
+    this.build();
+    stage.beforeDraw = () => this.face();
     const listen = (name, act) => stage.element.addEventListener(name, act, { capture: true });
     listen("pointerdown", event => this.start(event));
     listen("pointermove", event => this.move(event));
@@ -22,77 +16,110 @@ class Handle {
     listen("pointercancel", event => this.stop(event));
   }
 
-  /** Stand where the tool is, unless a hand holds it elsewhere. */
-  show(placed) {
-    const { arm, drawing } = this.app;
-    const p = this.held ? positionOf(this.held.wanted) : positionOf(arm.frame(arm.task.frame, placed));
-    this.group.position.set(...p).add(drawing.group.position);
+  /** Make the gizmo of the chosen robot's task. */
+  build() {
+    const { stage, arm, planar } = this.app;
+    if (this.gizmo) stage.scene.remove(this.gizmo.group);
+    this.gizmo = new Gizmo(arm, planar);
+    stage.scene.add(this.gizmo.group);
+    this.aimed = this.held = null;
+    this.verdict.hidden = true;
   }
 
-  aim(event) {
-    const { stage } = this.app, box = stage.element.getBoundingClientRect();
-    const x = ((event.clientX - box.left) / box.width) * 2 - 1, y = 1 - ((event.clientY - box.top) / box.height) * 2;
-    this.ray.setFromCamera(new THREE.Vector2(x, y), stage.viewer.camera);
+  /** Stand where the tool is, with the axes of the task, unless a hand holds it elsewhere. */
+  show(placed) {
+    const { arm, drawing } = this.app;
+    const p = positionOf(this.held ? this.held.wanted : arm.frame(arm.task.frame, placed));
+    const axes = this.held ? this.held.axes : this.axes(placed);
+    this.gizmo.show(new THREE.Vector3(...p).add(drawing.group.position), axes);
+  }
+
+  /** Face the camera; the tools' own axes are inside the rings. While a robot plays only the ball is there. */
+  face() {
+    const { stage, actors, bar, abilities } = this.app;
+    this.gizmo.face(stage, Boolean(bar?.playing || abilities?.moving));
+    for (const { drawing } of actors) {
+      drawing.sizeTool(p => 0.5 * Gizmo.size(stage, p));
+    }
+  }
+
+  axes(placed) {
+    const { reference } = this.app.arm.task;
+    return reference ? this.app.arm.frame(reference, placed) : IDENTITY;
+  }
+
+  /** Return the part of the gizmo under the pointer, or null. */
+  under(event) {
+    const { stage } = this.app;
+    return this.gizmo.pick(stage, stage.pixelUnder(event), NEAR[event.pointerType] ?? NEAR.mouse);
   }
 
   start(event) {
-    this.aim(event);
-    if (!this.ray.intersectObject(this.ball).length) return;
-    event.stopImmediatePropagation();
+    const found = this.held ? null : this.under(event);
+    if (!found && !this.held) return;
+    event.stopImmediatePropagation(); // the camera stands still, also for a second finger
     event.preventDefault();
-    const { arm, q, stage } = this.app;
+    if (this.held) return;
     this.app.halt();
-    const normal = this.app.planar
-      ? new THREE.Vector3(0, 0, 1)
-      : stage.viewer.camera.getWorldDirection(new THREE.Vector3()).negate();
-    this.held = {
-      pointer: event.pointerId,
-      at: [event.clientX, event.clientY],
-      plane: new THREE.Plane().setFromNormalAndCoplanarPoint(normal, this.group.position),
-      wanted: arm.frame(arm.task.frame, arm.forward(q)).slice(),
-    };
-    stage.element.setPointerCapture(event.pointerId);
+    const placed = this.app.arm.forward(this.app.q);
+    const wanted = this.app.arm.frame(this.app.arm.task.frame, placed).slice();
+    this.held = { pointer: event.pointerId, wanted, axes: this.axes(placed).slice(), part: found.part };
+    this.drag(this.app.stage.pixelUnder(event), event.shiftKey, found.point);
+    this.gizmo.light(found.part, true);
+    document.getElementById("hint").hidden = true;
+    this.app.stage.element.setPointerCapture(event.pointerId);
+    this.app.stage.changed();
+  }
+
+  /** Begin a drag of the part that is held, at a pixel, which is seen at the point grip of the part. */
+  drag(pixel, shift, grip) {
+    const { stage, planar } = this.app, { part, wanted } = this.held;
+    const centre = this.gizmo.group.position.clone();
+    this.held.pixel = pixel;
+    this.held.rolls = part.kind === "ball" && shift;
+    if (this.held.rolls) this.held.drag = new RollDrag(stage, planar, wanted, pixel);
+    else if (part.kind === "arrow") {
+      this.held.drag = new AxisDrag(stage, centre, this.gizmo.direction(part), wanted, pixel);
+    } else if (part.kind === "ring") {
+      this.held.drag = new RingDrag(stage, centre, this.gizmo.direction(part), wanted, pixel, grip);
+    } else {
+      const normal = planar ? new THREE.Vector3(0, 0, 1) : stage.sight(centre).negate();
+      this.held.drag = new PlaneDrag(stage, centre, normal, wanted);
+    }
   }
 
   move(event) {
-    if (!this.held || event.pointerId !== this.held.pointer) {
-      this.aim(event);
-      this.app.stage.element.style.cursor = this.ray.intersectObject(this.ball).length ? "grab" : "";
+    if (!this.held) {
+      if (!event.buttons) this.aim(this.under(event)?.part ?? null);
       return;
     }
     event.stopImmediatePropagation();
-    const [x, y] = this.held.at;
-    this.held.at = [event.clientX, event.clientY];
-    if (event.shiftKey) {
-      this.turn(event.clientX - x, event.clientY - y);
-      return;
-    }
-    this.aim(event);
-    const point = this.ray.ray.intersectPlane(this.held.plane, new THREE.Vector3());
-    if (!point) return;
-    point.sub(this.app.drawing.group.position);
-    [this.held.wanted[3], this.held.wanted[7], this.held.wanted[11]] = point.toArray();
+    if (event.pointerId !== this.held.pointer) return;
+    const { held } = this;
+    if (held.part.kind === "ball" && event.shiftKey !== held.rolls) this.drag(held.pixel, event.shiftKey, null);
+    held.pixel = this.app.stage.pixelUnder(event);
+    const wanted = held.drag.to(held.pixel);
+    if (!wanted) return;
+    held.wanted = wanted;
     this.pull();
   }
 
-  /** Turn the wanted orientation: a pixel is half a degree, about z in the plane, in space as a ball rolls. */
-  turn(right, down) {
-    const { camera } = this.app.stage.viewer, half = Math.PI / 360;
-    const turns = this.app.planar
-      ? [[[0, 0, 1], -right * half]]
-      : [[[0, 1, 0], right * half], [[1, 0, 0], down * half]].map(([axis, angle]) => [
-          new THREE.Vector3(...axis).applyQuaternion(camera.quaternion).toArray(), angle,
-        ]);
-    const p = positionOf(this.held.wanted);
-    for (const [axis, angle] of turns) this.held.wanted = compose(turn(axis, angle), this.held.wanted);
-    [this.held.wanted[3], this.held.wanted[7], this.held.wanted[11]] = p;
-    this.pull();
+  /** Let the part under the pointer stand out. */
+  aim(part) {
+    if (part === this.aimed) return;
+    this.aimed = part;
+    this.gizmo.light(part, false);
+    this.app.stage.element.style.cursor = part ? "grab" : "";
+    this.app.stage.changed();
   }
 
   /** Move the arm towards the wanted placement, and say what comes of it. */
   pull() {
     const { q, verdict } = follow(this.app.arm, this.app.q, this.held.wanted);
     this.app.change(q);
+    const get = id => document.getElementById(id);
+    if (get("panel").hidden) get("caption").append(this.verdict);
+    else get("warning").after(this.verdict);
     this.verdict.hidden = false;
     this.verdict.className = verdict.kind;
     this.verdict.textContent = verdict.text;
@@ -101,7 +128,8 @@ class Handle {
   stop(event) {
     if (!this.held || event.pointerId !== this.held.pointer) return;
     event.stopImmediatePropagation();
-    this.held = null;
+    this.held = this.aimed = null;
+    this.gizmo.light(null, false);
     this.app.change(this.app.q);
   }
 }

@@ -60,7 +60,7 @@ class App {
     const duration = Math.max(0, ...this.actors.map(actor => actor.motion?.duration ?? 0));
     if (duration > 0) {
       this.plots = this.motionPlots();
-      this.bar = new Bar(duration, t => this.seek(t));
+      this.bar = new Bar(duration, t => this.seek(t), () => this.stage.changed());
       this.showPlots(false);
     }
     this.change(this.q);
@@ -122,7 +122,7 @@ class App {
       this.frame();
       this.stage.fit();
     };
-    get("png").onclick = () => this.stage.picture(this.arm.name);
+    get("png").onclick = () => this.picture();
     get("plotting").onclick = () => this.showPlots(get("plots").hidden);
     get("fold").onclick = () => {
       get("panel").hidden = !get("panel").hidden;
@@ -136,11 +136,20 @@ class App {
     this.hover();
   }
 
+  /** Save what is seen as a PNG file, without the gizmo. */
+  picture() {
+    if (this.handle) this.handle.gizmo.group.visible = false;
+    this.stage.picture(this.arm.name);
+    if (this.handle) this.handle.gizmo.group.visible = true;
+    this.stage.changed();
+  }
+
   /** Let panel and handle be those of another robot. */
   choose(number) {
     this.drawing.showLost(null);
     this.chosen = number;
     this.panel.build();
+    this.handle?.build();
     if (this.bar) this.plots = this.motionPlots();
     this.change(this.q);
   }
@@ -155,21 +164,23 @@ class App {
       const box = this.stage.element.getBoundingClientRect();
       const x = ((event.clientX - box.left) / box.width) * 2 - 1, y = 1 - ((event.clientY - box.top) / box.height) * 2;
       ray.setFromCamera(new THREE.Vector2(x, y), this.stage.viewer.camera);
-      const hit = event.buttons ? null : ray.intersectObjects(this.actors.map(a => a.drawing.group), true)
+      const part = this.handle?.aimed;
+      const hit = event.buttons || part ? null : ray.intersectObjects(this.actors.map(a => a.drawing.group), true)
         .find(found => found.object.userData.drawn);
-      hint.hidden = !hit;
+      hint.hidden = !hit && !part;
       axis.visible = Boolean(hit) && hit.object.userData.joint >= 0;
-      if (hit) this.tell(hit.object, hint, axis, event);
+      hint.textContent = part ? part.words : "";
+      hint.style.left = `${Math.min(event.clientX + 14, window.innerWidth - 240)}px`;
+      hint.style.top = `${event.clientY + 14}px`;
+      if (hit) this.tell(hit.object, hint, axis);
       this.stage.changed();
     });
   }
 
-  tell(object, hint, axis, event) {
+  tell(object, hint, axis) {
     const { arm, drawing, q } = this.actors.find(a => a.drawing.group === object.parent.parent);
     const joint = arm.joints[object.userData.joint];
     hint.textContent = joint ? `${object.name}  moved by ${joint.name} (${joint.kind})` : `${object.name}  fixed`;
-    hint.style.left = `${Math.min(event.clientX + 14, window.innerWidth - 240)}px`;
-    hint.style.top = `${event.clientY + 14}px`;
     if (!joint) return;
     const T = arm.forward(q)[object.userData.joint], along = new THREE.Vector3(...rotate(T, joint.axis));
     axis.position.set(...positionOf(T)).add(drawing.group.position);

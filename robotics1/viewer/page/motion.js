@@ -105,10 +105,10 @@ class Target {
 
 /** The bar: play, pause, step, scrub, speed, loop, clock, and the keys. */
 class Bar {
-  /** onTime is called with each new time. */
-  constructor(duration, onTime) {
+  /** onTime is called with each new time, turned when the play begins or ends. */
+  constructor(duration, onTime, turned) {
     this.duration = duration;
-    this.onTime = onTime;
+    Object.assign(this, { onTime, turned });
     this.time = 0;
     this.playing = false;
     this.held = 0; // seconds at the end of a loop
@@ -148,6 +148,7 @@ class Bar {
   play(yes) {
     if (yes && this.time >= this.duration) this.seek(0);
     this.playing = yes;
+    this.turned(); // on or off
     this.button.textContent = yes ? "❚❚" : "▶";
     this.button.setAttribute("aria-label", yes ? "Pause" : "Play");
     this.last = null;

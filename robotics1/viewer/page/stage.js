@@ -62,13 +62,13 @@ function arrow(length, radius, color) {
   return group;
 }
 
-/** Return three axes with letters: the world's, or the tool's. */
-function triad(size, name) {
+/** Return three axes with letters: the world's, or the tool's, which is small and so bolder. */
+function triad(size, name, bold = 1) {
   const group = new THREE.Group();
   for (const [letter, axis] of [["x", [1, 0, 0]], ["y", [0, 1, 0]], ["z", [0, 0, 1]]]) {
-    const one = arrow(size, 0.022 * size, COLORS[letter]);
+    const one = arrow(size, 0.022 * bold * size, COLORS[letter]);
     one.quaternion.setFromUnitVectors(new THREE.Vector3(1, 0, 0), new THREE.Vector3(...axis));
-    const text = label(letter + name, 0.28 * size, "#" + COLORS[letter].toString(16).padStart(6, "0"));
+    const text = label(letter + name, 0.28 * bold * size, "#" + COLORS[letter].toString(16).padStart(6, "0"));
     text.position.set(...times(1.18 * size, axis));
     group.add(one, text);
   }
@@ -88,12 +88,15 @@ class Stage {
     this.scene.rotation.set(0, 0, 0); // Meshcat turns its y up; here z is up
     this.box = new THREE.Box3();
     this.viewer.set_property(["Lights"], "visible", false);
+    this.beforeDraw = () => {};
     this.light();
     this.look(planar ? "top" : "iso", planar);
     window.addEventListener("resize", () => this.fit());
     const draw = () => {
       requestAnimationFrame(draw);
-      if (this.viewer.needs_render) this.viewer.render();
+      if (!this.viewer.needs_render) return;
+      this.beforeDraw();
+      this.viewer.render();
     };
     draw();
   }
@@ -112,6 +115,44 @@ class Stage {
 
   changed() {
     this.viewer.set_dirty();
+  }
+
+  /** Return where the pointer of an event is [pixels from the left and the top of the scene]. */
+  pixelUnder(event) {
+    const box = this.element.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  /** Return the ray from the eye through a pixel. */
+  rayAt([x, y]) {
+    const { clientWidth, clientHeight } = this.element;
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(
+      new THREE.Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight), this.viewer.camera,
+    );
+    return caster.ray;
+  }
+
+  /** Return the pixel where a point is seen. */
+  pixelOf(point) {
+    const { x, y } = point.clone().project(this.viewer.camera);
+    return [((x + 1) / 2) * this.element.clientWidth, ((1 - y) / 2) * this.element.clientHeight];
+  }
+
+  /** Return the direction in which the eye sees a point. */
+  sight(point) {
+    const { camera } = this.viewer;
+    return camera.isOrthographicCamera
+      ? camera.getWorldDirection(new THREE.Vector3())
+      : point.clone().sub(camera.position).normalize();
+  }
+
+  /** Return how large a pixel is at a point [m]. */
+  pixelAt(point) {
+    const { camera } = this.viewer, { clientHeight } = this.element;
+    if (camera.isOrthographicCamera) return (camera.top - camera.bottom) / camera.zoom / clientHeight;
+    const depth = point.clone().sub(camera.position).dot(camera.getWorldDirection(new THREE.Vector3()));
+    return (2 * depth * Math.tan((camera.fov * Math.PI) / 360)) / clientHeight;
   }
 
   /** Look from the side of a name, without perspective if asked, and fit the scene into the window. */
