@@ -69,7 +69,7 @@ def assert_the_same(found, expected):
             assert np.array_equal(a, b), field.name
         elif isinstance(a, float):
             assert a == pytest.approx(b, abs=1e-9), field.name
-        else:
+        elif field.name not in ("robot", "task"):  # a copy has its own
             assert a == b, field.name
 
 

@@ -164,7 +164,16 @@ def nothing_moves(still, task, folder):
     }
 
 
-RESULTS = {"RobotReport", "Formulas", "IKFormulas", "SingularBranch", "SingularSet", "SingularityScan", "IKSolutions"}
+RESULTS = {
+    "RobotReport",
+    "Formulas",
+    "IKFormulas",
+    "SingularBranch",
+    "SingularSet",
+    "SingularityScan",
+    "IKSolutions",
+    "IKSolutionsBatch",
+}
 CALLS = sorted(
     name
     for name, value in PUBLIC.items()
