@@ -1,6 +1,8 @@
 """What results have in common: they cannot be changed, they explain themselves, and they can be insisted on."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sized
+from dataclasses import fields
+from enum import Enum
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -64,7 +66,20 @@ def _made_again(kind: Callable[..., Any], *values: Any) -> Any:
 
 
 class Frozen:
-    """A base of frozen dataclasses whose arrays are read-only, also in copies and after unpickling."""
+    """A base of frozen dataclasses whose arrays are read-only, also in copies and after unpickling.
+
+    Their `repr` has one line: what it is, short values, and how many there are of the others.
+    """
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        """Give the class this repr before `dataclass` would write another."""
+        super().__init_subclass__(**options)
+        if "__repr__" not in vars(cls):
+            cls.__repr__ = Frozen.__repr__  # type: ignore[method-assign]
+
+    def __repr__(self) -> str:
+        shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
+        return f"{type(self).__name__}({', '.join(f'{name}={_short(getattr(self, name))}' for name in shown)})"
 
     def __post_init__(self) -> None:
         """Make the arrays read-only."""
@@ -73,3 +88,25 @@ class Frozen:
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
         read_only(state.values())
+
+
+FEW = 6  # numbers, or entries, that are written out
+LONG = 60  # characters of a text, or of what has a repr of its own
+
+
+def _short(value: Any) -> str:
+    """Return a value on one line, or what it is and how many there are of it."""
+    match value:
+        case Enum():
+            return str(value.name)
+        case np.ndarray():
+            few = value.ndim < 2 and value.size <= FEW
+            return f"[{', '.join(map(_short, value.tolist()))}]" if few else f"<{value.shape} array>"
+        case tuple() if len(value) <= FEW:
+            return f"({', '.join(map(_short, value))}{',' if len(value) == 1 else ''})"
+        case Frozen():
+            return f"<{type(value).__name__}>"
+    text = f"{value:.6g}" if isinstance(value, float) else repr(value)
+    if len(text) <= LONG and "\n" not in text:
+        return text
+    return f"<{type(value).__name__}{f' of {len(value)}' if isinstance(value, Sized) else ''}>"

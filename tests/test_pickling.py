@@ -211,3 +211,13 @@ def test_an_error_comes_back_from_a_worker_with_its_data():
 
 def test_a_warning_can_be_pickled():
     assert str(pickled(r1.RobotWarning("odd"))) == "odd"
+
+
+@pytest.mark.parametrize("name", [name for name in CLASSES if issubclass(PUBLIC[name], Frozen)])
+def test_the_repr_of_a_result_is_one_line(name):
+    for x in INSTANCES[name]():
+        text = repr(x)
+        assert text.startswith(f"{type(x).__name__}(")
+        assert text.endswith(")")
+        assert "\n" not in text
+        assert len(text) < 700
