@@ -191,7 +191,9 @@ INSTANCES = {
     "IKIteration": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q)],
     "IKResult": lambda: [r1.solve_ik(arm("planar_2r"), PLANE, TARGET), r1.solve_ik(arm("planar_2r"), PLANE, [9, 9])],
     "IKSolutions": lambda: [r1.ik_solutions(arm("planar_2r"), PLANE, TARGET)],
-    "IKSolutionsBatch": lambda: [r1.ik.SolutionSolver(arm("planar_2r"), PLANE).solve_batch([TARGET, [0.5, 0.5]])],
+    "IKSolutionsBatch": lambda: [
+        r1.ik.SolutionSolver(arm("planar_2r"), r1.FunctionTask(squared_distance, 1), starts=3).solve_batch([[1], [2]])
+    ],
     "IKSolver": lambda: [
         r1.IKSolver(arm("planar_2r"), PLANE, seed=3),
         r1.IKSolver(arm("six_r"), r1.PoseTask(), prefer="middle", tolerance=1e-8),
