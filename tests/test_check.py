@@ -4,6 +4,7 @@ import command
 import pytest
 
 from robotics1 import check_robot
+from robotics1.dh import dh_to_urdf
 
 BAD = """<robot name="bad">
   <link name="base"/>
@@ -97,3 +98,13 @@ def test_ill_formed_xml_is_one_error_with_its_line(tmp_path):
     path.write_text("<robot name='a'>\n<link name='b'>\n</robot>")
     (error,) = check_robot(path).errors
     assert (error.line, error.message) == (3, "it is not well-formed XML: mismatched tag")
+
+
+def test_rounding_of_an_arm_of_a_million_metres_is_no_difference_of_the_parsers(tmp_path):
+    """Its coordinates are known to 1e-10 m only; a metre too much is a difference of any arm."""
+    file, table = tmp_path / "crane.urdf", tmp_path / "crane.csv"
+    dh_to_urdf([("R", 1e6, 0.3, 7e5, 0.1), ("R", 8e5, -0.7, 0, 0.2), ("R", 1e6, 0, 3e5, 0)], file)
+    assert check_robot(file).fk_difference < 1e-12
+    for a, code in (("1e6", 0), ("1000001", 1)):
+        table.write_text(f"type,a,alpha,d,theta\nR,{a},0.3,7e5,0.1\nR,8e5,-0.7,0,0.2\nR,1e6,0,3e5,0\n")
+        assert run(file, "--dh", table).code == code

@@ -21,7 +21,7 @@ from robotics1.report.tables import table
 from robotics1.robot.joints import Joint, tips
 from robotics1.robot.loading import check_robot
 from robotics1.robot.model import Robot
-from robotics1.robot.report import AGREES, RobotReport, random_configurations
+from robotics1.robot.report import AGREES, RobotReport, random_configurations, relative_difference
 
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
 
@@ -78,8 +78,8 @@ def _difference_from(robot: Robot, other: Robot) -> float:
         raise InputError(f"the DH table has {other.nq} joints, and the tool of the robot hangs on {robot.nq}")
     worst = 0.0
     for q in random_configurations(robot, 20, np.random.default_rng(0)):
-        difference = forward_kinematics(robot, q).homogeneous - forward_kinematics(other, q).homogeneous
-        worst = max(worst, float(np.abs(difference).max()))
+        poses = (forward_kinematics(arm, q).homogeneous for arm in (robot, other))
+        worst = max(worst, relative_difference(*poses))
     return worst
 
 

@@ -16,7 +16,7 @@ from robotics1.robot.model import Robot
 
 LARGEST = 1e18  # of lengths, angles and factors: sums and products of a few of them stay finite
 CONFIGURATIONS = 10  # at which forward kinematics is compared
-AGREES = 1e-9  # largest difference of an entry of a pose that is rounding [m or 1]
+AGREES = 1e-9  # largest difference of an entry of a pose that is rounding, relative to the larger of 1 and the pose
 
 
 @dataclass(frozen=True)
@@ -107,8 +107,8 @@ class RobotReport:
         errors: what makes it unusable; empty for a robot.
         warnings: what is odd but harmless.
         robot: what was understood, or None.
-        fk_difference: the largest difference between its forward kinematics and yourdfpy's, over all links; None
-            when it was not compared.
+        fk_difference: the largest difference between its forward kinematics and yourdfpy's, over all links, relative
+            to the larger of 1 and the entries of the pose; None when it was not compared.
     """
 
     path: Path
@@ -147,7 +147,8 @@ class NotComparable(Exception):  # noqa: N818 (an outcome of this module alone)
 
 
 def difference_from_yourdfpy(robot: Robot, text: str) -> float:
-    """Return the largest difference of forward kinematics from yourdfpy's own reading of a URDF text, over all links.
+    """Return the largest difference of forward kinematics from yourdfpy's own reading of a URDF text, over all links,
+    relative to the larger of 1 and the entries of the pose.
 
     Raises:
         MissingExtraError: yourdfpy is not installed.
@@ -175,5 +176,10 @@ def difference_from_yourdfpy(robot: Robot, text: str) -> float:
         pin.framesForwardKinematics(robot.model, robot.data, q)
         for link in robot.frame_names:
             ours = robot.data.oMf[robot.frame_id(link)].homogeneous
-            worst = max(worst, float(np.abs(ours - other.get_transform(link, other.base_link)).max()))
+            worst = max(worst, relative_difference(ours, other.get_transform(link, other.base_link)))
     return worst
+
+
+def relative_difference(T: Array, other: Array) -> float:
+    """Return the largest difference of two poses (4, 4), relative to the larger of 1 and the entries of T."""
+    return float(np.abs(T - other).max() / max(1.0, np.abs(T).max()))
