@@ -129,6 +129,7 @@ def paths():
         r1.curves.frenet_path(r1.curves.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2)),
         r1.curves.slerp_path(np.eye(3), pin.exp3(np.array([0.1, 0.2, 0.3]))),
         r1.curves.pose_line(pin.SE3.Identity(), pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
+        r1.curves.screw_path(pin.SE3.Identity(), pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
     ]
 
 
@@ -234,6 +235,11 @@ INSTANCES = {
     "Robot": lambda: list(robots().values()),
     "RoundedConfiguration": lambda: [
         r1.singularities.singularity_within_rounding(arm("planar_2r"), PLANE, q) for q in ([0.3, 3.1416], [0.3, 1.25])
+    ],
+    "Screw": lambda: [
+        r1.rigid_motions.displacement_screw(pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
+        r1.rigid_motions.displacement_screw(pin.SE3(np.eye(3), np.ones(3))),
+        r1.rigid_motions.displacement_screw(pin.SE3.Identity()),
     ],
     "SingularAngle": lambda: list(r1.orientation.euler_formulas("ZYZ").singular),
     "SingularBranch": lambda: [branch for found in singular_sets() for branch in found.branches],

@@ -1,0 +1,15 @@
+"""The public names of `robotics1.rigid_motions`, and where they are."""
+
+from .changes_of_frame import adjoint, transform_wrench
+from .exponential import pose_exp, pose_log
+from .screw import Screw, displacement_screw, twist_screw
+
+__all__ = [
+    "Screw",
+    "adjoint",
+    "displacement_screw",
+    "pose_exp",
+    "pose_log",
+    "transform_wrench",
+    "twist_screw",
+]
