@@ -43,6 +43,9 @@ def robots():
         "locked": r1.load_robot("prr", locked={"q1": 0.2}),
         "table": r1.robot_from_dh(spherical, lower=[-1, None, -2], upper=[1, None, 2]),
         "table with names": r1.robot_from_dh(named, parameters={"l1": 0.4, "l2": 0.5}),
+        "screws": r1.rigid_motions.robot_from_screws(
+            np.eye(4), space=[([0, 0, 1], [0, -0.4, 0.1]), ([0, 0, 0], [1, 0, 0])]
+        ),
         "point": r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]).robot,
         "two tips": arm("two_tips"),
     }
@@ -70,6 +73,12 @@ def formulas():
 def scan():
     measures = ("sigma_min", "manipulability")
     return r1.scan_singularities(arm("planar_2r"), PLANE, samples=500, measures=measures, refine=8)
+
+
+@cache
+def manipulabilities():
+    """At a regular and at a singular configuration."""
+    return [r1.singularities.manipulability(arm("planar_2r"), PLANE, q) for q in (Q, [0.3, 0])]
 
 
 @cache
@@ -159,6 +168,7 @@ INSTANCES = {
     ],
     "DHRow": lambda: [r1.dh.DHRow("R", 1.0, 0.0, "l", 0.0)],
     "DHTable": lambda: [r1.dh.urdf_to_dh(arm("six_r")), r1.dh.urdf_to_dh(arm("prr"), convention="modified")],
+    "Ellipsoid": lambda: [found.force_ellipsoid for found in manipulabilities()],
     "EulerFormulas": lambda: [r1.orientation.euler_formulas("ZYZ")],
     "EulerRates": lambda: [r1.orientation.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
     "EulerSequence": lambda: [r1.orientation.euler_formulas("ZYZ").sequence],
@@ -201,6 +211,7 @@ INSTANCES = {
         *r1.trajectories.limit_violations(arm("planar_2r"), cubic(), r1.MotionLimits(0.1)),
     ],
     "LinearMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
+    "Manipulability": manipulabilities,
     "MeasureDistribution": lambda: list(scan().distributions.values()),
     "MeetingBranch": lambda: list(meeting().branches),
     "MeetingStatus": lambda: list(r1.trajectories.MeetingStatus),
@@ -254,6 +265,7 @@ INSTANCES = {
     "TimeScaling": lambda: [r1.trajectories.scale_to_limits(cubic(), LIMITS)],
     "TimingBounds": lambda: [r1.trajectories.timing_bounds(r1.curves.ellipse_path([0, 0], [2, 0], [0, 1]), 1.0, 2.0)],
     "Tracking": lambda: [r1.simulate_tracking(cubic(), [0.1, 1], 2.0)],
+    "Transmission": lambda: [found.transmission([1, 2]) for found in manipulabilities()],
     "TrigSolutions": lambda: [r1.ik.solve_trig(1, 2, 0.5), r1.ik.solve_trig("a", "b", 0)],
     "UnitQuaternions": lambda: [r1.orientation.rotation_to_quaternion(pin.exp3(np.ones(3)))],
     "VelocityProfile": lambda: [

@@ -75,8 +75,8 @@ class DHTable:
         """Check the arguments, and copy them."""
         one_of("convention", self.convention, CONVENTIONS)
         rows = _rows(self.rows)
-        lower = _limits("lower", self.lower, len(rows), -math.inf)
-        upper = _limits("upper", self.upper, len(rows), math.inf)
+        lower = joint_limits("lower", self.lower, len(rows), -math.inf)
+        upper = joint_limits("upper", self.upper, len(rows), math.inf)
         for i, (a, b) in enumerate(zip(lower, upper, strict=True), 1):
             if a > b or a == math.inf or b == -math.inf:
                 raise InputError(f"the limits of q{i} must have lower ≤ upper; they are {a:g} and {b:g}")
@@ -227,8 +227,12 @@ def _values(rows: tuple[DHRow, ...], parameters: Mapping[str, float]) -> dict[st
     return {name: real_number(f"parameter {name!r}", parameters[name]) for name in names}
 
 
-def _limits(name: str, value: Limits, n: int, none: float) -> Array:
-    """Return limits (n,), with `none`, an infinity, for each None."""
+def joint_limits(name: str, value: Limits, n: int, none: float) -> Array:
+    """Return limits (n,), with `none`, an infinity, for each None.
+
+    Raises:
+        InputError: there is not one number or None for each joint.
+    """
     if value is None:
         return np.full(n, none)
     try:

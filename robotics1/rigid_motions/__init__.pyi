@@ -2,6 +2,7 @@
 
 from .changes_of_frame import adjoint, transform_wrench
 from .exponential import pose_exp, pose_log
+from .product_of_exponentials import robot_from_screws, screws
 from .screw import Screw, displacement_screw, twist_screw
 
 __all__ = [
@@ -10,6 +11,8 @@ __all__ = [
     "displacement_screw",
     "pose_exp",
     "pose_log",
+    "robot_from_screws",
+    "screws",
     "transform_wrench",
     "twist_screw",
 ]
