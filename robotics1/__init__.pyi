@@ -1,6 +1,6 @@
 """The public names at the top, and the namespaces that hold the others; `__init__.py` reads this file."""
 
-from . import control, curves, dh, ik, orientation, plots, rigid_motions, singularities, trajectories
+from . import control, curves, dh, ik, orientation, plots, rigid_motions, singularities, textbook_robots, trajectories
 from .control import simulate_tracking
 from .curves.arcs import line_path
 from .dh.to_robot import robot_from_dh
@@ -21,7 +21,6 @@ from .ik.solutions import ik_solutions
 from .ik.solver import IKSolver, solve_ik
 from .kinematics import forward_kinematics, frame_jacobian, frame_jacobian_rate
 from .least_squares import RANK_TOLERANCE
-from .plots.against_time import plot_trajectory
 from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
 from .robot.report import RobotReport
@@ -95,7 +94,6 @@ __all__ = [
     "load_robot",
     "minimum_time",
     "orientation",
-    "plot_trajectory",
     "plots",
     "quintic",
     "rendezvous",
@@ -106,6 +104,7 @@ __all__ = [
     "singularities",
     "solve_ik",
     "subspaces",
+    "textbook_robots",
     "trajectories",
     "trapezoidal",
     "view",
