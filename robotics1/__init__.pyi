@@ -35,9 +35,9 @@ from .tasks.planar_pose import PlanarPoseTask
 from .tasks.pointing import PointingTask
 from .tasks.pose import OrientationTask, PoseTask
 from .tasks.position import PositionTask
+from .tasks.stacked import StackedTask
 from .tasks.task import Task
 from .trajectories.elementary import cubic, quintic
-from .trajectories.following.joint_rates import joint_velocity
 from .trajectories.following.path_following import follow_trajectory
 from .trajectories.least_time_of_joints import minimum_time
 from .trajectories.limits import MotionLimits
@@ -68,6 +68,7 @@ __all__ = [
     "RobotReport",
     "RobotWarning",
     "Robotics1Error",
+    "StackedTask",
     "Task",
     "TaskError",
     "UnknownNameError",
@@ -89,7 +90,6 @@ __all__ = [
     "ik_formulas",
     "ik_solutions",
     "iterate_ik",
-    "joint_velocity",
     "line_path",
     "load_robot",
     "minimum_time",

@@ -44,9 +44,9 @@ def robots():
         "table": r1.robot_from_dh(spherical, lower=[-1, None, -2], upper=[1, None, 2]),
         "table with names": r1.robot_from_dh(named, parameters={"l1": 0.4, "l2": 0.5}),
         "screws": r1.rigid_motions.robot_from_screws(
-            np.eye(4), space=[([0, 0, 1], [0, -0.4, 0.1]), ([0, 0, 0], [1, 0, 0])]
+            np.eye(4), space=[([0, 0, 1], [0, -0.4, 0]), ([0, 0, 0], [1, 0, 0])]
         ),
-        "planar": r1.textbook_robots.planar_arm("RPR", ["l1", 0.5], parameters={"l1": 0.4}, absolute=True),
+        "planar": r1.textbook_robots.planar_arm("RPR", ["l1", 0.5], parameters={"l1": 0.4}),
         "point": r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]).robot,
         "two tips": arm("two_tips"),
     }
@@ -259,6 +259,10 @@ INSTANCES = {
     "SingularTarget": lambda: list(inverse().singular_if),
     "SingularityScan": lambda: [scan()],
     "StackedCurve": lambda: [r1.curves.stacked_path([r1.line_path([0], [1]), r1.line_path([1], [3])])],
+    "StackedTask": lambda: [
+        r1.StackedTask([r1.PositionTask("x"), r1.PositionTask("y")]),
+        r1.StackedTask([r1.PoseTask(), r1.PositionTask("z", frame="tool")]),
+    ],
     "Subspaces": lambda: [r1.subspaces(PLANE.jacobian(arm("planar_2r"), q)) for q in (Q, [0.3, 0])],
     "TargetMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "Task": lambda: [r1.PositionTask()],

@@ -22,6 +22,7 @@ TASKS = {
     "angles": r1.PoseTask(angles="XYZ"),
     "pointing": r1.PointingTask("x"),
     "tool axes": r1.PositionTask("xy", reference="tool"),
+    "stacked": r1.StackedTask([r1.PositionTask("xz"), r1.PlanarPoseTask()]),
     "function": r1.FunctionTask(lambda p, R, q: [p @ p], 1),
     "function with a Jacobian": r1.FunctionTask(lambda p, R, q: [p @ p], 1, lambda p, R, q: np.zeros((1, 0))),
 }
