@@ -63,7 +63,7 @@ def robot_from_screws(
         if least > most:
             raise InputError(f"the limits of q{i} must have lower ≤ upper; they are {least:g} and {most:g}")
     joints: list[Joint] = []
-    origin = np.zeros(3)
+    origin: Array = np.zeros(3)
     for i, twist in enumerate(twists, 1):
         parent = joints[-1].child if joints else "base"
         added, origin = _joints_of(i, twist, parent, origin, limits[0][i - 1], limits[1][i - 1])
