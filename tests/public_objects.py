@@ -44,9 +44,9 @@ def robots():
         "table": r1.robot_from_dh(spherical, lower=[-1, None, -2], upper=[1, None, 2]),
         "table with names": r1.robot_from_dh(named, parameters={"l1": 0.4, "l2": 0.5}),
         "screws": r1.rigid_motions.robot_from_screws(
-            np.eye(4), space=[([0, 0, 1], [0, -0.4, 0]), ([0, 0, 0], [1, 0, 0])]
+            np.eye(4), space=[([0, 0, 1], [0, -0.4, 0.1]), ([0, 0, 0], [1, 0, 0])]
         ),
-        "planar": r1.textbook_robots.planar_arm("RPR", ["l1", 0.5], parameters={"l1": 0.4}),
+        "planar": r1.textbook_robots.planar_arm("RPR", ["l1", 0.5], parameters={"l1": 0.4}, absolute=True),
         "point": r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]).robot,
         "two tips": arm("two_tips"),
     }
