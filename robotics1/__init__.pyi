@@ -1,6 +1,6 @@
 """The public names at the top, and the namespaces that hold the others; `__init__.py` reads this file."""
 
-from . import control, curves, dh, ik, orientation, plots, singularities, trajectories
+from . import control, curves, dh, ik, orientation, plots, rigid_motions, singularities, textbook_robots, trajectories
 from .control import simulate_tracking
 from .curves.arcs import line_path
 from .dh.to_robot import robot_from_dh
@@ -21,7 +21,6 @@ from .ik.solutions import ik_solutions
 from .ik.solver import IKSolver, solve_ik
 from .kinematics import forward_kinematics, frame_jacobian, frame_jacobian_rate
 from .least_squares import RANK_TOLERANCE
-from .plots.against_time import plot_trajectory
 from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
 from .robot.report import RobotReport
@@ -36,9 +35,9 @@ from .tasks.planar_pose import PlanarPoseTask
 from .tasks.pointing import PointingTask
 from .tasks.pose import OrientationTask, PoseTask
 from .tasks.position import PositionTask
+from .tasks.stacked import StackedTask
 from .tasks.task import Task
 from .trajectories.elementary import cubic, quintic
-from .trajectories.following.joint_rates import joint_acceleration, joint_velocity
 from .trajectories.following.path_following import follow_trajectory
 from .trajectories.least_time_of_joints import minimum_time
 from .trajectories.limits import MotionLimits
@@ -69,6 +68,7 @@ __all__ = [
     "RobotReport",
     "RobotWarning",
     "Robotics1Error",
+    "StackedTask",
     "Task",
     "TaskError",
     "UnknownNameError",
@@ -90,22 +90,21 @@ __all__ = [
     "ik_formulas",
     "ik_solutions",
     "iterate_ik",
-    "joint_acceleration",
-    "joint_velocity",
     "line_path",
     "load_robot",
     "minimum_time",
     "orientation",
-    "plot_trajectory",
     "plots",
     "quintic",
     "rendezvous",
+    "rigid_motions",
     "robot_from_dh",
     "scan_singularities",
     "simulate_tracking",
     "singularities",
     "solve_ik",
     "subspaces",
+    "textbook_robots",
     "trajectories",
     "trapezoidal",
     "view",

@@ -4,9 +4,11 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from robotics1.errors import UnknownNameError
-from robotics1.inputs import Array, a_robot, real_array
+from robotics1.errors import InputError, UnknownNameError
+from robotics1.inputs import Array, a_robot, one_of, real_array
 from robotics1.robot.model import Robot
+
+KINDS = {"mixed": pin.LOCAL_WORLD_ALIGNED, "space": pin.WORLD, "body": pin.LOCAL}
 
 
 def forward_kinematics(robot: Robot, q: npt.ArrayLike, *, frame: str | None = None) -> pin.SE3:
@@ -28,32 +30,59 @@ def forward_kinematics(robot: Robot, q: npt.ArrayLike, *, frame: str | None = No
     return pin.SE3(pin.updateFramePlacement(robot.model, robot.data, number))
 
 
-def frame_jacobian(robot: Robot, q: npt.ArrayLike, *, frame: str | None = None, reference: str = "world") -> Array:
-    """Return J(q), (6, nv), with (v, ω) = J q̇: the velocity [m/s] of the frame's origin over its angular
-    velocity [rad/s], both relative to the world and written in world axes.
+def frame_jacobian(
+    robot: Robot,
+    q: npt.ArrayLike,
+    *,
+    frame: str | None = None,
+    reference: str = "world",
+    kind: str = "mixed",
+    angular_first: bool = False,
+) -> Array:
+    """Return J(q), (6, nv), with (v, ω) = J q̇: the velocity [m/s] of a point over the angular velocity [rad/s] of the
+    frame, both relative to the world.
+
+    ========  ====================================  ================  =========
+    kind      the point that v belongs to           axes of the rows  written
+    ========  ====================================  ================  =========
+    "mixed"   the frame's origin                    the world's       J
+    "space"   that of the frame's body which is at  the world's       J_s
+              the world's origin
+    "body"    the frame's origin                    the frame's own   J_b
+    ========  ====================================  ================  =========
+
+    With T = (R, p) the pose of the frame: J_b = diag(Rᵀ, Rᵀ) J and J_s = Ad_T J_b; J_s q̇ is the spatial twist,
+    [V_s] = Ṫ T⁻¹, and J_b q̇ the body twist, [V_b] = T⁻¹ Ṫ.
 
     Args:
         robot: the robot.
         q: (nq,) configuration [rad or m].
         frame: whose velocity; by default the tool's.
-        reference: the axes the rows are written in: "world", "tool", or the name of a frame.
+        reference: the axes the rows of a mixed Jacobian are written in: "world", "tool", or the name of a frame.
             ʳJ = diag(R_rᵀ, R_rᵀ) J: the same velocity, other axes.
+        kind: "mixed", "space" or "body".
+        angular_first: the rows of ω over those of v, as Lynch and Park write twists.
 
     Raises:
-        InputError: q has the wrong shape or is not finite.
+        InputError: q has the wrong shape or is not finite; or kind is none of these, or has other axes than reference.
         UnknownNameError: there is no such frame or reference.
 
-    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.1.
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.1; Lynch, Park, Modern Robotics, 2017,
+    section 5.1 (space and body).
     """
     a_robot(robot)
     q = robot.configuration(q)
     number = robot.frame_id(frame)
-    J = pin.computeFrameJacobian(robot.model, robot.data, q, number, pin.LOCAL_WORLD_ALIGNED)
+    J = pin.computeFrameJacobian(robot.model, robot.data, q, number, KINDS[one_of("kind", kind, tuple(KINDS))])
     J = J.reshape(6, robot.nv)  # Pinocchio drops the second axis of a single column
     if not _is(reference, "world"):
         R = reference_axes(robot, q, reference)
+        if kind != "mixed":
+            raise InputError(
+                f"a {kind} Jacobian has axes of its own, so that reference must stay 'world'; it is {reference!r}"
+            )
         J = np.vstack([R.T @ J[:3], R.T @ J[3:]])
-    return np.asarray(J)
+    return np.asarray(np.roll(J, 3, axis=0) if angular_first else J)
 
 
 def frame_jacobian_rate(

@@ -43,6 +43,10 @@ def robots():
         "locked": r1.load_robot("prr", locked={"q1": 0.2}),
         "table": r1.robot_from_dh(spherical, lower=[-1, None, -2], upper=[1, None, 2]),
         "table with names": r1.robot_from_dh(named, parameters={"l1": 0.4, "l2": 0.5}),
+        "screws": r1.rigid_motions.robot_from_screws(
+            np.eye(4), space=[([0, 0, 1], [0, -0.4, 0.1]), ([0, 0, 0], [1, 0, 0])]
+        ),
+        "planar": r1.textbook_robots.planar_arm("RPR", ["l1", 0.5], parameters={"l1": 0.4}, absolute=True),
         "point": r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]).robot,
         "two tips": arm("two_tips"),
     }
@@ -70,6 +74,12 @@ def formulas():
 def scan():
     measures = ("sigma_min", "manipulability")
     return r1.scan_singularities(arm("planar_2r"), PLANE, samples=500, measures=measures, refine=8)
+
+
+@cache
+def manipulabilities():
+    """At a regular and at a singular configuration."""
+    return [r1.singularities.manipulability(arm("planar_2r"), PLANE, q) for q in (Q, [0.3, 0])]
 
 
 @cache
@@ -129,6 +139,7 @@ def paths():
         r1.curves.frenet_path(r1.curves.helix_path([0, 0, 0], [1, 0, 0], 0.2, 2)),
         r1.curves.slerp_path(np.eye(3), pin.exp3(np.array([0.1, 0.2, 0.3]))),
         r1.curves.pose_line(pin.SE3.Identity(), pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
+        r1.curves.screw_path(pin.SE3.Identity(), pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
     ]
 
 
@@ -163,6 +174,7 @@ INSTANCES = {
     ],
     "DHRow": lambda: [r1.dh.DHRow("R", 1.0, 0.0, "l", 0.0)],
     "DHTable": lambda: [r1.dh.urdf_to_dh(arm("six_r")), r1.dh.urdf_to_dh(arm("prr"), convention="modified")],
+    "Ellipsoid": lambda: [found.force_ellipsoid for found in manipulabilities()],
     "EulerFormulas": lambda: [r1.orientation.euler_formulas("ZYZ")],
     "EulerRates": lambda: [r1.orientation.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
     "EulerSequence": lambda: [r1.orientation.euler_formulas("ZYZ").sequence],
@@ -219,6 +231,7 @@ INSTANCES = {
         *r1.trajectories.limit_violations(arm("planar_2r"), cubic(), r1.MotionLimits(0.1)),
     ],
     "LinearMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
+    "Manipulability": manipulabilities,
     "MeasureDistribution": lambda: list(scan().distributions.values()),
     "MeetingBranch": lambda: list(meeting().branches),
     "MeetingStatus": lambda: list(r1.trajectories.MeetingStatus),
@@ -254,12 +267,21 @@ INSTANCES = {
     "RoundedConfiguration": lambda: [
         r1.singularities.singularity_within_rounding(arm("planar_2r"), PLANE, q) for q in ([0.3, 3.1416], [0.3, 1.25])
     ],
+    "Screw": lambda: [
+        r1.rigid_motions.displacement_screw(pin.SE3(pin.exp3(np.array([0.1, 0.2, 0.3])), np.ones(3))),
+        r1.rigid_motions.displacement_screw(pin.SE3(np.eye(3), np.ones(3))),
+        r1.rigid_motions.displacement_screw(pin.SE3.Identity()),
+    ],
     "SingularAngle": lambda: list(r1.orientation.euler_formulas("ZYZ").singular),
     "SingularBranch": lambda: [branch for found in singular_sets() for branch in found.branches],
     "SingularSet": singular_sets,
     "SingularTarget": lambda: list(inverse().singular_if),
     "SingularityScan": lambda: [scan()],
     "StackedCurve": lambda: [r1.curves.stacked_path([r1.line_path([0], [1]), r1.line_path([1], [3])])],
+    "StackedTask": lambda: [
+        r1.StackedTask([r1.PositionTask("x"), r1.PositionTask("y")]),
+        r1.StackedTask([r1.PoseTask(), r1.PositionTask("z", frame="tool")]),
+    ],
     "Subspaces": lambda: [r1.subspaces(PLANE.jacobian(arm("planar_2r"), q)) for q in (Q, [0.3, 0])],
     "TargetMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "Task": lambda: [r1.PositionTask()],
@@ -267,6 +289,7 @@ INSTANCES = {
     "TimeScaling": lambda: [r1.trajectories.scale_to_limits(cubic(), LIMITS)],
     "TimingBounds": lambda: [r1.trajectories.timing_bounds(r1.curves.ellipse_path([0, 0], [2, 0], [0, 1]), 1.0, 2.0)],
     "Tracking": lambda: [r1.simulate_tracking(cubic(), [0.1, 1], 2.0)],
+    "Transmission": lambda: [found.transmission([1, 2]) for found in manipulabilities()],
     "TrigSolutions": lambda: [r1.ik.solve_trig(1, 2, 0.5), r1.ik.solve_trig("a", "b", 0)],
     "UnitQuaternions": lambda: [r1.orientation.rotation_to_quaternion(pin.exp3(np.ones(3)))],
     "VelocityProfile": lambda: [

@@ -6,7 +6,8 @@ from arms import arm, random_q
 
 import robotics1 as r1
 from robotics1 import plots
-from robotics1.plots.ellipsoid_shadows import force_shadow, velocity_shadow
+from robotics1.plots.ellipsoid_shadows import shadow_of
+from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipsoid
 
 PLANE = r1.PositionTask("xy")
 PLANES = [(0, 1), (0, 2), (1, 2)]
@@ -49,8 +50,8 @@ def test_a_shadow_has_the_support_of_its_ellipsoid(name, plane):
         normal = np.zeros(3)
         normal[list(plane)] = n
         for shadow, support in (
-            (velocity_shadow(J, plane), np.linalg.norm(J.T @ normal)),
-            (force_shadow(J, plane), np.sqrt(normal @ np.linalg.solve(J @ J.T, normal))),
+            (shadow_of(velocity_ellipsoid(J), plane), np.linalg.norm(J.T @ normal)),
+            (shadow_of(force_ellipsoid(J), plane), np.sqrt(normal @ np.linalg.solve(J @ J.T, normal))),
         ):
             assert (shadow.boundary @ n).max() == pytest.approx(support, rel=1e-3)  # of 121 points
             assert (shadow.boundary @ n).max() <= support * (1 + 1e-12)
@@ -72,12 +73,12 @@ def test_where_the_arm_is_stretched_velocity_is_a_segment_and_force_is_between_t
 
 def test_a_shadow_of_forces_that_nothing_bounds_is_a_whole_plane():
     J = np.array([[1.0], [0.0], [0.0]])
-    assert not force_shadow(J, (1, 2)).bounded
-    assert len(force_shadow(J, (1, 2)).edges) == 0
-    assert len(force_shadow(J, (0, 1)).edges) == 2
-    assert force_shadow(J, (0, 1)).edges[0] == pytest.approx([1, 0]) or force_shadow(J, (0, 1)).edges[
-        0
-    ] == pytest.approx([-1, 0])
+    assert not shadow_of(force_ellipsoid(J), (1, 2)).bounded
+    assert len(shadow_of(force_ellipsoid(J), (1, 2)).edges) == 0
+    assert len(shadow_of(force_ellipsoid(J), (0, 1)).edges) == 2
+    assert shadow_of(force_ellipsoid(J), (0, 1)).edges[0] == pytest.approx([1, 0]) or shadow_of(
+        force_ellipsoid(J), (0, 1)
+    ).edges[0] == pytest.approx([-1, 0])
 
 
 def test_a_position_in_space_is_drawn_in_three_planes_of_one_scale(tmp_path):

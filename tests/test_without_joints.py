@@ -22,6 +22,7 @@ TASKS = {
     "angles": r1.PoseTask(angles="XYZ"),
     "pointing": r1.PointingTask("x"),
     "tool axes": r1.PositionTask("xy", reference="tool"),
+    "stacked": r1.StackedTask([r1.PositionTask("xz"), r1.PlanarPoseTask()]),
     "function": r1.FunctionTask(lambda p, R, q: [p @ p], 1),
     "function with a Jacobian": r1.FunctionTask(lambda p, R, q: [p @ p], 1, lambda p, R, q: np.zeros((1, 0))),
 }
@@ -134,6 +135,8 @@ def nothing_moves(still, task, folder):
         "joint_velocity": lambda: r1.joint_velocity(still, task, np.zeros(3), []),
         "joint_acceleration": lambda: r1.joint_acceleration(still, task, np.zeros(3), [], []),
         "singularity_within_rounding": lambda: r1.singularities.singularity_within_rounding(still, task, []),
+        "screws": lambda: r1.rigid_motions.screws(still),
+        "manipulability": lambda: r1.singularities.manipulability(still, task, []),
         "formulas": lambda: r1.formulas(still, task),
         "find_singularities": lambda: r1.find_singularities(still, task),
         "scan_singularities": lambda: r1.scan_singularities(still, task, samples=10),

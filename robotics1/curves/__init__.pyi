@@ -8,7 +8,7 @@ from .harmonic import HarmonicCurve
 from .interpolants import Extreme
 from .piecewise_polynomial import PiecewisePolynomial
 from .polyline import parabolic_blends, polyline_path
-from .pose_path import PosePath, pose_line
+from .pose_path import PosePath, pose_line, screw_path
 from .rotations import euler_path, slerp_path, turn_path
 from .sequence import CurveSequence, Join
 from .stack import JointTrajectory, StackedCurve, stacked_path
@@ -43,6 +43,7 @@ __all__ = [
     "parabolic_blends",
     "polyline_path",
     "pose_line",
+    "screw_path",
     "slerp_path",
     "stacked_path",
     "stretched",

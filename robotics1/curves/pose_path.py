@@ -6,12 +6,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.curves.arcs import line_path
+from robotics1.curves.arcs import line_path, turning
 from robotics1.curves.curve import Curve, Side
 from robotics1.curves.given import as_path
-from robotics1.curves.rotations import RotationPath, slerp_path
+from robotics1.curves.rotations import FixedAxisRotation, RotationPath, slerp_path
 from robotics1.errors import InputError
 from robotics1.inputs import Array, moderate_array
+
+STILL = 1e-12  # of the coordinates: an origin that moves less stands still
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,8 +105,40 @@ def pose_line(T0: Any, T1: Any) -> PosePath:
 
     start, last = homogeneous("T0", T0), homogeneous("T1", T1)
     p0, p1 = start.translation, last.translation
-    still = np.linalg.norm(p1 - p0) <= 1e-12 * max(np.abs(p0).max(), np.abs(p1).max())
+    still = np.linalg.norm(p1 - p0) <= STILL * max(np.abs(p0).max(), np.abs(p1).max())
     orientation = slerp_path(start.rotation, last.rotation)
     if still and orientation.end == 0:
         raise InputError("T0 and T1 must be different poses; they are the same")
     return PosePath(p0 if still else line_path(p0, p1), orientation)
+
+
+def screw_path(T0: Any, T1: Any) -> PosePath:
+    """Return the screw motion between two poses, T(s) = e^([S] θ(s)) T_0: a turn about one axis with a slide along it.
+
+    Each point of the body moves on a helix about that axis. s is the length passed by the origin of the frame, or where
+    that stands still the angle. The twist is constant, in the world and in the body. `pose_line` goes through the same
+    orientations, with the origin on a line.
+
+    Args:
+        T0, T1: `pin.SE3`, or homogeneous matrices (4, 4).
+
+    Raises:
+        InputError: T0 or T1 is no pose, or they are the same.
+
+    Source: Lynch, Park, Modern Robotics, 2017, section 9.2.1.
+    """
+    from robotics1.rigid_motions.screw import displacement_screw
+    from robotics1.robot.placements import homogeneous
+
+    start, last = homogeneous("T0", T0), homogeneous("T1", T1)
+    screw = displacement_screw(last * start.inverse())
+    if screw.axis is None or screw.angle == 0:
+        return pose_line(start, last)
+    r, p0 = screw.axis, np.array(start.translation)
+    centre = screw.point + r @ (p0 - screw.point) * r
+    a, rise = p0 - centre, screw.pitch * r
+    orientation = FixedAxisRotation(np.array(start.rotation), r, screw.angle)
+    size = max(np.abs(p0).max(), np.abs(last.translation).max())
+    if np.hypot(np.linalg.norm(a), np.linalg.norm(rise)) * screw.angle <= STILL * size:
+        return PosePath(p0, orientation)
+    return PosePath(turning(centre, a, np.cross(r, a), rise, screw.angle), orientation)

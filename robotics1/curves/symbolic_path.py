@@ -83,7 +83,7 @@ def formula_path(
 
     if isinstance(formulas, str) or not np.iterable(formulas):
         raise InputError(f"formulas must be one for each coordinate, as [R*cos(s), R*sin(s)]; they are {formulas!r}")
-    entries = [_expression(formula) for formula in formulas]
+    entries = [formula_of(formula) for formula in formulas]
     if not entries:
         raise InputError("formulas must be one for each coordinate; there is none")
     column = sympy.Matrix(entries)
@@ -99,8 +99,12 @@ def formula_path(
     return path
 
 
-def _expression(formula: Any) -> Any:
-    """Return a coordinate as an expression without infinities and imaginary numbers."""
+def formula_of(formula: Any) -> Any:
+    """Return a coordinate as an expression without infinities and imaginary numbers.
+
+    Raises:
+        InputError: it is none.
+    """
     import sympy
 
     if isinstance(formula, str):

@@ -54,12 +54,13 @@ def placements_of(table: DHTable) -> Placements:
     """Return the placements of these joints as polynomials in the names of the table."""
     found = constant_placements(joints_of(table))
     for i, (_, a, alpha, d, theta) in enumerate(table.rows, 1):
-        found[f"q{i}"] = _named((0.0, 0.0, d), (0.0, 0.0, theta))
-        found[f"x{i}"] = _named((a, 0.0, 0.0), (alpha, 0.0, 0.0))
+        found[f"q{i}"] = named_placement((0.0, 0.0, d), (0.0, 0.0, theta))
+        found[f"x{i}"] = named_placement((a, 0.0, 0.0), (alpha, 0.0, 0.0))
     return found
 
 
-def _named(xyz: tuple[float | str, ...], rpy: tuple[float | str, ...]) -> Placement:
+def named_placement(xyz: tuple[float | str, ...], rpy: tuple[float | str, ...]) -> Placement:
+    """Return the placement of numbers and names [m, rad]."""
     return placement_of([_polynomial(entry) for entry in (*xyz, *rpy)])
 
 

@@ -75,8 +75,8 @@ class DHTable:
         """Check the arguments, and copy them."""
         one_of("convention", self.convention, CONVENTIONS)
         rows = _rows(self.rows)
-        lower = _limits("lower", self.lower, len(rows), -math.inf)
-        upper = _limits("upper", self.upper, len(rows), math.inf)
+        lower = joint_limits("lower", self.lower, len(rows), -math.inf)
+        upper = joint_limits("upper", self.upper, len(rows), math.inf)
         for i, (a, b) in enumerate(zip(lower, upper, strict=True), 1):
             if a > b or a == math.inf or b == -math.inf:
                 raise InputError(f"the limits of q{i} must have lower ≤ upper; they are {a:g} and {b:g}")
@@ -84,7 +84,13 @@ class DHTable:
             rows=rows,
             base_placement=homogeneous("base_placement", self.base_placement),
             tool_placement=homogeneous("tool_placement", self.tool_placement),
-            parameters=Parameters(_values(rows, by_name("parameters", self.parameters, "{'l2': 0.5}"))),
+            parameters=Parameters(
+                named_values(
+                    "the DH table",
+                    [x for row in rows for x in row[1:]],
+                    by_name("parameters", self.parameters, "{'l2': 0.5}"),
+                )
+            ),
             joint_names=tuple(self.joint_names) or tuple(f"q{i}" for i in range(1, len(rows) + 1)),
         )
         self.__setstate__({"lower": lower, "upper": upper})
@@ -117,10 +123,7 @@ class DHTable:
 
     def value(self, entry: float | str) -> float:
         """Return the number that an entry stands for."""
-        if not isinstance(entry, str):
-            return entry
-        name = entry.removeprefix("-")
-        return -self.parameters[name] if entry.startswith("-") else self.parameters[name]
+        return value_of(entry, self.parameters)
 
     def pose(self, q: npt.ArrayLike) -> pin.SE3:
         """Return T_world_tool(q), the product of the matrices of the table, for q (n,) [rad or m].
@@ -153,6 +156,14 @@ class DHTable:
         constants = [f"{name}: {_placement(T)}" for name, T in placements if not T.isIdentity(1e-12)]
         values = [f"{name} = {value:g}" for name, value in self.parameters.items()]
         return "\n".join([f"{self.convention} DH table", *table, *constants, *values])
+
+
+def value_of(entry: float | str, parameters: Mapping[str, float]) -> float:
+    """Return the number that a number, "name" or "-name" stands for."""
+    if not isinstance(entry, str):
+        return entry
+    name = entry.removeprefix("-")
+    return -parameters[name] if entry.startswith("-") else parameters[name]
 
 
 def screw(axis: Array, angle: float, length: float) -> pin.SE3:
@@ -195,12 +206,18 @@ def _row(i: int, row: tuple[Any, ...]) -> DHRow:
         raise InputError(f"row {i} must be (type, a, alpha, d, theta); it is {row!r}")
     if not isinstance(row[0], str) or row[0] not in ("R", "P"):
         raise InputError(f"the type of row {i} must be 'R' (revolute) or 'P' (prismatic); it is {row[0]!r}")
-    entries = [_entry(f"{name} of row {i}", value) for name, value in zip(DHRow._fields[1:], row[1:], strict=True)]
+    entries = [
+        number_or_name(f"{name} of row {i}", value) for name, value in zip(DHRow._fields[1:], row[1:], strict=True)
+    ]
     return DHRow(str(row[0]), *entries)
 
 
-def _entry(where: str, value: Any) -> float | str:
-    """Return a number, "name" or "-name"."""
+def number_or_name(where: str, value: Any) -> float | str:
+    """Return a number, "name" or "-name".
+
+    Raises:
+        InputError: it is none of these.
+    """
     if not isinstance(value, str):
         return real_number(where, value)
     sign, name = ("-", value.strip()[1:].strip()) if value.strip().startswith("-") else ("", value.strip())
@@ -214,21 +231,29 @@ def _entry(where: str, value: Any) -> float | str:
     return sign + name
 
 
-def _values(rows: tuple[DHRow, ...], parameters: Mapping[str, float]) -> dict[str, float]:
-    """Return name → value, in the order of the rows."""
-    entries = [entry for row in rows for entry in row[1:] if isinstance(entry, str)]
-    names = list(dict.fromkeys(entry.removeprefix("-") for entry in entries))
+def named_values(of: str, entries: Sequence[float | str], parameters: Mapping[str, float]) -> dict[str, float]:
+    """Return name → value, in the order of the entries.
+
+    Raises:
+        InputError: a name has no value, or one that is no number.
+        UnknownNameError: a parameter is not among the names.
+    """
+    names = list(dict.fromkeys(entry.removeprefix("-") for entry in entries if isinstance(entry, str)))
     missing = [name for name in names if name not in parameters]
     if missing:
         raise InputError(f"no value for {', '.join(missing)}: give it, as in parameters={{{missing[0]!r}: 0.5}}")
     for name in parameters:
         if name not in names:
-            raise UnknownNameError("parameter of the DH table named", name, names)
+            raise UnknownNameError(f"parameter of {of} named", name, names)
     return {name: real_number(f"parameter {name!r}", parameters[name]) for name in names}
 
 
-def _limits(name: str, value: Limits, n: int, none: float) -> Array:
-    """Return limits (n,), with `none`, an infinity, for each None."""
+def joint_limits(name: str, value: Limits, n: int, none: float) -> Array:
+    """Return limits (n,), with `none`, an infinity, for each None.
+
+    Raises:
+        InputError: there is not one number or None for each joint.
+    """
     if value is None:
         return np.full(n, none)
     try:

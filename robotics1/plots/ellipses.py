@@ -11,14 +11,15 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
 from robotics1.kinematics import forward_kinematics
 from robotics1.least_squares import numeric_rank
-from robotics1.plots.ellipsoid_shadows import Shadow, force_shadow, velocity_shadow
+from robotics1.plots.ellipsoid_shadows import Shadow, shadow_of
 from robotics1.plots.figures import MOST_DRAWN, PLANES, drawn, new_axes, new_projections
 from robotics1.robot.model import Robot
+from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipsoid
 from robotics1.tasks.task import Task
 
 KINDS = {
-    "velocity": (velocity_shadow, "m/s", {"linestyle": "-", "color": "C0"}),
-    "force": (force_shadow, "N", {"linestyle": "--", "color": "C3"}),
+    "velocity": (velocity_ellipsoid, "m/s", {"linestyle": "-", "color": "C0"}),
+    "force": (force_ellipsoid, "N", {"linestyle": "--", "color": "C3"}),
 }
 SIZE = 0.16  # of the reach: the longest drawn semi-axis of velocity, and a usual one of force
 FINE = 121  # instants of a motion at which the path of the tool is drawn
@@ -86,7 +87,14 @@ def plot_ellipses(
         panel.plot(*course[:, columns].T, "-", color="black", linewidth=0.8)
         panel.plot(*np.array(tools).T, ".", color="black")
         for kind in chosen:
-            _draw(panel, kind, [KINDS[kind][0](J, plane) for J in jacobians], tools, per_metre[kind], robot.reach)
+            _draw(
+                panel,
+                kind,
+                [shadow_of(KINDS[kind][0](J), plane) for J in jacobians],
+                tools,
+                per_metre[kind],
+                robot.reach,
+            )
         x, y = ("xyz"[k] for k in columns)
         panel.set_aspect("equal", adjustable="datalim")
         panel.set(xlabel=f"{x} [m]", ylabel=f"{y} [m]")

@@ -1,12 +1,13 @@
-"""The shadows, in a plane, of the velocity and the force ellipsoid of a Jacobian."""
+"""The shadow of an ellipsoid in a plane."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.results import Frozen
+from robotics1.singularities.ellipsoids import Ellipsoid
 
 POINTS = 121  # on a boundary; the first is the last
 
@@ -35,19 +36,9 @@ class Shadow(Frozen):
 NOTHING = np.zeros((0, 2))
 
 
-def velocity_shadow(J: Array, plane: tuple[int, int]) -> Shadow:
-    """Return the shadow of {J q̇ : |q̇| ≤ 1}; its semi-axes are the singular values of the two rows of J."""
-    return Shadow(_ellipse(J[list(plane)]), NOTHING, np.zeros(0))
-
-
-def force_shadow(J: Array, plane: tuple[int, int]) -> Shadow:
-    """Return the shadow of {f : |Jᵀ f| ≤ 1}, f = U diag(1/σ) x with |x| ≤ 1.
-
-    Where J loses rank, forces of N(Jᵀ) need no torque: of those the shadow is unbounded.
-    """
-    U, sigma, _ = np.linalg.svd(J)
-    rank = numeric_rank(sigma)
-    finite, free = U[list(plane), :rank] / sigma[:rank], U[list(plane), rank:]
+def shadow_of(ellipsoid: Ellipsoid, plane: tuple[int, int]) -> Shadow:
+    """Return the shadow of an ellipsoid in the plane of two coordinates; along an axis without bound it has none."""
+    finite, free = ellipsoid.bounded_part[list(plane)], ellipsoid.unbounded_axes[list(plane)]
     directions, sizes, _ = np.linalg.svd(free)
     unbounded = int(np.count_nonzero(sizes > RANK_TOLERANCE))
     if unbounded == 0:

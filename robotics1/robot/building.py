@@ -16,16 +16,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pinocchio as pin
 
+from robotics1.robot.joint_models import follower_model, joint_model
 from robotics1.robot.joints import Joint, root_of
 from robotics1.robot.mimic import late_leaders, leaders_first
-
-UNIT_AXES = np.eye(3)
-ALIGNED = {
-    "revolute": (pin.JointModelRX, pin.JointModelRY, pin.JointModelRZ),
-    "prismatic": (pin.JointModelPX, pin.JointModelPY, pin.JointModelPZ),
-}
-UNALIGNED = {"revolute": pin.JointModelRevoluteUnaligned, "prismatic": pin.JointModelPrismaticUnaligned}
-FREE = {"planar": pin.JointModelPlanar, "floating": pin.JointModelFreeFlyer}
 
 
 def build_model(name: str, links: Mapping[str, pin.Inertia], joints: Sequence[Joint]) -> pin.Model:
@@ -60,38 +53,20 @@ def build_model(name: str, links: Mapping[str, pin.Inertia], joints: Sequence[Jo
 def _add_moving(model: pin.Model, parent: int, T: pin.SE3, joint: Joint, coordinate: dict[str, int]) -> int:
     """Add a joint with a coordinate of its own, or one that follows; `coordinate` is leader → the joint that has it."""
     if joint.follows:
-        follower = _following(model, joint, coordinate[joint.leader], joint.multiplier, joint.offset)
+        follower = follower_model(model, joint, coordinate[joint.leader], joint.multiplier, joint.offset)
         return int(model.addJoint(parent, follower, T, joint.name))
     if joint.name in coordinate:
         itself = f"{joint.name} (itself)"
         while model.existJointName(itself):
             itself += "_"
-        return int(model.addJoint(parent, _following(model, joint, coordinate[joint.name], 1.0, 0.0), T, itself))
+        return int(model.addJoint(parent, follower_model(model, joint, coordinate[joint.name], 1.0, 0.0), T, itself))
     coordinate[joint.name] = _add_joint(model, parent, T, joint)
     return coordinate[joint.name]
 
 
-def _following(model: pin.Model, joint: Joint, leader: int, a: float, b: float) -> pin.JointModelMimic:
-    """Return a joint whose coordinate is a q + b, with q that of the leader."""
-    own, kind = model.joints[leader], _kind(joint)
-    kind.setIndexes(leader, own.idx_q, own.idx_v, own.idx_vExtended)
-    return pin.JointModelMimic(kind, a, b)
-
-
-def _kind(joint: Joint) -> pin.JointModel:
-    """Return the motion of a joint, about or along its axis; a continuous one is revolute, with one coordinate."""
-    if joint.kind in FREE:
-        return pin.JointModel(FREE[joint.kind]())
-    axis = np.array(joint.axis)
-    for aligned, unit in zip(ALIGNED[joint.kind], UNIT_AXES, strict=True):
-        if np.linalg.norm(axis - unit) <= 1e-12:
-            return pin.JointModel(aligned())
-    return pin.JointModel(UNALIGNED[joint.kind](axis / np.linalg.norm(axis)))
-
-
 def _add_joint(model: pin.Model, parent: int, T: pin.SE3, joint: Joint) -> int:
     """Add a joint with a coordinate of its own, its limits and its friction."""
-    kind = _kind(joint)
+    kind = joint_model(joint)
     none, free = np.zeros(kind.nv), np.full(kind.nv, np.inf)
     if kind.nq > 1:  # a length for each coordinate that moves, and a unit vector for what turns
         lengths = {3: 2, 6: 3}[kind.nv]

@@ -13,6 +13,7 @@ import pinocchio as pin
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.robot.joint_models import restore_followers
 from robotics1.robot.joints import Joint, joints_to, tips
 from robotics1.robot.parameters import Placements, constant_placements
 
@@ -83,6 +84,8 @@ class Robot:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _scratch=threading.local())
+        if "model" in state:
+            restore_followers(self.model, self.joints)
         for name in ("lower", "upper", "max_velocity", "max_effort"):
             self.__dict__[name].flags.writeable = False
 

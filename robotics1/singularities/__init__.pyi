@@ -1,5 +1,7 @@
 """The public names of `robotics1.singularities`, and where they are."""
 
+from .dexterity import Manipulability, Transmission, manipulability
+from .ellipsoids import Ellipsoid
 from .find import find_singularities
 from .intersections import find_intersections
 from .other_lengths import parameter_conditions
@@ -12,7 +14,9 @@ from .spaces import RankStatus, Subspaces, subspaces
 from .statics import balancing_torque, exerting_torque
 
 __all__ = [
+    "Ellipsoid",
     "Intersections",
+    "Manipulability",
     "MeasureDistribution",
     "RankStatus",
     "RefinedGroup",
@@ -23,10 +27,12 @@ __all__ = [
     "SingularSetStatus",
     "SingularityScan",
     "Subspaces",
+    "Transmission",
     "balancing_torque",
     "exerting_torque",
     "find_intersections",
     "find_singularities",
+    "manipulability",
     "parameter_conditions",
     "scan_singularities",
     "singularity_within_rounding",

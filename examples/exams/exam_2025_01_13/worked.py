@@ -7,10 +7,10 @@ from typing import Any
 
 from rich.console import Console
 
-from robotics1 import PositionTask, animate, plot_trajectory
+from robotics1 import PositionTask, animate
 from robotics1.files import make_folder
 from robotics1.notation import count, vector
-from robotics1.plots import plot_path
+from robotics1.plots import plot_path, plot_trajectory
 from robotics1.report.tables import iteration_table, table
 from robotics1.singularities.explain import directions
 from robotics1.trajectories import TaskTrajectory

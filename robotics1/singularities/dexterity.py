@@ -1,0 +1,97 @@
+"""How well an arm moves and pushes at one configuration: measure, condition, ellipsoids, transmission."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.results import Frozen
+from robotics1.robot.model import Robot
+from robotics1.singularities.ellipsoids import Ellipsoid, force_ellipsoid, velocity_ellipsoid
+from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces
+from robotics1.tasks.task import Task
+
+
+class Transmission(NamedTuple):
+    """Along a direction: the task velocity for |q̇| = 1, and the force for |τ| = 1.
+
+    Attributes:
+        velocity: α = 1/√(uᵀ (J Jᵀ)⁻¹ u); 0 where u cannot be realised.
+        force: β = 1/√(uᵀ J Jᵀ u); ∞ where a force along u needs no torque.
+    """
+
+    velocity: float
+    force: float
+
+
+@dataclass(frozen=True, eq=False)
+class Manipulability(Frozen):
+    """How a task's velocities and forces depend on those of the joints, at one configuration.
+
+    Attributes:
+        J: (m, n) the task's Jacobian, in SI units: 1 rad/s and 1 m/s count alike, among joints and among rows.
+        velocity_ellipsoid: {J q̇ : |q̇| ≤ 1}, with the singular values of J as semi-axes, the longest first.
+        force_ellipsoid: {f : |Jᵀ f| ≤ 1}, with their inverses along the same axes.
+        spaces: the rank and the four subspaces.
+    """
+
+    J: Array
+    velocity_ellipsoid: Ellipsoid
+    force_ellipsoid: Ellipsoid
+    spaces: Subspaces
+
+    @property
+    def measure(self) -> float:
+        """Yoshikawa's w = √det(J Jᵀ) = σ₁ σ₂ ⋯ σ_m; 0 where the rank is below m."""
+        return float(np.prod(self.velocity_ellipsoid.lengths))
+
+    @property
+    def condition(self) -> float:
+        """κ = σ₁/σ_m; ∞ where the rank is below m, and 1 of an isotropic configuration."""
+        sigma = self.velocity_ellipsoid.lengths
+        return float(sigma[0] / sigma[-1]) if sigma[-1] > 0 else np.inf
+
+    @property
+    def status(self) -> RankStatus:
+        """Whether the rank is full, deficient, or not certain with the digits that are known."""
+        return self.spaces.status
+
+    def transmission(self, u: npt.ArrayLike) -> Transmission:
+        """Return how velocity and force are transmitted along u (m,), of any length: the radii of both ellipsoids.
+
+        Where the arm moves fast along u it pushes weakly, and the other way round; α β ≤ 1, and = 1 along an axis.
+
+        Raises:
+            InputError: u has no direction, or not one number for each row of the task.
+
+        Source: Chiu, Task compatibility of manipulator postures, Int. J. Robotics Research 7, 1988.
+        """
+        return Transmission(self.velocity_ellipsoid.radius(u), self.force_ellipsoid.radius(u))
+
+    def explain(self) -> str:
+        """Return measure and condition, and the status of the rank, in a sentence."""
+        return f"w = {self.measure:.6g}, condition {self.condition:.6g}; {self.spaces.explain()}"
+
+
+def manipulability(robot: Robot, task: Task, q: npt.ArrayLike) -> Manipulability:
+    """Return the manipulability of a task at q: w = √det(J Jᵀ), condition, and the velocity and force ellipsoids.
+
+    Where J has rows or joints of several units, w depends on them: choose a task of one unit, as `PositionTask`.
+    `plots.plot_ellipses` draws the ellipsoids; with prismatic joints it measures their rates in reaches per second.
+
+    Args:
+        robot: the robot.
+        task: m rows.
+        q: (nq,) configuration [rad or m].
+
+    Raises:
+        InputError: q has the wrong shape or is not finite.
+        TaskError: the task does not fit the robot.
+
+    Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985.
+    """
+    a_robot_and_a_task(robot, task)
+    J = task.jacobian(robot, q)
+    return Manipulability(J, velocity_ellipsoid(J), force_ellipsoid(J), subspaces(J))

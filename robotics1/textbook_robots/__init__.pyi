@@ -1,0 +1,9 @@
+"""The public names of `robotics1.textbook_robots`, and where they are."""
+
+from .direct_kinematics import robot_from_formula
+from .planar import planar_arm
+
+__all__ = [
+    "planar_arm",
+    "robot_from_formula",
+]

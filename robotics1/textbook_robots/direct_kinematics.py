@@ -1,0 +1,172 @@
+"""An arm of which nothing is known but its direct kinematics, r = f(q)."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+import numpy as np
+
+from robotics1.caching import cached_property
+from robotics1.curves.symbolic_path import formula_of
+from robotics1.dh.table import Limits, joint_limits
+from robotics1.errors import InputError, UnknownNameError
+from robotics1.inputs import Array, by_name, real_number
+from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.given_joints import robot_of_joints
+from robotics1.robot.joints import Joint
+from robotics1.robot.model import Robot
+from robotics1.tasks.function import FunctionTask
+
+KINDS = {"R": "revolute", "P": "prismatic"}
+BASE = "base"
+
+
+def robot_from_formula(
+    formulas: Sequence[Any],
+    joints: str,
+    *,
+    values: Mapping[str, float] | None = None,
+    units: Sequence[str] | None = None,
+    lower: Limits = None,
+    upper: Limits = None,
+) -> "FormulaRobot":
+    """Return an arm that is known only by its direct kinematics r = f(q), with f as its task, `arm.task`.
+
+        arm = robot_from_formula(["q2*cos(q1)", "q2*sin(q1)", "q3"], joints="RPP")
+        find_singularities(arm, arm.task); solve_ik(arm, arm.task, [0.3, 0.4, 0.1]); formulas(arm, arm.task).determinant
+
+    A formula says where the task is, and not where the links are. So the arm has joints and no tool: what asks for a
+    frame, as `forward_kinematics`, is refused, and what asks for a task takes `arm.task`. J = ∂f/∂q is exact.
+
+    Args:
+        formulas: (m,) one for each row: texts in q1, q2, ... and the names of `values`, or SymPy expressions.
+        joints: a letter "R" or "P" for each joint.
+        values: of the other names, such as {"l1": 0.5}, which are put in their place.
+        units: "m", "rad" or "1" of each row, as of a `FunctionTask`; a row in "rad" counts up to whole turns.
+        lower, upper: (n,) joint limits [rad or m]; None, for all or for one, means none.
+
+    Raises:
+        InputError: a formula is none, or has a name that is no joint and has no value; or a letter or limit is wrong.
+        UnknownNameError: a value is of no name in the formulas.
+    """
+    if not isinstance(joints, str) or not joints or not set(joints) <= set(KINDS) or len(joints) > MOST_DEGREES:
+        raise InputError(
+            f"joints must be 1 to {MOST_DEGREES} letters R (revolute) and P (prismatic), as 'RPP'; it is {joints!r}"
+        )
+    n = len(joints)
+    f = FormulaFunction(_entries(formulas, n, values), n)
+    low, high = joint_limits("lower", lower, n, -np.inf), joint_limits("upper", upper, n, np.inf)
+    if (low > high).any():
+        raise InputError(f"the limits must have lower ≤ upper; they are {low.tolist()} and {high.tolist()}")
+    listed, parent = [], BASE
+    for i, (letter, a, b) in enumerate(zip(joints, low.tolist(), high.tolist(), strict=True), 1):
+        link = "end" if i == n else f"link{i}"
+        listed.append(Joint(f"q{i}", KINDS[letter], parent, link, axis=(0, 0, 1), lower=a, upper=b, leader=f"q{i}"))
+        parent = link
+    plain = robot_of_joints("formula", listed)
+    known = {entry.name: getattr(plain, entry.name) for entry in fields(plain) if entry.init}
+    task = FunctionTask(f, len(f.entries), f.derivative, frame=BASE, units=units)
+    return FormulaRobot(**{**known, "tool": None}, task=task)
+
+
+@dataclass(frozen=True, eq=False)
+class FormulaRobot(Robot):
+    """Joints without links, whose direct kinematics is a task.
+
+    Attributes:
+        task: r = f(q).
+    """
+
+    task: FunctionTask = field(kw_only=True)
+
+    def frame_id(self, frame: str | None) -> int:
+        """Return the number of the base; there is no other frame.
+
+        Raises:
+            InputError: another frame, or the tool, is asked for.
+        """
+        if frame != BASE:
+            raise InputError("an arm that is known only by its formula has no frames: use its task, arm.task")
+        return super().frame_id(frame)
+
+
+@dataclass(frozen=True)
+class FormulaFunction:
+    """f(q) of expressions, in numbers and in symbols, with its derivative.
+
+    Attributes:
+        entries: (m,) SymPy expressions in q1, ..., qn.
+        n: the number of joints.
+    """
+
+    entries: tuple[Any, ...]
+    n: int
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled and copied: not the functions that were made of the formulas."""
+        return {"entries": self.entries, "n": self.n}
+
+    def __call__(self, p: Array, R: Array, q: Array) -> Array:
+        """Return f(q), (m,): numbers of numbers, expressions of expressions."""
+        if q.dtype == object:
+            import sympy
+
+            known = dict(zip(_symbols(self.n), map(sympy.sympify, q), strict=True))
+            return np.array([entry.xreplace(known) for entry in self.entries], dtype=object)
+        return self._numbers(0, q)
+
+    def derivative(self, p: Array, R: Array, q: Array) -> Array:
+        """Return ∂f/∂q, (m, n)."""
+        return self._numbers(1, q).reshape(len(self.entries), self.n)
+
+    def _numbers(self, order: int, q: Array) -> Array:
+        """Return what the formulas of an order give; a complex number, as of √−1, is none, and the task says so."""
+        with np.errstate(all="ignore"):
+            values = [f(*q) for f in self._functions[order]]
+        return np.array([np.nan if np.iscomplexobj(value) else value for value in values], dtype=float)
+
+    @cached_property
+    def _functions(self) -> tuple[list[Callable[..., Any]], list[Callable[..., Any]]]:
+        from robotics1.symbolic.writing.printing import numpy_function
+
+        symbols = _symbols(self.n)
+        slopes = [entry.diff(q) for entry in self.entries for q in symbols]
+        return [numpy_function(symbols, e) for e in self.entries], [numpy_function(symbols, e) for e in slopes]
+
+
+def _entries(formulas: Any, n: int, values: Mapping[str, float] | None) -> tuple[Any, ...]:
+    """Return the formulas as expressions in q1, ..., qn, with the values in them.
+
+    Raises:
+        InputError: one is none, or has an unknown name.
+        UnknownNameError: a value is of no name in them.
+    """
+    import sympy
+
+    if isinstance(formulas, str) or not np.iterable(formulas):
+        raise InputError(f"formulas must be one for each row, as ['q2*cos(q1)', 'q2*sin(q1)']; they are {formulas!r}")
+    entries = [formula_of(formula) for formula in formulas]
+    if not entries:
+        raise InputError("formulas must be one for each row; there is none")
+    joints = {symbol.name: symbol for symbol in _symbols(n)}
+    used = {symbol for entry in entries for symbol in entry.free_symbols}
+    names = sorted({symbol.name for symbol in used} - set(joints))
+    given = by_name("values", values, "{'l1': 0.5}")
+    for name in given:
+        if name not in names:
+            raise UnknownNameError("name with a value in the formulas:", name, names)
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise InputError(
+            f"{missing[0]!r} is neither a joint, q1 to q{n}, nor has it a value; give it, as "
+            f"values={{{missing[0]!r}: 0.5}}"
+        )
+    exact = {name: sympy.sympify(real_number(f"the value of {name!r}", value)) for name, value in given.items()}
+    known = {symbol: {**joints, **exact}[symbol.name] for symbol in used}
+    return tuple(entry.xreplace(known) for entry in entries)
+
+
+def _symbols(n: int) -> tuple[Any, ...]:
+    import sympy
+
+    return tuple(sympy.symbols(f"q1:{n + 1}", real=True))
