@@ -1,8 +1,8 @@
 """Kinematics of robot arms, answered as a good textbook would: the number, the formula, the verdict, the picture.
 
 At the top are the names that most questions need. The others are in namespaces: `curves`, `trajectories`,
-`orientation`, `singularities`, `ik`, `dh`, `plots` and `control`. `__init__.pyi` lists them; each is imported when it
-is first used, so that `import robotics1` is quick. A name of a namespace is found at the top too:
+`orientation`, `singularities`, `ik`, `workspaces`, `dh`, `plots` and `control`. `__init__.pyi` lists them; each is
+imported when it is first used, so that `import robotics1` is quick. A name of a namespace is found at the top too:
 `robotics1.solve_trig` is `robotics1.ik.solve_trig`.
 """
 
@@ -13,14 +13,24 @@ import lazy_loader
 _at_the_top, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 # The namespaces read their lists of names here, in one thread: see `syntax`.
-from robotics1 import curves, dh, ik, orientation, plots, singularities, trajectories  # noqa: E402
+from robotics1 import curves, dh, ik, orientation, plots, singularities, trajectories, workspaces  # noqa: E402
 
 
 def __getattr__(name: str) -> Any:
     try:
         return _at_the_top(name)
     except AttributeError:
-        for space in (curves, trajectories, orientation, singularities, ik, dh, plots, _at_the_top("control")):
+        for space in (
+            curves,
+            trajectories,
+            orientation,
+            singularities,
+            ik,
+            dh,
+            plots,
+            workspaces,
+            _at_the_top("control"),
+        ):
             if name in space.__all__:
                 return getattr(space, name)
         raise

@@ -1,6 +1,6 @@
 """The public names at the top, and the namespaces that hold the others; `__init__.py` reads this file."""
 
-from . import control, curves, dh, ik, orientation, plots, singularities, trajectories
+from . import control, curves, dh, ik, orientation, plots, singularities, trajectories, workspaces
 from .control import simulate_tracking
 from .curves.arcs import line_path
 from .dh.to_robot import robot_from_dh
@@ -109,4 +109,5 @@ __all__ = [
     "trajectories",
     "trapezoidal",
     "view",
+    "workspaces",
 ]
