@@ -38,7 +38,7 @@ from .tasks.pose import OrientationTask, PoseTask
 from .tasks.position import PositionTask
 from .tasks.task import Task
 from .trajectories.elementary import cubic, quintic
-from .trajectories.following.joint_rates import joint_acceleration, joint_velocity
+from .trajectories.following.joint_rates import joint_velocity
 from .trajectories.following.path_following import follow_trajectory
 from .trajectories.least_time_of_joints import minimum_time
 from .trajectories.limits import MotionLimits
@@ -90,7 +90,6 @@ __all__ = [
     "ik_formulas",
     "ik_solutions",
     "iterate_ik",
-    "joint_acceleration",
     "joint_velocity",
     "line_path",
     "load_robot",

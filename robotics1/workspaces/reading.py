@@ -3,43 +3,17 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import pi, tau
 
 import numpy as np
-import pinocchio as pin
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
-from robotics1.kinematics import forward_kinematics, frame_jacobian
-from robotics1.robot.box import intervals, refuse_open_range
+from robotics1.kinematics import forward_kinematics
+from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
+from robotics1.workspaces.axes import STRAIGHT, Axis, across, are_planar, axes_to
 from robotics1.workspaces.planar_joints import CLOSED, PlanarJoint
-
-STRAIGHT = 1e-9  # of directions that are parallel or normal, and of distances by the arm's size
-
-
-@dataclass(frozen=True)
-class Axis:
-    """A joint that is on the way to the tip, at q = 0, in world axes."""
-
-    number: int
-    name: str
-    revolute: bool
-    direction: Array
-    point: Array
-    lower: float
-    upper: float
-
-    @property
-    def circular(self) -> bool:
-        """Whether it can make a full turn."""
-        return self.revolute and self.upper - self.lower >= tau - CLOSED
-
-    def turns_to(self, angle: float) -> bool:
-        """Return whether an angle, but for whole turns, is in the range of a revolute joint."""
-        beyond = (angle - self.lower) % tau
-        return beyond <= self.upper - self.lower + CLOSED or beyond >= tau - CLOSED
 
 
 @dataclass(frozen=True)
@@ -98,7 +72,7 @@ def read_arm(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | 
     robot.require_single_coordinates("have a workspace")
     rows, frame = _position_rows(task)
     tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
-    axes = _axes(robot, frame, tip, box)
+    axes = axes_to(robot, frame, tip, box)
     if not axes:
         raise TaskError(f"no joint moves the tip of robot {robot.name!r}, so that its workspace is a point")
     if len(rows) == 2:
@@ -125,60 +99,15 @@ def _position_rows(task: Task) -> tuple[Array, str | None]:
     )
 
 
-def _axes(robot: Robot, frame: str | None, tip: Array, box: Mapping[str, tuple[float, float]] | None) -> list[Axis]:
-    """Return the joints on the way to the tip, without the last ones if they turn about the tip."""
-    way = [joint for joint in robot.joints_to(frame) if joint.kind != "fixed"]
-    followers = [joint.name for joint in way if joint.follows]
-    if followers:
-        raise TaskError(
-            f"joint {followers[0]!r} mimics another one; the workspace of such arms is not known: a robot with "
-            "independent joints is needed"
-        )
-    lower, upper = intervals(robot, box)
-    q = np.zeros(robot.nq)
-    pin.forwardKinematics(robot.model, robot.data, q)
-    J = frame_jacobian(robot, q, frame=frame)
-    placements = {joint.name: pin.SE3(robot.data.oMi[robot.model.getJointId(joint.name)]) for joint in way}
-    axes = []
-    for joint in way:
-        i = robot.joint_names.index(joint.name)
-        turns = bool(robot.revolute[i])
-        direction = J[3:, i] if turns else J[:3, i]
-        axes.append(
-            Axis(i, joint.name, turns, direction, np.array(placements[joint.name].translation), lower[i], upper[i])
-        )
-    while axes and axes[-1].revolute and _distance_to(axes[-1], tip) < STRAIGHT * robot.reach:
-        axes.pop()
-    return [_with_one_turn(axis) for axis in axes]
-
-
-def _with_one_turn(axis: Axis) -> Axis:
-    """Return a revolute joint that can make a full turn with a range of one turn, around 0 if it can."""
-    if not axis.circular:
-        return axis
-    lower = max(axis.lower, min(-pi, axis.upper - tau))
-    return replace(axis, lower=lower, upper=lower + tau)
-
-
-def _distance_to(axis: Axis, point: Array) -> float:
-    return float(np.linalg.norm(np.cross(axis.direction, point - axis.point)))
-
-
 def _in_plane(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot) -> ReadArm:
     normal = np.cross(rows[0], rows[1])
     moving = [axis for axis in axes if axis.revolute or abs(axis.direction @ normal) < 1 - STRAIGHT]
-    if not _planar(moving, normal):
+    if not are_planar(moving, normal):
         raise TaskError(
             f"robot {robot.name!r} leaves the plane of these two coordinates; use PositionTask() "
             "for its workspace in space"
         )
     return _chain(moving, tip, rows, robot, rows[0], rows[1])
-
-
-def _planar(axes: Sequence[Axis], normal: Array) -> bool:
-    """Return whether revolute axes are along a normal, and prismatic ones across it."""
-    along = [abs(float(axis.direction @ normal)) for axis in axes]
-    return all(c > 1 - STRAIGHT if axis.revolute else c < STRAIGHT for c, axis in zip(along, axes, strict=True))
 
 
 def _across_a_slide(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot) -> ReadArm | None:
@@ -187,11 +116,11 @@ def _across_a_slide(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot)
     for slide in (axis for axis in axes if not axis.revolute):
         others = [axis for axis in axes if axis is not slide]
         normal = slide.direction * np.sign(slide.direction[np.argmax(np.abs(slide.direction))])
-        if not _planar(others, normal) or (turning and abs(turning[0].direction @ normal) < 1 - STRAIGHT):
+        if not are_planar(others, normal) or (turning and abs(turning[0].direction @ normal) < 1 - STRAIGHT):
             continue
         refuse_open_range(slide.name, slide.lower, slide.upper)
         _need_room(slide)
-        first = _across(normal)
+        first = across(normal)
         arm = _chain(others, tip, rows, robot, first, np.cross(normal, first))
         return replace(arm, slide=slide, height=float((tip - arm.origin) @ normal))
     return None
@@ -205,7 +134,7 @@ def _about_an_axis(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot) 
     turning = [axis.direction for axis in others if axis.revolute]
     normal = turning[0] if turning else np.cross(base.direction, others[0].direction)
     size = np.linalg.norm(normal)
-    if size < STRAIGHT or abs(normal @ base.direction) > STRAIGHT or not _planar(others, normal / size):
+    if size < STRAIGHT or abs(normal @ base.direction) > STRAIGHT or not are_planar(others, normal / size):
         return None
     if abs((tip - base.point) @ normal) > STRAIGHT * robot.reach:
         return None
@@ -227,15 +156,6 @@ def _moved_to(arm: ReadArm, base: Axis) -> ReadArm:
     offset = arm.in_plane(base.point)
     joints = tuple(replace(j, place=j.place - offset) if j.revolute else j for j in arm.joints)
     return replace(arm, joints=joints, tip=arm.tip - offset, origin=base.point, base=base)
-
-
-def _across(direction: Array) -> Array:
-    """Return a unit vector normal to a direction: a world axis if one is."""
-    for axis in np.eye(3):
-        if abs(axis @ direction) < STRAIGHT:
-            return np.asarray(axis)
-    across = np.cross(direction, np.eye(3)[int(np.argmin(np.abs(direction)))])
-    return np.asarray(across / np.linalg.norm(across))
 
 
 def _chain(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot, first: Array, second: Array) -> ReadArm:
