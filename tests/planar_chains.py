@@ -46,7 +46,10 @@ def chain(kinds, lengths, lower, upper, *, turns=None, tip=(0.0, 0.0), scale=1.0
 
 @cache
 def drawn_chain(seed, joints, scale=1.0):
-    """The arm of a seed: kinds, lengths, directions and limits; a quarter of the revolute joints turn fully."""
+    """The arm of a seed: kinds, lengths, directions and limits; a quarter of the revolute joints turn fully.
+
+    Of each third seed they are multiples of half a metre and of 45°: there arcs touch, coincide and end on each other.
+    """
     rng = np.random.default_rng(seed)
     kinds = "".join(rng.choice(list("RRP"), joints))
     lower, upper = np.zeros(joints), np.zeros(joints)
@@ -55,9 +58,14 @@ def drawn_chain(seed, joints, scale=1.0):
             lower[i], room = (-pi, 2 * pi) if rng.random() < 0.25 else (rng.uniform(-3, 1), rng.uniform(0.3, 4))
         else:
             lower[i], room = rng.uniform(-1, 0.5), rng.uniform(0.2, 1.5)
+        if seed % 3 == 0:
+            unit = pi / 4 if kind == "R" else 0.5
+            lower[i], room = unit * round(lower[i] / unit), unit * max(1, round(room / unit))
         upper[i] = lower[i] + room
     lengths, turns = rng.uniform(0.1, 1, joints), rng.uniform(-pi, pi, joints)
-    arm = chain(
-        kinds, lengths.tolist(), lower.tolist(), upper.tolist(), turns=turns.tolist(), tip=(0.0, 0.1), scale=scale
-    )
+    tip = (0.0, 0.1)
+    if seed % 3 == 0:
+        lengths, turns, tip = rng.choice([0.5, 1.0], joints), rng.choice([pi / 2, -pi / 2], joints), (0.0, 0.0)
+    given = lengths.tolist(), lower.tolist(), upper.tolist()
+    arm = chain(kinds, *given, turns=turns.tolist(), tip=tip, scale=scale)
     return kinds, arm

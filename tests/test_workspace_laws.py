@@ -108,6 +108,15 @@ def test_no_configuration_is_outside(seed, joints):
     assert all(ws.contains(XY.value(arm, q)) for q in corners)
 
 
+@pytest.mark.sweep
+@pytest.mark.parametrize("joints", [2, 3])
+def test_no_configuration_of_a_hundred_arms_is_outside(joints):
+    for seed in range(50):
+        _, arm = drawn_chain(seed, joints)
+        ws = workspace(arm, XY)
+        assert all(ws.contains(XY.value(arm, q)) for q in samples(arm, 1000, seed))
+
+
 @given(SEEDS)
 def test_solutions_in_a_region_are_those_of_inverse_kinematics(seed):
     _, arm = drawn_chain(seed, 2)
