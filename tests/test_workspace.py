@@ -16,7 +16,9 @@ from closed_forms import (
     two_link_distance,
     two_link_solutions,
 )
+from hypothesis import given, strategies as st
 from planar_chains import MOUNT, XY, XYZ, chain
+from scipy.integrate import quad
 
 import robotics1 as r1
 from robotics1.workspaces import workspace
@@ -224,6 +226,28 @@ def test_volume_of_an_arm_that_reaches_over_its_base_is_that_of_samples(turn):
         assert _elbow_solutions([rho, 0, height], lower, upper) == region.solutions
     for q in rng.uniform(lower, upper, (200, 3)):
         assert ws.contains(anthropomorphic_position(q, 0.5, 1.5, 1.0))
+
+
+angles = st.tuples(st.floats(-3, 3), st.floats(0.2, 6)).map(lambda pair: (pair[0], pair[0] + pair[1]))
+
+
+@given(angles, angles)
+def test_solutions_of_an_arm_that_turns_fully_are_counted_on_both_sides_of_its_base(shoulder, elbow):
+    """∫ N dV = ∫ |det J| dq, and N at a point of each region is the number of closed-form solutions."""
+    lower, upper = [-pi, shoulder[0], elbow[0]], [pi, shoulder[1], elbow[1]]
+    ws = workspace(r1.robot_from_dh(ELBOW, lower=lower, upper=upper), XYZ)
+    for region in (*ws.regions, *ws.voids):
+        assert _elbow_solutions([region.point[0], 0, region.point[1]], lower, upper) == region.solutions
+
+    def swept(q3):
+        shift = np.arctan2(np.sin(q3), 1.5 + np.cos(q3))
+        ends = np.array(shoulder) + shift
+        return 1.5 * abs(np.sin(q3)) * two_link_distance(1.5, 1.0, q3) * _integral_of_cosine(*ends)
+
+    bends = sorted({*elbow, *(k * pi for k in range(-3, 4) if elbow[0] < k * pi < elbow[1])})
+    whole = sum(quad(swept, a, b, epsabs=1e-10, limit=200)[0] for a, b in pairwise(bends))
+    assert sum(r.solutions * r.volume for r in ws.regions) == pytest.approx(2 * pi * whole, rel=1e-6)
+    assert sum(r.volume for r in ws.regions) == pytest.approx(ws.volume)
 
 
 def _elbow_solutions(p, lower, upper):
