@@ -1,8 +1,19 @@
 """The public names at the top, and the namespaces that hold the others; `__init__.py` reads this file."""
 
-from . import control, curves, dh, ik, orientation, plots, rigid_motions, singularities, textbook_robots, trajectories
+from . import (
+    control,
+    curves,
+    dh,
+    ik,
+    orientation,
+    plots,
+    rigid_motions,
+    singularities,
+    textbook_robots,
+    trajectories,
+    workspaces,
+)
 from .control import simulate_tracking
-from .curves.arcs import line_path
 from .dh.to_robot import robot_from_dh
 from .errors import (
     FormulaError,
@@ -90,7 +101,6 @@ __all__ = [
     "ik_formulas",
     "ik_solutions",
     "iterate_ik",
-    "line_path",
     "load_robot",
     "minimum_time",
     "orientation",
@@ -108,4 +118,5 @@ __all__ = [
     "trajectories",
     "trapezoidal",
     "view",
+    "workspaces",
 ]

@@ -3,6 +3,7 @@
 Angles [rad], lengths [m]; c23 is cos(q2 + q3), and so on.
 """
 
+from itertools import pairwise
 from math import acos, atan2, cos, hypot, pi, sin
 
 import numpy as np
@@ -175,3 +176,67 @@ def spatial_pose_and_jacobian(q):
     p = T[:3, 3]
     columns = [np.r_[np.cross(a, p - o), a] if kind == "R" else np.r_[a, 0, 0, 0] for kind, a, o in axes]
     return T, np.array(columns).T
+
+
+# --- workspaces
+
+
+def annulus_area(inner, outer, angle=2 * pi):
+    """The area between two circles, or between two rays of an angle."""
+    return angle / 2 * (outer**2 - inner**2)
+
+
+def two_link_area_of_elbow(l1, l2, turn, elbow):
+    """The area that a 2R sweeps with one elbow, |q2| from elbow[0] to elbow[1] ≤ π, and a range of q1 up to a turn:
+    ∫ |det J| dq1 dq2."""
+    return turn * l1 * l2 * (cos(elbow[0]) - cos(elbow[1]))
+
+
+def two_link_distance(l1, l2, q2):
+    """The law of cosines: how far the tip of a 2R is from its base."""
+    return hypot(l1 + l2 * cos(q2), l2 * sin(q2))
+
+
+def two_link_area_both_elbows(l1, l2, first, second):
+    """The area of a 2R with |q1| ≤ first ≤ π and |q2| ≤ second < π, by integration over the distance r of the tip.
+
+    At r the tip is on an arc |φ − β| ≤ first, and on its mirror image, |φ + β| ≤ first, with β the angle from the
+    first link to the tip; where they overlap, in front or behind the base, they are shorter than 4 first.
+    """
+    r, weight = gauss_between(two_link_distance(l1, l2, second), l1 + l2, two_link_bends(l1, l2, first))
+    beta = np.arccos(np.clip((l1**2 + r**2 - l2**2) / (2 * l1 * r), -1, 1))
+    longer = np.minimum(np.minimum(beta, pi - beta), first)
+    return float(weight @ (r * np.minimum(2 * first + 2 * longer, 2 * pi)))
+
+
+def two_link_bends(l1, l2, first):
+    """The distances where the arcs of both elbows begin to overlap, before or behind the base: β = first, π − first."""
+    found = []
+    for beta in (first, pi - first):
+        under = l2**2 - (l1 * sin(beta)) ** 2
+        if under >= 0:
+            found += [l1 * cos(beta) + s * under**0.5 for s in (1, -1)]
+    return found
+
+
+def gauss_between(a, b, bends, pieces=40, order=12):
+    """Nodes and weights of Gauss–Legendre from a to b, finer towards both ends of each smooth piece (square roots)."""
+    x, w = np.polynomial.legendre.leggauss(order)
+    ends = sorted({a, b, *(c for c in bends if a < c < b)})
+    nodes, weights = [], []
+    for c, d in pairwise(ends):
+        t = np.linspace(0, pi, pieces + 1)
+        for s, e in pairwise(t):
+            u = (s + e) / 2 + (e - s) / 2 * x  # r = middle − half cos u has no square roots at the ends
+            nodes.append((c + d) / 2 - (d - c) / 2 * np.cos(u))
+            weights.append((d - c) / 2 * np.sin(u) * (e - s) / 2 * w)
+    return np.concatenate(nodes), np.concatenate(weights)
+
+
+def planar_3r_inner_radius(l1, l2, l3):
+    """The hole of a planar 3R without limits."""
+    return max(abs(l1 - l2) - l3, abs(l2 - l3) - l1, abs(l1 - l3) - l2, 0.0)
+
+
+def spherical_shell_volume(inner, outer):
+    return 4 / 3 * pi * (outer**3 - inner**3)

@@ -144,6 +144,13 @@ def paths():
 
 
 @cache
+def reach():
+    """The workspace of a SCARA with limits."""
+    rows = [("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0), ("P", 0, 0, 0, 0)]
+    return r1.workspaces.workspace(r1.robot_from_dh(rows, lower=[-2, -2, 0], upper=[2, 2, 0.2]), r1.PositionTask())
+
+
+@cache
 def inverse():
     return r1.ik.ik_formulas(arm("planar_2r"), PLANE)
 
@@ -163,6 +170,7 @@ INSTANCES = {
         r1.orientation.rotation_to_axis_angle(np.eye(3)),
         r1.orientation.rotation_to_axis_angle(pin.exp3(np.ones(3))),
     ],
+    "BoundaryCurve": lambda: list(reach().boundary),
     "Curve": lambda: [
         *paths(),
         r1.curves.stretched(r1.trajectories.TaskTrajectory(arm("planar_2r"), PLANE, cubic()), 2.0),
@@ -296,4 +304,6 @@ INSTANCES = {
         laws()[0].laws[0],
         r1.trajectories.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0),
     ],
+    "Workspace": lambda: [reach()],
+    "WorkspaceRegion": lambda: list(reach().regions),
 }

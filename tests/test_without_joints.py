@@ -157,6 +157,7 @@ def nothing_moves(still, task, folder):
         "TaskTrajectory": lambda: r1.trajectories.TaskTrajectory(still, task, joints).velocity(0.5),
         "limit_violations": lambda: r1.trajectories.limit_violations(still, joints),
         "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
+        "workspace": lambda: r1.workspaces.workspace(still, task),
         "view": lambda: r1.view(still, [], folder / "still.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),

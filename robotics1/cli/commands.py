@@ -19,6 +19,7 @@ from robotics1.cli.scan import scan
 from robotics1.cli.singularities import singularities
 from robotics1.cli.statics import statics
 from robotics1.cli.streams import streams_ready
+from robotics1.cli.workspace_table import workspace
 from robotics1.errors import Robotics1Error, RobotWarning
 from robotics1.names import printable
 
@@ -28,7 +29,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-for command in (exam, fk, jacobian, singularities, ik, statics, scan, view, check):
+for command in (exam, fk, jacobian, singularities, ik, statics, workspace, scan, view, check):
     app.command()(command)
 
 

@@ -3,10 +3,12 @@
 from .against_time import plot_timing_law, plot_trajectory
 from .ellipses import plot_ellipses
 from .paths import plot_path
+from .reach import plot_workspace
 
 __all__ = [
     "plot_ellipses",
     "plot_path",
     "plot_timing_law",
     "plot_trajectory",
+    "plot_workspace",
 ]

@@ -118,8 +118,13 @@ def nearest_turn(q: Array, around: Array, lower: Array, upper: Array, period: Ar
 def refuse_open_ranges(robot: Robot, lower: Array, upper: Array) -> None:
     """Raise InputError if one of the intervals [lower, upper], (n,), does not end: nobody can search through it."""
     for name, low, high in zip(robot.joint_names, lower, upper, strict=True):
-        if not (np.isfinite(low) and np.isfinite(high)):
-            raise InputError(f"joint {name!r} has no limits: say where to search, as in box={{{name!r}: (-1, 1)}}")
+        refuse_open_range(name, low, high)
+
+
+def refuse_open_range(name: str, lower: float, upper: float) -> None:
+    """Raise InputError if the interval of a joint does not end."""
+    if not (np.isfinite(lower) and np.isfinite(upper)):
+        raise InputError(f"joint {name!r} has no limits: say where to search, as in box={{{name!r}: (-1, 1)}}")
 
 
 def intervals(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None) -> tuple[Array, Array]:

@@ -1,0 +1,78 @@
+"""Plots of workspaces: the regions with their numbers of solutions, and the boundary with its reasons."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from robotics1.errors import InputError
+from robotics1.inputs import Array
+from robotics1.plots.figures import drawn, legend_text, line_style, new_axes
+from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
+
+HATCHES = {0: "", 1: "//", 2: "", 3: "..", 4: "xx"}  # so that regions differ without colour
+COLORS = {1: "#fdd49e", 2: "#9ecae1", 3: "#c7e9c0", 4: "#bcbddc"}  # of the number of solutions
+STEP = 0.03  # rad along a drawn arc
+
+
+def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = None, title: str = "") -> Any:
+    """Draw the regions of a workspace and its boundary, and return the axes.
+
+    Each region has the number of its solutions written in it, and a colour and hatching by this number; of a redundant
+    arm it says "reached". The curves of the boundary have one kind of line for each reason, which the legend tells: a
+    joint at a limit, or joints that are singular together. Of an arm in space it is the section, see `Workspace`.
+
+    Args:
+        ws: what `workspaces.workspace` returns.
+        ax: the Matplotlib axes to draw in; by default those of a new figure.
+        file: where to write the figure, as .svg, .pdf or .png.
+        title: above the plot.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: it is no workspace, or the file has another suffix or cannot be written there.
+    """
+    if not isinstance(ws, Workspace):
+        raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
+    panel = new_axes(ax, 2)
+    for region in ws.regions:
+        _fill(panel, region, ws.redundant)
+    reasons = list(dict.fromkeys(curve.reason for curve in ws.boundary))
+    for i, reason in enumerate(reasons):
+        lines = [np.vstack([_points(curve), [[np.nan, np.nan]]]) for curve in ws.boundary if curve.reason == reason]
+        panel.plot(*np.vstack(lines).T, label=legend_text(reason), color=f"C{i}", linewidth=1.8, **line_style(i))
+    x, y = ws.coordinates
+    panel.set_aspect("equal", adjustable="datalim")
+    panel.set(xlabel=f"{x} [m]", ylabel=f"{y} [m]", title=title)
+    panel.grid(visible=True, alpha=0.4)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, fontsize="small")
+    return drawn(panel, file)
+
+
+def _fill(panel: Any, region: WorkspaceRegion, redundant: bool) -> None:
+    """Fill a region but its holes, and write its number of solutions into it."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path as Outline
+
+    outline = Outline.make_compound_path(*[Outline(line, closed=True) for line in _closed(region.outline)])
+    color, hatch = COLORS.get(region.solutions, "0.85"), HATCHES.get(region.solutions, "++")
+    panel.add_patch(PathPatch(outline, facecolor=color, edgecolor="0.55", hatch=hatch, linewidth=0.6))
+    word = "reached" if redundant else str(region.solutions)
+    box = {"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
+    panel.text(*region.point, word, ha="center", va="center", fontsize="small", bbox=box)
+
+
+def _closed(lines: Sequence[Array]) -> list[Array]:
+    return [np.vstack([line, line[:1]]) for line in lines]
+
+
+def _points(curve: BoundaryCurve) -> Array:
+    """Return points (k, 2) along a curve."""
+    if curve.center is None:
+        return np.array([curve.start, curve.end])
+    a, b = curve.start - curve.center
+    t = np.linspace(0, curve.angle, 2 + int(curve.angle / STEP))
+    return np.column_stack(
+        [curve.center[0] + a * np.cos(t) - b * np.sin(t), curve.center[1] + a * np.sin(t) + b * np.cos(t)]
+    )

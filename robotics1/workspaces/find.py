@@ -1,0 +1,174 @@
+"""The workspace of an arm, exactly: the plane, cut along the critical curves of the task."""
+
+from collections.abc import Mapping
+from math import pi, tau
+
+import numpy as np
+
+from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, regions
+from robotics1.workspaces.critical_curves import CriticalCurve
+from robotics1.workspaces.distances import extreme_positions
+from robotics1.workspaces.naming import boundary_curve, configuration_in_units, coordinates, names_of_coordinates
+from robotics1.workspaces.reading import ReadArm, read_arm
+from robotics1.workspaces.result import Workspace, WorkspaceRegion, outline_of
+from robotics1.workspaces.revolution import ON_AXIS, HalfPlane, angles_of_sides, half_plane, moment_within
+from robotics1.workspaces.section import Section, section_of
+
+SAME = 1e-9  # of distances that are alike, by the arm's size
+SAME_CONFIGURATION = 1e-6  # rad or m; what is stationary is found to the root of the rounding
+
+
+def workspace(robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]] | None = None) -> Workspace:
+    """Return the points r = f(q) with q inside the joint limits: boundary, regions and sizes, exactly.
+
+    At a point of the boundary the joints that are not at a limit are singular together. Of an arm in a plane such
+    points lie on arcs and segments, each drawn by one joint while the others stand still. These curves cut the plane
+    into regions; the number of solutions is the same everywhere in a region, and is counted at both sides of each
+    curve. The area is ½ ∮ (x dy − y dx) along the arcs and segments themselves, and the volume of what turns about an
+    axis is its angle times ∫ ρ dA (Pappus).
+
+    It is known for two coordinates of a point of an arm that moves in their plane, with two or more revolute and
+    prismatic joints; and for a point in space of such an arm with a slide across its plane (SCARA, cylindrical,
+    gantry), or whose plane contains the axis about which its first joint turns it (anthropomorphic, polar).
+
+    Args:
+        robot: the arm.
+        task: two or three coordinates of a point, as `PositionTask("xy")`, in world axes.
+        box: joint name → (lower, upper) [rad or m], inside the limits; needed for prismatic joints without limits.
+
+    Raises:
+        InputError: a prismatic joint has neither limits nor a box, or the box is wrong.
+        UnknownNameError: the box names no joint.
+        TaskError: the task or the arm is of another kind.
+
+    Source: Kumar, Waldron, The workspaces of a mechanical manipulator, 1981 (boundaries are singular); the rest is
+    plane geometry.
+    """
+    a_robot_and_a_task(robot, task)
+    arm = read_arm(robot, task, box)
+    plane = section_of(arm.joints, arm.tip, arm.neutral)
+    full_turn = arm.base is not None and arm.base.circular
+    section = half_plane(plane, (1, -1), arm.base.number) if arm.base is not None and full_turn else plane
+    edges = [d for d in section.divided if 0 in (d.left, d.right) and d.piece.curve.joint != ON_AXIS]
+    found = [_region(arm, outer, holes, section) for outer, holes in regions(section.divided)]
+    reached = tuple(region for region in found if region.solutions)
+    r_min, nearest = _nearest(arm, section, edges)
+    r_max, farthest = _extreme(arm, edges, largest=True)
+    return Workspace(
+        robot_name=robot.name,
+        area=float(sum(region.area for region in reached)),
+        volume=_volume(arm, plane, reached),
+        r_min=r_min,
+        r_max=r_max,
+        nearest=nearest,
+        farthest=farthest,
+        boundary=tuple(boundary_curve(robot, arm, divider.piece.curve) for divider in edges),
+        regions=reached,
+        voids=tuple(region for region in found if not region.solutions),
+        cusps=np.zeros((0, 2)),
+        coordinates=names_of_coordinates(arm),
+        redundant=len(arm.joints) > 2,
+        arm=arm,
+        section=section,
+        edges=tuple(divider.piece.curve for divider in edges),
+    )
+
+
+def _region(arm: ReadArm, outer: Loop, holes: list[Loop], section: Section | HalfPlane) -> WorkspaceRegion:
+    area = sum(map(area_within, (outer, *holes))) * arm.size**2
+    volume = None
+    if arm.slide is not None:
+        volume = area * (arm.slide.upper - arm.slide.lower)
+    elif isinstance(section, HalfPlane):
+        volume = tau * sum(map(moment_within, (outer, *holes))) * arm.size**3
+    inside = inner_point(outer, holes, list(section.divided))
+    outline = tuple(np.array([coordinates(arm, z) for z in outline_of(loop)]) for loop in (outer, *holes))
+    return WorkspaceRegion(outer[0].count, area, volume, coordinates(arm, inside), outline)
+
+
+def _volume(arm: ReadArm, plane: Section, reached: tuple[WorkspaceRegion, ...]) -> float | None:
+    """Return the volume; of a turn with limits, by what both sides of the plane sweep, and each alone."""
+    if arm.base is None or arm.base.circular:
+        return (
+            None if arm.base is None and arm.slide is None else float(sum(region.volume or 0.0 for region in reached))
+        )
+    both, alone = angles_of_sides(arm.base.upper - arm.base.lower)
+    number = arm.base.number
+    moments = [_moment(half_plane(plane, sides, number)) for sides in ((1, -1), (1,), (-1,))]
+    return (both * moments[0] + alone * (moments[1] + moments[2])) * arm.size**3
+
+
+def _moment(half: HalfPlane) -> float:
+    """Return ∫ ρ dA over what is reached."""
+    inside = (loops for loops in regions(half.divided) if loops[0][0].count)
+    return sum(moment_within(loop) for outer, holes in inside for loop in (outer, *holes))
+
+
+def _extreme(arm: ReadArm, edges: list[Divider], *, largest: bool) -> tuple[float, Array]:
+    """Return the largest or smallest distance of the boundary from the first joint's axis, and where it is attained."""
+    found: list[tuple[float, tuple[float, ...]]] = []
+    for divider in edges:
+        for curve in (divider.piece.curve, *divider.piece.others):
+            found += [(_radius(arm, curve.point(t)), curve.configuration(t)) for t in _extreme_positions(arm, curve)]
+    best = (max if largest else min)(radius for radius, _ in found)
+    there = [configuration_in_units(arm, q) for radius, q in found if abs(radius - best) < SAME]
+    return best * arm.size, _distinct(arm, there)
+
+
+def _extreme_positions(arm: ReadArm, curve: CriticalCurve) -> list[float]:
+    """Return t of the ends and of what is stationary; an axis in the plane is like a point far away."""
+    if arm.base is None:
+        return extreme_positions(curve, _centre(arm))
+    if curve.centre is None:
+        return [0.0, curve.length] if abs(curve.direction.real) > SAME else [curve.length / 2]
+    points = [curve.centre + curve.radius, curve.centre - curve.radius]
+    return [0.0, curve.length, *(t for t in map(curve.position, points) if t is not None)]
+
+
+def _radius(arm: ReadArm, z: complex) -> float:
+    return abs(z - _centre(arm)) if arm.base is None else abs(z.real)
+
+
+def _centre(arm: ReadArm) -> complex:
+    """Return where the first joint's axis is in the plane; the world's origin if the joint slides."""
+    return arm.joints[0].place if arm.joints[0].revolute else arm.in_plane(np.zeros(3))
+
+
+def _nearest(arm: ReadArm, section: Section | HalfPlane, edges: list[Divider]) -> tuple[float, Array]:
+    """Return the smallest distance from the first joint's axis, and where it is attained: also inside."""
+    inside = _reached_on_axis(arm, section)
+    if inside is None:
+        return _extreme(arm, edges, largest=False)
+    whole = section.section if isinstance(section, HalfPlane) else section
+    return 0.0, _distinct(arm, [configuration_in_units(arm, q) for q in whole.configurations(inside)])
+
+
+def _reached_on_axis(arm: ReadArm, section: Section | HalfPlane) -> complex | None:
+    """Return a reached point of the first joint's axis."""
+    if arm.base is None:
+        return _centre(arm) if section.count(_centre(arm)) else None
+    if not isinstance(section, HalfPlane):
+        section = half_plane(section, (1, -1), arm.base.number)
+    axis = [d.piece.curve for d in section.divided if d.piece.curve.joint == ON_AXIS]
+    return axis[0].point(axis[0].length / 2) if axis else None
+
+
+def _distinct(arm: ReadArm, found: list[Array]) -> Array:
+    """Return configurations, each once; whole turns apart are one, and so are other values of a turning first joint."""
+    first = arm.base if arm.base is not None else arm.joints[0]
+    turning = {joint.number for joint in arm.joints if joint.revolute} - {first.number}
+    free = {first.number} if first.revolute else set()
+    kept: list[Array] = []
+    for q in found:
+        if all(_apart(q - other, turning, free) > SAME_CONFIGURATION for other in kept):
+            kept.append(q)
+    return np.array(kept).reshape(len(kept), len(arm.neutral))
+
+
+def _apart(difference: Array, turning: set[int], free: set[int]) -> float:
+    """Return the largest difference of a joint that is not free, the short way round."""
+    short = [abs((d + pi) % tau - pi) if i in turning else abs(d) for i, d in enumerate(difference) if i not in free]
+    return max(short, default=0.0)
