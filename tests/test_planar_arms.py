@@ -110,7 +110,6 @@ def test_a_planar_arm_is_solved_as_any_other():
         ((3, []), r1.InputError, "joints must be 1 to"),
         (("RR", [1]), r1.InputError, "one for each R of 'RR', 2 in all"),
         (("RR", "l1"), r1.InputError, "one for each R of 'RR', 2 in all"),
-        (("RR", ["l1", 1]), r1.InputError, "no value for l1"),
         (("RR", ["q1", 1]), r1.InputError, "length 1 cannot be called 'q1'"),
         (("RR", [1, None]), r1.InputError, "length 2 must be a finite number"),
         (("RR", [1, 1e200]), r1.InputError, "lengths must be at most"),
@@ -128,3 +127,10 @@ def test_a_parameter_that_no_length_has_is_refused():
         planar_arm("RR", ["l1", 1], parameters={"l1": 1}).with_parameters({"l3": 2})
     with pytest.raises(r1.InputError, match="lower ≤ upper"):
         planar_arm("R", [1], lower=[1], upper=[0])
+
+
+def test_a_length_without_a_value_is_one_metre_and_stays_a_name():
+    robot = planar_arm("PRR", lengths=["l1", 0.5])
+    assert robot.parameters == {"l1": 1.0}
+    assert r1.forward_kinematics(robot, [0.2, 0.0, 0.0]).translation == pytest.approx([1.7, 0, 0], abs=1e-15)
+    assert str(r1.formulas(robot, r1.PlanarPoseTask()).determinant) == "l1*cos(q2)"

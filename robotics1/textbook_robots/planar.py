@@ -41,12 +41,12 @@ def planar_arm(
     Args:
         joints: a letter "R" or "P" for each joint.
         lengths: one for each R [m]: a number, or a name such as "l1", which formulas keep.
-        parameters: the values of the names, which the robot keeps as `robot.parameters`.
+        parameters: the values of the names, which the robot keeps as `robot.parameters`; 1 m where there is none.
         absolute: each angle is measured from the world's x axis; otherwise from the link before.
         lower, upper: (n,) joint limits [rad or m]; None, for all or for one, means none.
 
     Raises:
-        InputError: a letter, length or limit is wrong, or a name has no value.
+        InputError: a letter, length or limit is wrong.
         UnknownNameError: a parameter is not among the lengths.
     """
     if not isinstance(joints, str) or not joints or not set(joints) <= set("RP") or len(joints) > MOST_DEGREES:
@@ -57,7 +57,9 @@ def planar_arm(
     if isinstance(lengths, str) or not isinstance(lengths, Sequence | np.ndarray) or len(lengths) != turns:
         raise InputError(f"lengths must hold one for each R of {joints!r}, {turns} in all; it is {lengths!r}")
     links = tuple(number_or_name(f"length {i}", length) for i, length in enumerate(lengths, 1))
-    known = named_values("the planar arm", links, by_name("parameters", parameters, "{'l1': 0.5}"))
+    given = by_name("parameters", parameters, "{'l1': 0.5}")
+    ones = {link.removeprefix("-"): 1.0 for link in links if isinstance(link, str)}
+    known = named_values("the planar arm", links, {**ones, **given})
     if any(abs(value_of(link, known)) > LARGEST for link in links):
         raise InputError(f"lengths must be at most {LARGEST:g}; they are {[value_of(link, known) for link in links]}")
     n = len(joints)
