@@ -160,18 +160,21 @@ def a_robot_and_a_task(robot: Any, task: Any) -> None:
 
 
 def answer_of(name: str, function: Callable[..., Any], *arguments: Any) -> Any:
-    """Return what a function of the user's own returns.
-
-    Raises:
-        InputError: it fails; it may raise this package's errors itself.
-    """
+    """Return what a function of the user's own returns; InputError where it fails, but for this package's errors."""
     try:
         return function(*arguments)
     except Robotics1Error:
         raise
     except Exception as error:
-        given = ", ".join(str(np.asarray(x).tolist()) if isinstance(x, np.ndarray) else repr(x) for x in arguments)
+        given = ", ".join(str(x.tolist()) if isinstance(x, np.ndarray) else repr(x) for x in arguments)
         raise InputError(f"{name} failed at {given}: {error!r}") from error
+
+
+def true_or_false(name: str, value: Any) -> bool:
+    """Return an option that is True or False; anything else is an InputError."""
+    if not isinstance(value, bool | np.bool_):
+        raise InputError(f"{name} must be True or False, not {value!r}")
+    return bool(value)
 
 
 def _is_a_robot(value: Any) -> bool:

@@ -5,7 +5,7 @@ import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, a_robot, one_of, real_array
+from robotics1.inputs import Array, a_robot, one_of, real_array, true_or_false
 from robotics1.robot.model import Robot
 
 KINDS = {"mixed": pin.LOCAL_WORLD_ALIGNED, "space": pin.WORLD, "body": pin.LOCAL}
@@ -82,7 +82,7 @@ def frame_jacobian(
                 f"a {kind} Jacobian has axes of its own, so that reference must stay 'world'; it is {reference!r}"
             )
         J = np.vstack([R.T @ J[:3], R.T @ J[3:]])
-    return np.asarray(np.roll(J, 3, axis=0) if angular_first else J)
+    return np.asarray(np.roll(J, 3, axis=0) if true_or_false("angular_first", angular_first) else J)
 
 
 def frame_jacobian_rate(

@@ -193,3 +193,28 @@ OWN_FUNCTIONS = {
 def test_a_function_of_the_users_own_that_fails_is_named_with_its_error(name):
     with pytest.raises(r1.InputError, match=rf"^{name} failed at .*(IndexError|ZeroDivisionError)"):
         OWN_FUNCTIONS[name]()
+
+
+OPTIONS = {
+    "windings": lambda value: r1.ik_solutions(ROBOT, XY, [1, 0.5], windings=value),
+    "within_limits": lambda value: r1.ik.posture_change(ROBOT, XY, Q, -Q, within_limits=value),
+    "absolute": lambda value: r1.textbook_robots.planar_arm("R", [1.0], absolute=value),
+    "angular_first of J": lambda value: r1.frame_jacobian(ROBOT, Q, angular_first=value),
+    "angular_first of Ad": lambda value: r1.rigid_motions.adjoint(pin.SE3.Identity(), angular_first=value),
+    "angular_first of log": lambda value: r1.rigid_motions.pose_log(pin.SE3.Identity(), angular_first=value),
+    "angular_first of exp": lambda value: r1.rigid_motions.pose_exp(np.ones(6), angular_first=value),
+}
+
+
+@pytest.mark.parametrize("name", list(OPTIONS))
+@pytest.mark.parametrize("value", [np.zeros((0, 4)), np.ones(2), "yes", None, 1])
+def test_an_option_that_is_true_or_false_is_nothing_else(name, value):
+    with pytest.raises(r1.InputError, match=f"{name.split()[0]} must be True or False"):
+        OPTIONS[name](value)
+
+
+@pytest.mark.parametrize("option", ["box", "locked"])
+def test_a_solver_of_all_solutions_takes_joints_by_their_names(option):
+    for value in ([0.1], np.zeros((2, 2)), "q1", {1: 2}):
+        with pytest.raises(r1.InputError, match=option):
+            r1.ik.SolutionSolver(ROBOT, XY, **{option: value})

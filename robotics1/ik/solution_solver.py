@@ -14,7 +14,7 @@ from robotics1.ik.search import numbered
 from robotics1.ik.solution_batch import IKSolutionsBatch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solver import list_of_targets
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number
+from robotics1.inputs import Array, a_robot_and_a_task, by_name, counting_number
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.every_solution import COUNT, EDGE, ERROR, INSIDE
 from robotics1.robot.model import Robot
@@ -53,8 +53,8 @@ class SolutionSolver:
     ) -> None:
         a_robot_and_a_task(robot, task)
         self.robot, self.task = robot, task
-        self._box = None if box is None else dict(box)
-        self._locked = None if locked is None else dict(locked)
+        self._box = by_name("box", box, "{'q1': (-1, 1)}")
+        self._locked = by_name("locked", locked, "{'q1': 0.5}")
         self._starts = counting_number("starts", starts, least=1)
         self._seed = counting_number("seed", seed)
         task.check_integrable(robot)

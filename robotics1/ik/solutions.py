@@ -5,13 +5,12 @@ from contextlib import suppress
 from functools import lru_cache
 from typing import Any
 
-from robotics1.errors import InputError
 from robotics1.ik.prepared import Prepared, prepare
 from robotics1.ik.scaled_task import never_changes
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solutions_by_search import searched
 from robotics1.ik.windings import with_windings
-from robotics1.inputs import a_robot_and_a_task, counting_number, one_of
+from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, true_or_false
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -65,8 +64,7 @@ def ik_solutions(
     """
     a_robot_and_a_task(robot, task)
     one_of("method", method, ("auto", "search"))
-    if not isinstance(windings, bool):
-        raise InputError(f"windings must be True or False, not {windings!r}")
+    windings = true_or_false("windings", windings)
     seed, starts = counting_number("seed", seed), counting_number("starts", starts, least=1)
     task.check_integrable(robot)
     target = task.target(target)

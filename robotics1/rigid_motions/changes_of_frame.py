@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, real_array, true_or_false
 from robotics1.robot.placements import homogeneous
 
 SIX = "(v, ω), or (ω, v) with angular_first"
@@ -58,9 +58,10 @@ def linear_first(name: str, V: npt.ArrayLike, angular_first: bool) -> Array:
         InputError: it is not six numbers.
     """
     twist = real_array(name, V, (6,), SIX)
-    return np.roll(twist, 3) if angular_first else twist
+    return np.roll(twist, 3) if true_or_false("angular_first", angular_first) else twist
 
 
 def _in_order(action: Any, angular_first: bool) -> Array:
     """Return a matrix for (v, ω), or the same for (ω, v)."""
-    return np.roll(action, (3, 3), axis=(0, 1)) if angular_first else np.array(action)
+    first = true_or_false("angular_first", angular_first)
+    return np.roll(action, (3, 3), axis=(0, 1)) if first else np.array(action)

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from robotics1.inputs import Array, moderate
+from robotics1.inputs import Array, moderate, true_or_false
 from robotics1.orientation.axis_angle import rotation_to_axis_angle
 from robotics1.rigid_motions.changes_of_frame import linear_first
 from robotics1.robot.placements import ROTATION_TOLERANCE, homogeneous
@@ -53,7 +53,7 @@ def pose_log(T: Any, *, angular_first: bool = False) -> Array:
     if theta > 0:
         along = (omega / theta) @ p * (omega / theta)
         v = along + (theta / 2) / np.tan(theta / 2) * (p - along) - np.cross(omega, p) / 2
-    return np.concatenate([omega, v] if angular_first else [v, omega])
+    return np.concatenate([omega, v] if true_or_false("angular_first", angular_first) else [v, omega])
 
 
 def rotation_vector(R: Array) -> Array:

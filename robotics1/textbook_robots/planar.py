@@ -8,7 +8,7 @@ import numpy as np
 from robotics1.dh.joints import named_placement
 from robotics1.dh.table import Limits, joint_limits, named_values, number_or_name, value_of
 from robotics1.errors import InputError
-from robotics1.inputs import by_name
+from robotics1.inputs import by_name, true_or_false
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint
@@ -67,7 +67,7 @@ def planar_arm(
     if (least > most).any():
         raise InputError(f"the limits must have lower ≤ upper; they are {least.tolist()} and {most.tolist()}")
     limits = tuple((float(a), float(b)) for a, b in zip(least, most, strict=True))
-    return PlanarArm(joints, links, bool(absolute), limits, Parameters(known)).robot()
+    return PlanarArm(joints, links, true_or_false("absolute", absolute), limits, Parameters(known)).robot()
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import NO_POSTURE, Postures, postures
 from robotics1.ik.postures.roadmap import Region, least_along
 from robotics1.ik.postures.walls import crossed_wall, walls
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number
+from robotics1.inputs import Array, a_robot_and_a_task, counting_number, true_or_false
 from robotics1.notation import joint_value, number
 from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
@@ -96,6 +96,7 @@ def posture_change(
     """
     a_robot_and_a_task(robot, task)
     seed, samples = counting_number("seed", seed), counting_number("samples", samples, least=1)
+    within_limits = true_or_false("within_limits", within_limits)
     det = determinant(robot, task)
     ends = [robot.configuration(q, name) for name, q in (("q_a", q_a), ("q_b", q_b))]
     for name, q in zip(("q_a", "q_b"), ends, strict=True):
