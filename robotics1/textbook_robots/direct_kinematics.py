@@ -42,7 +42,7 @@ def robot_from_formula(
         formulas: (m,) one for each row: texts in q1, q2, ... and the names of `values`, or SymPy expressions.
         joints: a letter "R" or "P" for each joint.
         values: of the other names, such as {"l1": 0.5}, which are put in their place.
-        units: "m", "rad" or "1" of each row, as of a `FunctionTask`; a row in "rad" counts up to whole turns.
+        units: "m", "rad" or "1" of each row, as in a `FunctionTask`; a row in "rad" counts up to whole turns.
         lower, upper: (n,) joint limits [rad or m]; None, for all or for one, means none.
 
     Raises:
@@ -120,7 +120,7 @@ class FormulaFunction:
         return self._numbers(1, q).reshape(len(self.entries), self.n)
 
     def _numbers(self, order: int, q: Array) -> Array:
-        """Return what the formulas of an order give; a complex number, as of √−1, is none, and the task says so."""
+        """Return what the formulas of an order give; a complex number, such as √−1, is none, and the task says so."""
         with np.errstate(all="ignore"):
             values = [f(*q) for f in self._functions[order]]
         return np.array([np.nan if np.iscomplexobj(value) else value for value in values], dtype=float)

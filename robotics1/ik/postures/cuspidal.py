@@ -109,7 +109,7 @@ def is_cuspidal(robot: Robot, task: Task, *, targets: int = 20, samples: int = 6
             return _cuspidal(pair, at, asked)
     if known is not None and known.generic and len(known.q):
         reason = (
-            f"Three solutions meet at {count(len(known.q), 'cusp')}, as of cuspidal arms only; no example is known."
+            f"Three solutions meet at {count(len(known.q), 'cusp')}, as for cuspidal arms only; no example is known."
         )
         return Cuspidality(CuspidalityStatus.CUSPIDAL, False, NOTHING, NOTHING, NOTHING, 0.0, known.q, asked, reason)
     share = 1 - RISK ** (1 / max(1, asked))

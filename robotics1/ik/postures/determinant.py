@@ -118,7 +118,7 @@ def determinant(robot: Robot, task: Task) -> Determinant:
         raise TaskError("no joint moves the task, so that it has no postures")
     if n != task.rows:
         raise TaskError(
-            f"{count(n, 'joint')} and {count(task.rows, 'row')} of the task: postures are told apart by the sign "
+            f"{count(n, 'joint')} and {count(task.rows, 'row')} of the task: postures differ by the sign "
             f"of det J, which is of a square J"
         )
     chain, rows = chain_and_rows(problem)

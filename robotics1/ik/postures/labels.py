@@ -22,7 +22,7 @@ SAMPLES = 64  # configurations at which the largest values are taken
 
 @dataclass(frozen=True, eq=False)
 class Postures:
-    """How the postures of an arm are told apart.
+    """What distinguishes the postures of an arm.
 
     Attributes:
         chain: of the joints that move the task.
@@ -63,7 +63,7 @@ class Postures:
 
 
 def postures(robot: Robot, task: Task) -> Postures:
-    """Return how the postures of a robot in a task are told apart; of a task on a pose it is kept."""
+    """Return what distinguishes the postures of a robot in a task; for a task on a pose it is kept."""
     if never_changes(task):
         with suppress(TypeError):
             return _kept(robot, task)

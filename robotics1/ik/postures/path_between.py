@@ -78,7 +78,7 @@ def posture_change(
     On a path without singularities det J keeps its sign, and so does each of its factors. Where a sign differs, there
     is no path; nor where det J vanishes at values of one joint between them, whatever the others do. Otherwise straight
     lines are tried, both ways round each joint, and then a roadmap of random configurations. Where det J depends on two
-    joints only, as of a 3R arm, a grid can prove that there is no path.
+    joints only, as for a 3R arm, a grid can prove that there is no path.
 
     Args:
         robot: an arm of revolute and prismatic joints.
