@@ -140,7 +140,7 @@ class GeneralLoop:
 
 
 def general_loop(A: Sequence[Array], prismatic: Sequence[bool]) -> GeneralLoop:
-    """Return what a loop has in common for all targets: A are placements (4, 4), of which 2, 3, 4 count."""
+    """Return what a loop has in common for all targets: A are placements (4, 4); 2, 3 and 4 of them matter."""
     Z = [motions(slides, LENGTHS if slides else ANGLES) for slides in prismatic[2:5]]
     frames = (Z[0] @ A[2])[:, None, None] @ (Z[1] @ A[3])[:, None] @ (Z[2] @ A[4])
     values = fourteen(frames[..., :3, 3], frames[..., :3, 2])

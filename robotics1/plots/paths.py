@@ -118,7 +118,7 @@ def _tool_path(robot: Robot, motion: Any) -> Curve:
 
 
 def _draw(axes: Any, lines: Sequence[Line], columns: Sequence[int], unit: str) -> None:
-    """Draw lines of points, of which the columns are seen, with labels; in the plane the first has an arrow head."""
+    """Draw the given columns of lines of points, with labels; in the plane the first line has an arrow head."""
     for label, points, style in lines:
         axes.plot(*points[:, columns].T, label=label, **style)
     letters = [name for name, _ in zip("xyz", columns, strict=False)]
