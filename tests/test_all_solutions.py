@@ -8,7 +8,7 @@ from brute_force import all_solutions, apart
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import InputError, PoseTask, PositionTask, forward_kinematics, ik_solutions, robot_from_dh
-from robotics1.ik import IKStatus
+from robotics1.ik import IKStatus, SolutionSolver
 
 H = pi / 2
 XYZ, POSE = PositionTask(), PoseTask()
@@ -133,6 +133,34 @@ def test_beyond_the_boundary_by_less_than_a_micrometre_is_the_boundary():
     assert found.q == pytest.approx(np.zeros((1, 2)), abs=1e-3)
     assert found.boundary_distance == pytest.approx(5e-7, rel=1e-2)
     assert "a boundary is 5e-07 away" in found.explain()
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-3])
+@pytest.mark.parametrize(
+    ("rows", "task", "folded"),
+    [
+        ([R(1.2, 0, 0), R(0.8, 0, 0)], PositionTask("xy"), [0.3, 0]),
+        (ANTHROPOMORPHIC, XYZ, [0.3, 0.7, 0]),
+        (UR5, POSE, [0.3, 0.7, 0, 0.5, 1.1, 0.2]),
+    ],
+    ids=["2R", "anthropomorphic", "UR5"],
+)
+def test_within_a_micrometre_of_the_boundary_both_ways_to_all_solutions_say_so(rows, task, folded, size):
+    robot = robot_of([(kind, a * size, alpha, d * size, theta) for kind, a, alpha, d, theta in rows])
+    solver = SolutionSolver(robot, task)
+    fold, moved = np.array(folded, dtype=float), np.zeros(len(rows))
+    moved[2 if len(rows) == 6 else -1] = 1.0
+    moved[3:4] = -1.0  # the wrist keeps its direction beside the forearm
+    links = np.array([abs(row[1]) for row in rows if row[1]][-2:]) * size
+    for shortened, status in [(5e-7, IKStatus.BOUNDARY), (9e-7, IKStatus.BOUNDARY), (1.2e-6, IKStatus.FINITE)]:
+        chord = links.sum() - shortened  # the law of cosines
+        bent = np.arccos((chord**2 - links @ links) / (2 * links.prod()))
+        target = task.value(robot, fold + bent * moved)
+        for found in (solver(target), ik_solutions(robot, task, target)):
+            assert found.status is status
+            if status is IKStatus.BOUNDARY:
+                least = 0.1 if task.rows == 6 else 1.0  # a pose may turn on its way to the boundary
+                assert least - 1e-3 < found.boundary_distance / shortened < 1 + 1e-3
 
 
 def test_solutions_outside_the_limits_are_kept_apart_and_whole_turns_are_listed_on_request():

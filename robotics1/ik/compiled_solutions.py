@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from robotics1.ik.exact import AS_FORMULA, BOUNDARY, REGULAR, ExactSolver
+from robotics1.ik.boundary_distance import BOUNDARY, shortness
+from robotics1.ik.exact import AS_FORMULA, REGULAR, ExactSolver
 from robotics1.ik.general_six import Roots
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solution_set import IKSolutions
@@ -145,7 +146,7 @@ def _arrays(exact: ExactSolver, joints: Array, rows: Indices) -> tuple[Any, ...]
     own = np.column_stack([chain.prismatic, np.arange(len(rows)), np.ones(len(rows))])
     placements = np.array([P[:3] for P in chain.P]).reshape(-1, 12)
     links = np.column_stack([placements, np.vstack([own, np.zeros(3)])])
-    least = SINGULAR if form.deviation < AS_FORMULA else REGULAR
+    least = SINGULAR * shortness(exact.problem) if form.deviation < AS_FORMULA else REGULAR
     if form.roots is not None:
         return links, joints, rows, np.array([0, 0, 0, 0, 0, chain.length, least])
     if form.loop is None:

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.errors import TaskError
+from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance
 from robotics1.ik.descent import REACHED
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
@@ -20,23 +21,11 @@ from robotics1.singularities.points import SingularPoints, singular_points
 from robotics1.tasks.task import PoseError
 
 SINGULAR = 1e-4  # σ_min/σ_max of a solution that may be a double one: rounding splits these by 1e-8 or more
-NEARLY_SINGULAR = 5e-3  # σ_min/σ_max of one that may be within 1e-6 of a boundary: it grows as the root of that
-ALMOST_LOST = 1e-5  # σ_min/σ_max of one that may be within 1e-6 of a family
 SPLIT = 1e-3  # distance by which rounding may split a double solution, where the target is near a joint axis
-CLOSE = 0.05  # distance of two solutions that may meet within 1e-6 of the target
-BOUNDARY = 0.999e-6  # [m, rad] from a target with a double solution, that is at the boundary
 AS_FORMULA = 1e-9  # deviation of an arm for which its formula is exact
 REGULAR = 1e-2  # σ_min/σ_max at which rounding of the axes cannot add or remove a solution
 AT_LIMIT = 1e-9, 1e-7  # outside of a limit, in units, by rounding; and of a double solution
 FAMILY_STEP, FAMILY_STEPS = 0.25, 26  # along a family, to each side
-
-
-class Root(NamedTuple):
-    """A solution q (nq,), σ_min/σ_max of J there, and whether J loses rank."""
-
-    q: Array
-    sigma: float
-    singular: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +77,7 @@ class ExactSolver:
             return otherwise()
         if not inside:
             return self._miss(candidates[~reached], outside, search, otherwise, proven=proven)
-        near = self._distance_to_boundary(inside, search)
+        near = boundary_distance(inside, search, self.points)
         if dimension:
             families = self._with_families(inside, search, goal)
             return self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)
@@ -143,7 +132,7 @@ class ExactSolver:
 
     def _are_one(self, p: Array, q: Array, sigma: float, search: SolutionSearch) -> bool:
         """Whether two solutions are one but for rounding: so they are if what is halfway is a solution too."""
-        d = self._difference(p, q)
+        d = self.problem.shortest_difference(p, q)
         apart = np.abs(d).max(initial=0.0)
         halfway = q + 0.5 * d * self.problem.box.unit
         return bool(apart < SAME or (sigma < SINGULAR and apart < SPLIT and search.relative_error(halfway) <= REACHED))
@@ -153,15 +142,10 @@ class ExactSolver:
         q = group[0]
         if sigma > SINGULAR:
             return Root(q, sigma, False)
-        mean = np.mean([self._difference(p, q) for p in group], axis=0)
+        mean = np.mean([self.problem.shortest_difference(p, q) for p in group], axis=0)
         refined = search.at_the_singularity(self._turned(q + mean * self.problem.box.unit))
-        wide = bool(max(np.abs(self._difference(p, q)).max() for p in group) > SAME)
+        wide = bool(max(np.abs(self.problem.shortest_difference(p, q)).max() for p in group) > SAME)
         return Root(refined, sigma, bool(wide or search.singular(refined)))
-
-    def _difference(self, p: Array, q: Array) -> Array:
-        """Return p − q in units, angles the short way round."""
-        d = p - q
-        return np.asarray(np.where(self.problem.robot.revolute, np.angle(np.exp(1j * d)), d / self.problem.box.unit))
 
     def _turned(self, q: Array) -> Array:
         """Return q with joints turned into the box, or into their limits if there is such a turn."""
@@ -182,15 +166,12 @@ class ExactSolver:
                 outside.append(root)
         return inside, outside
 
-    def _close(self, root: Root, other: Root) -> bool:
-        """Whether two solutions may be about to meet."""
-        return bool(np.abs(self._difference(root.q, other.q)).max() < CLOSE)
-
     def _with_families(self, roots: list[Root], search: SolutionSearch, goal: Array) -> list[Root]:
         """Return the solutions with others along each curve of them."""
         found: list[Root] = []
         for root in roots:
-            listed = any(np.linalg.norm(self._difference(root.q, other.q)) < 0.6 * FAMILY_STEP for other in found)
+            ways = (self.problem.shortest_difference(root.q, other.q) for other in found)
+            listed = any(np.linalg.norm(way) < 0.6 * FAMILY_STEP for way in ways)
             if not (root.singular and listed):
                 found.append(root)
                 if root.singular and search.dimension(root.q):
@@ -213,24 +194,12 @@ class ExactSolver:
             ahead[moving] += FAMILY_STEP * unit[moving] * tangent
             ahead = self._polished(ahead[None], goal)[0][0]
             inside, _ = self._by_limits([Root(self._turned(ahead), 0.0, True)])
-            home = len(found) > 2 and np.abs(self._difference(ahead, q)).max() < 0.5 * FAMILY_STEP
+            home = len(found) > 2 and np.abs(self.problem.shortest_difference(ahead, q)).max() < 0.5 * FAMILY_STEP
             if search.relative_error(ahead) > REACHED or not inside or home:
                 break
             found += inside
             p, before = ahead, tangent
         return found
-
-    def _distance_to_boundary(self, roots: list[Root], search: SolutionSearch) -> float:
-        """Return how far the target is from the value at the nearest singular configuration, if that is at hand."""
-        near = np.inf
-        for root in roots:
-            if root.singular:
-                return 0.0
-            partners = [other for other in roots if other is not root and self._close(root, other)]
-            if root.sigma < ALMOST_LOST or (root.sigma < NEARLY_SINGULAR and partners):
-                p = self.points.project(root.q)
-                near = near if p is None else min(near, search.error_norm(p))
-        return near if near < BOUNDARY else np.inf
 
     def _miss(
         self,

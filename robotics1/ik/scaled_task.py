@@ -60,6 +60,11 @@ class ScaledTask:
         """Return random configurations, (count, n), with the free joints in the middle."""
         return np.where(self.moving, self.box.random(rng, count), self.middle)
 
+    def shortest_difference(self, p: Array, q: Array) -> Array:
+        """Return p − q, (n,), in units, angles the short way round."""
+        d = p - q
+        return np.asarray(np.where(self.robot.revolute, np.angle(np.exp(1j * d)), d / self.box.unit))
+
     def error(self, q: Array, target: Any) -> Array:
         """Return r_d − f(q), (m,), without units; ∞ where it is too large for a number."""
         return self.without_units(self.task.error(self.robot, q, target))

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from pinocchio import SE3
 
+from robotics1.ik.boundary_distance import BOUNDARY
 from robotics1.ik.compiled_solutions import CompiledSolutions
-from robotics1.ik.exact import BOUNDARY
 from robotics1.ik.prepared import Prepared, prepare
 from robotics1.ik.result import IKStatus
 from robotics1.ik.search import numbered

@@ -13,14 +13,14 @@ from robotics1.kernels.candidates import LEAST, LENGTH, few_joints, six_joints
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.inverse import TURN, is_pose
-from robotics1.kernels.newton import REACHED, error_halfway, near_singular, norm, polish
+from robotics1.kernels.newton import REACHED, distance_of_meeting, near_singular, norm, polish
 from robotics1.kernels.real_roots import MANY, UNKNOWN
 
 LOWER, UPPER, MIDDLE, UNIT, ENTRY, SLIDES = 0, 1, 2, 3, 4, 5  # the columns of `joints`
 INSIDE, COUNT, ERROR, EDGE = 0, 1, 2, 3  # the columns of `answers`
 MISSED = 1e-7  # |e| of what may be a solution after all
-SAME, CLOSE = 1e-6, 0.05  # distance of solutions that are one, and that may be about to meet
-DOUBLE = 1e-8  # [m, rad] from a target at which two solutions meet, which is to be looked at
+SAME, CLOSE = 1e-6, 0.05  # distance of solutions that are one, and of an arm of 1 m that may be about to meet
+DOUBLE = 1e-9  # [units, rad] from a target at which two solutions meet, which is to be looked at
 AT_LIMIT = 1e-9  # outside of a limit by rounding
 SPLIT = 1e-3  # σ_min/σ_max below which two solutions meet, or one is near a family
 DIGITS = 1e6  # solutions are sorted by their first six decimals
@@ -43,6 +43,18 @@ def unit_of(links: Array, goal: Array, length: float) -> float:
 
 
 @compiled(contract=True)
+def way_between(links: Array, x: Array, y: Array, way: Array) -> float:
+    """Write y − x to way, (n,), angles the short way round, and return its largest entry."""
+    apart = 0.0
+    for j in range(len(x)):
+        way[j] = y[j] - x[j]
+        if links[j, PRISMATIC] == 0.0:
+            way[j] -= TURN * math.floor(way[j] / TURN + 0.5)
+        apart = max(apart, abs(way[j]))
+    return apart
+
+
+@compiled(contract=True)
 def polished_once(
     links: Array, goal: Array, rows: Indices, unit: float, least: float, count: int, x: Array, errors: Array,
     partner: Indices, near: Array,
@@ -54,36 +66,32 @@ def polished_once(
     n = len(rows)
     T, axes, J, e = np.empty((3, 4)), np.empty((n, 6)), np.empty((6, n)), np.empty(n)
     M, swaps, step, sigmas = np.empty((6, 6)), np.empty(6, dtype=np.int64), np.empty(n), np.empty(MANY)
-    kept = 0
+    kept, close = 0, CLOSE * math.sqrt(max(1.0, 1.0 / unit))
     for c in range(count):
         error, sigma = polish(links, goal, rows, x[c], T, axes, J, M, swaps, e, step)
         if not error <= REACHED:
             if error < MISSED:
                 return UNKNOWN
             continue
-        new, near[kept], partner[kept], sigmas[kept] = True, np.inf, kept, sigma
-        errors[kept] = norm(e, rows, unit)
+        new = True
         for k in range(kept):
-            apart = 0.0
-            for j in range(n):
-                step[j] = x[c, j] - x[k, j]
-                if links[j, PRISMATIC] == 0.0:
-                    step[j] -= TURN * math.floor(step[j] / TURN + 0.5)
-                apart = max(apart, abs(step[j]))
-            if apart < SAME:
-                new = False
-            elif apart < CLOSE:
-                gap = error_halfway(links, goal, rows, unit, x[k], step, T, axes, e)
-                if gap < DOUBLE:
+            new = new and way_between(links, x[k], x[c], step) >= SAME
+        if not new:
+            continue
+        near[kept], partner[kept], sigmas[kept] = np.inf, kept, sigma
+        errors[kept] = norm(e, rows, unit)
+        for j in range(n):
+            x[kept, j] = x[c, j]
+        for k in range(kept):
+            if way_between(links, x[k], x[kept], step) < close:
+                gap = distance_of_meeting(links, goal, rows, unit, M, x[k], step, T, axes, e)
+                if gap < DOUBLE * max(1.0, unit):
                     return UNKNOWN
                 if gap < near[kept]:
                     near[kept], partner[kept] = gap, k
                 if gap < near[k]:
                     near[k], partner[k] = gap, kept
-        if new:
-            for j in range(n):
-                x[kept, j] = x[c, j]
-            kept += 1
+        kept += 1
     for k in range(kept):
         if sigmas[k] < least and least > SPLIT:
             return UNKNOWN

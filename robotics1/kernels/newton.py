@@ -139,17 +139,29 @@ def norm(e: Array, rows: Indices, unit: float) -> float:
 
 
 @compiled(contract=True)
-def error_halfway(
-    links: Array, goal: Array, rows: Indices, unit: float, x: Array, y: Array, T: Array, axes: Array, e: Array
+def distance_of_meeting(
+    links: Array, goal: Array, rows: Indices, unit: float, M: Array, x: Array, y: Array, T: Array, axes: Array, e: Array
 ) -> float:
-    """Return |f((x + z)/2) − goal| [m, rad] of two close solutions x and z, y being z − x: to first order the distance
-    of a target at which they meet.
+    """Return how far the goal is from one at which two close solutions x and z meet [m, rad], y being z − x.
+
+    Where they meet J has a left null vector u. Nearby it is the longest row of M = J⁻¹, (6, 6), at x. Halfway between
+    them e = goal − f leaves the boundary by uᵀ e; the rest of e is a way along the boundary.
     """
-    for i in range(len(x)):
+    n = len(x)
+    for i in range(n):
         y[i] = x[i] + 0.5 * y[i]
     forward_kinematics(links, y, T, axes)
     missing(T, goal, rows, e)
-    return norm(e, rows, unit)
+    longest, across = 0.0, np.inf
+    for i in range(n):
+        square = product = 0.0
+        for j in range(n):
+            u = M[i, j] / unit if rows[j] < 3 else M[i, j]
+            square += u * u
+            product += M[i, j] * e[j]
+        if square > longest:
+            longest, across = square, abs(product) / math.sqrt(square)
+    return across
 
 
 @compiled(contract=True)

@@ -1,0 +1,65 @@
+"""How far a target is from one at which two solutions meet, or at which a family of them begins."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from robotics1.ik.scaled_task import ScaledTask
+from robotics1.ik.solution_search import SolutionSearch
+from robotics1.inputs import Array
+from robotics1.singularities.points import SingularPoints
+
+NEARLY_SINGULAR = 5e-3  # σ_min/σ_max of a solution that may be within 1e-6 m of a boundary of an arm of 1 m
+ALMOST_LOST = 1e-5  # σ_min/σ_max of one that may be within 1e-6 m of a family
+CLOSE = 0.05  # distance of two solutions that may meet within 1e-6 m
+BOUNDARY = 0.999e-6  # [m, rad] from a target with a double solution, that is at the boundary
+
+
+class Root(NamedTuple):
+    """A solution q (nq,), σ_min/σ_max of J there, and whether J loses rank."""
+
+    q: Array
+    sigma: float
+    singular: bool
+
+
+def shortness(problem: ScaledTask) -> float:
+    """Return how many of the arm make a metre, at least 1: beside a short arm, 1e-6 m is long."""
+    return max(1.0, 1.0 / problem.length) if "m" in problem.task.row_units else 1.0
+
+
+def boundary_distance(roots: Sequence[Root], search: SolutionSearch, points: SingularPoints) -> float:
+    """Return how far the target is from the value at the nearest singular configuration [m, rad]; ∞ if not at hand.
+
+    Args:
+        roots: the solutions inside the limits.
+        search: for the target.
+        points: the singular set of the task.
+    """
+    if any(root.singular for root in roots):
+        return 0.0
+    short = shortness(search.problem)
+    near = np.inf
+    for root in roots:
+        if root.sigma < ALMOST_LOST * short:
+            p = points.project(root.q)
+            near = near if p is None else min(near, search.error_norm(p))
+        if root.sigma < NEARLY_SINGULAR * np.sqrt(short):
+            near = min([near, *(_to_the_fold(root.q, other.q, search) for other in roots if other is not root)])
+    return near if near < BOUNDARY else np.inf
+
+
+def _to_the_fold(p: Array, q: Array, search: SolutionSearch) -> float:
+    """Return how far the target is from one at which two close solutions p and q meet; ∞ if they are not close.
+
+    Halfway, at m, J has a left null vector u: e = r_d − f(m) leaves the boundary by uᵀ e. The rest of e is a way along
+    the boundary.
+    """
+    problem = search.problem
+    apart = problem.shortest_difference(p, q)
+    if np.abs(apart).max() > CLOSE * np.sqrt(shortness(problem)):
+        return np.inf
+    halfway = q + 0.5 * apart * problem.box.unit
+    u = np.linalg.svd(problem.task.jacobian(problem.robot, halfway)[:, problem.moving])[0][:, -1]
+    return float(abs(u @ problem.turns.wrapped(search.task_error(halfway))))
