@@ -51,15 +51,19 @@ def boundary_distance(roots: Sequence[Root], search: SolutionSearch, points: Sin
 
 
 def _to_the_fold(p: Array, q: Array, search: SolutionSearch) -> float:
-    """Return how far the target is from one at which two close solutions p and q meet; ∞ if they are not close.
+    """Return how far the target is from one at which two solutions meet; ∞ if they are not close."""
+    problem = search.problem
+    apart = np.abs(problem.shortest_difference(p, q)).max()
+    return distance_of_meeting(p, q, search) if apart < CLOSE * np.sqrt(shortness(problem)) else np.inf
+
+
+def distance_of_meeting(p: Array, q: Array, search: SolutionSearch) -> float:
+    """Return how far the target is from one at which two close solutions p and q meet [m, rad].
 
     Halfway, at m, J has a left null vector u: e = r_d − f(m) leaves the boundary by uᵀ e. The rest of e is a way along
     the boundary.
     """
     problem = search.problem
-    apart = problem.shortest_difference(p, q)
-    if np.abs(apart).max() > CLOSE * np.sqrt(shortness(problem)):
-        return np.inf
-    halfway = q + 0.5 * apart * problem.box.unit
+    halfway = q + 0.5 * problem.shortest_difference(p, q) * problem.box.unit
     u = np.linalg.svd(problem.task.jacobian(problem.robot, halfway)[:, problem.moving])[0][:, -1]
     return float(abs(u @ problem.turns.wrapped(search.task_error(halfway))))

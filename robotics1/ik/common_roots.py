@@ -6,6 +6,7 @@ the eigenvalues of its companion matrix: none is missed.
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -28,7 +29,18 @@ PLAUSIBLE = 0.02  # residual of a pair of roots with which Newton's method begin
 RANK = 1e-9  # σ beside σ₁, in a step
 EXACT, SAME = 1e-13, 1e-8  # of a step, and of the distance of two roots that are one
 DOUBTFUL, LOST = 1e-4, 1e-2  # coefficients of both that are near zero, and how far a root may then be
+ALONE = -1  # a root that is no member of a family
+MEMBERS = 24  # of a family of angles: for some of them the rest of an arm may not reach
 STEPS = 12  # of Newton's method, which converges slowly to a double root
+
+
+class CommonRoots(NamedTuple):
+    """The coordinates x, (k, 2), at which two equations vanish, and the `family` of each, (k,): ALONE, or a number that
+    roots share whose second coordinate is arbitrary.
+    """
+
+    x: Array
+    family: npt.NDArray[np.int64]
 
 
 def samples(prismatic: bool) -> Array:
@@ -57,8 +69,8 @@ def real_roots(c: Complex, prismatic: bool) -> Array | None:
     return np.asarray(np.angle(w[np.abs(np.abs(w) - 1.0) < NEAR]))
 
 
-def common_roots(F: Complex, G: Complex, prismatic: Sequence[bool]) -> Array | None:
-    """Return the (k, 2) coordinates at which F = G = 0; of one that is arbitrary there some values.
+def common_roots(F: Complex, G: Complex, prismatic: Sequence[bool]) -> CommonRoots | None:
+    """Return the coordinates at which F = G = 0; of one that is arbitrary there some values.
 
     Args:
         F, G: (3, 3) coefficients of w₁^i w₂^j; of angles the powers begin at −1.
@@ -81,9 +93,12 @@ def common_roots(F: Complex, G: Complex, prismatic: Sequence[bool]) -> Array | N
         starts = [(x, y) for x in of_first for y in _second(A, B, x, first, second)]
         roots = _polished(F, G, np.array(starts).reshape(-1, 2)[:, order], prismatic)
         free = [x for x in of_first if _size(A, B, x, first) < DOUBTFUL]
-        if all(np.abs(difference(x, roots[:, order[0]], first)).min(initial=np.inf) < LOST for x in free):
-            return roots
-        return None  # a family is at hand, and was not met
+        family = np.full(len(roots), ALONE)
+        for k, x in enumerate(free):
+            family[np.abs(difference(roots[:, order[0]], x, first)) < LOST] = k
+        if len(set(family) - {ALONE}) < len(free):
+            return None  # a family is at hand, and was not met
+        return CommonRoots(roots, family)
     return None
 
 
@@ -114,7 +129,8 @@ def _second(A: Complex, B: Complex, x: float, first: bool, second: bool) -> Arra
     """Return what may be the second coordinate where the first is x: the roots of either equation."""
     w = _powers(np.array([x]), first)[0]
     a, b = w @ A, w @ B
-    anywhere = samples(second) if max(np.abs(a).max(), np.abs(b).max()) < NEARLY_ARBITRARY else np.zeros(0)
+    members = samples(second) if second else 2 * np.pi / MEMBERS * np.arange(MEMBERS)
+    anywhere = members if max(np.abs(a).max(), np.abs(b).max()) < NEARLY_ARBITRARY else np.zeros(0)
     of_a, of_b = (real_roots(c, second) if np.abs(c).max() > ARBITRARY else None for c in (a, b))
     return np.concatenate([anywhere, _distinct(of_a), _distinct(of_b)])
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.errors import TaskError
-from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance
+from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance, distance_of_meeting
 from robotics1.ik.descent import REACHED
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
@@ -127,15 +127,21 @@ class ExactSolver:
                     break
             else:
                 groups.append(([q], float(ratio)))
-        roots = [self._root(group, ratio, search) for group, ratio in groups]
+        roots: list[Root] = []
+        for group, ratio in groups:
+            root = self._root(group, ratio, search)
+            if not any(self._apart(root.q, other.q) < SAME for other in roots):
+                roots.append(root)
         return sorted(roots, key=lambda root: [round(float(value), 6) for value in root.q])
 
     def _are_one(self, p: Array, q: Array, sigma: float, search: SolutionSearch) -> bool:
-        """Whether two solutions are one but for rounding: so they are if what is halfway is a solution too."""
-        d = self.problem.shortest_difference(p, q)
-        apart = np.abs(d).max(initial=0.0)
-        halfway = q + 0.5 * d * self.problem.box.unit
-        return bool(apart < SAME or (sigma < SINGULAR and apart < SPLIT and search.relative_error(halfway) <= REACHED))
+        """Whether two solutions are one but for rounding: so they are if the target is where they meet."""
+        apart, rounded = self._apart(p, q), REACHED * max(1.0, self.problem.length)
+        meet = sigma < SINGULAR and apart < SPLIT and distance_of_meeting(p, q, search) <= rounded
+        return bool(apart < SAME or meet)
+
+    def _apart(self, p: Array, q: Array) -> float:
+        return float(np.abs(self.problem.shortest_difference(p, q)).max(initial=0.0))
 
     def _root(self, group: list[Array], sigma: float, search: SolutionSearch) -> Root:
         """Return the solution that a group of nearly the same ones stands for."""
@@ -144,7 +150,7 @@ class ExactSolver:
             return Root(q, sigma, False)
         mean = np.mean([self.problem.shortest_difference(p, q) for p in group], axis=0)
         refined = search.at_the_singularity(self._turned(q + mean * self.problem.box.unit))
-        wide = bool(max(np.abs(self.problem.shortest_difference(p, q)).max() for p in group) > SAME)
+        wide = max(self._apart(p, q) for p in group) > SAME
         return Root(refined, sigma, bool(wide or search.singular(refined)))
 
     def _turned(self, q: Array) -> Array:

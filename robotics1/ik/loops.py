@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from robotics1.ik.common_roots import coefficients, common_roots, samples
+from robotics1.ik.common_roots import ALONE, coefficients, common_roots, samples
 from robotics1.ik.subproblems import (
     Z,
     first_coordinate,
@@ -164,11 +164,13 @@ def _beside_a_plane(A: Sequence[Array], prismatic: Sequence[bool], n: Array) -> 
     if pairs is None or np.hypot(*wanted[:2]) < PARALLEL:
         return None
     found = []
-    for pair in pairs:
+    reached = dict.fromkeys(pairs.family, False)
+    for pair, family in zip(*pairs, strict=True):
         m = through(pair[:1], pair[1:], n, point=False)[0]
         x = np.array([first_coordinate(False, m, wanted), *pair])
         plane = planar_loop([A[0], A[1], _through(A, prismatic, x)], prismatic[:3], n)
         if plane is None:
             return None
         found += [[*y, *x] for y in plane]
-    return np.array(found).reshape(-1, 6)
+        reached[family] |= len(plane) > 0 or family == ALONE
+    return np.array(found).reshape(-1, 6) if all(reached.values()) else None  # other members of a family may reach

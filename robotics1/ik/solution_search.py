@@ -10,7 +10,8 @@ from robotics1.singularities.points import ON_THE_SET, SingularPoints
 
 SAME = 1e-6  # distance of two solutions that are one
 NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one
-ASIDE = 0.05  # step along the null space that looks for a neighbouring solution, in units
+# steps along the null space that look for other solutions, in units: a solution that stands alone is met with one step
+ASIDE = 0.05, 0.007
 FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a family
 
 
@@ -45,14 +46,20 @@ class SolutionSearch(TaskDescent):
         for tangent in Vt[flat]:
             direction = np.zeros(len(q))
             direction[moving] = tangent
-            for side in (ASIDE, -ASIDE):
-                p, _ = self.descend(self.problem.box.nearest(q + side * units * direction))
-                move = self.problem.box.difference(p, q)
-                if self.relative_error(p) <= REACHED and 0.2 * ASIDE < np.linalg.norm(move) < 2 * ASIDE:
-                    moves.append(move)
-                    break
+            ways = [self._neighbours(q, direction * units, step) for step in ASIDE]
+            if all(ways):
+                moves.append(ways[0][0] / ASIDE[0])
         lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
-        return int(np.count_nonzero(lengths > 0.1 * ASIDE))
+        return int(np.count_nonzero(lengths > 0.1))
+
+    def _neighbours(self, q: Array, direction: Array, step: float) -> list[Array]:
+        """Return the way to a solution that is about one step along a direction, or against it, if there is one."""
+        for side in (step, -step):
+            p, _ = self.descend(self.problem.box.nearest(q + side * direction))
+            move = self.problem.box.difference(p, q)
+            if self.relative_error(p) <= REACHED and 0.2 * step < np.linalg.norm(move) < 2 * step:
+                return [move]
+        return []
 
     def _apart(self, p: Array, q: Array) -> float:
         return float(np.abs(self.problem.box.difference(p, q)).max(initial=0.0))

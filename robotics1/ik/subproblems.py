@@ -81,7 +81,8 @@ def two_rows(A: Array, prismatic: Sequence[bool], c: Array, rows: Array, values:
     p = placed(A, moved(prismatic[1], samples(prismatic[1]), c))
     p = moved(prismatic[0], samples(prismatic[0])[:, None], p)
     F, G = (coefficients(p @ row - value, prismatic) for row, value in zip(rows, values, strict=True))
-    return common_roots(F, G, prismatic)
+    found = common_roots(F, G, prismatic)
+    return None if found is None else found.x
 
 
 def point(A: Sequence[Array], prismatic: Sequence[bool], c: Array, t: Array) -> Array | None:
@@ -114,9 +115,9 @@ def _point(A: Sequence[Array], prismatic: Sequence[bool], c: Array, t: Array) ->
     found = common_roots(F, G, prismatic[1:])
     if found is None:
         return None
-    ends = p(found[:, 0], found[:, 1])
+    ends = p(*found.x.T)
     first = [first_coordinate(prismatic[0], end, t) for end in ends]
-    return np.column_stack([np.array(first).reshape(-1), found])
+    return np.column_stack([np.array(first).reshape(-1), found.x])
 
 
 def planar_loop(B: Sequence[Array], prismatic: Sequence[bool], n: Array) -> Array | None:
