@@ -126,6 +126,25 @@ def test_boundaries_and_families_are_told_apart(rows, task, q, status, count):
         assert apart("RRR", np.array(q), found.q).min() < 1e-6
 
 
+@pytest.mark.parametrize(
+    ("rows", "task", "q", "equations"),
+    [
+        (PUMA, POSE, [0.3, 0.7, -0.4, 0.5, 0, 0.2], "q1 = 0.3000, q2 = 0.7000, q3 = -0.4000, q5 = 0, q4 + q6 = 0.7000"),
+        (PUMA, POSE, [0.3, 0.7, -0.4, 0.5, pi, 0.2], "q3 = -0.4000, q5 = π, q4 − q6 = 0.3000"),
+        (UR5, POSE, [0.3, 0.7, 0.9, 0.5, 0, 0.2], "q1 = 0.3000, q5 = 0, q2 + q3 + q4 + q6 = 2.3000"),
+        (ANTHROPOMORPHIC, XYZ, [0.3, 1.2, -2.4], None),
+        (CYLINDRICAL, XYZ, [0.3, 0.4, 0], "q2 = 0.4000, q3 = 0"),
+    ],
+)
+def test_equations_of_a_family_are_sums_of_joints_that_stay_the_same(rows, task, q, equations):
+    robot = robot_of(rows)
+    found = ik_solutions(robot, task, task.value(robot, np.array(q)), starts=5)
+    if equations is None:
+        assert found.families == ()
+    else:
+        assert equations in found.explain()
+
+
 def test_beyond_the_boundary_by_less_than_a_micrometre_is_the_boundary():
     robot = robot_of([R(1.2, 0, 0), R(0.8, 0, 0)])
     found = ik_solutions(robot, PositionTask("xy"), [2 + 5e-7, 0])

@@ -10,6 +10,7 @@ from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance, distance_of_meeting
 from robotics1.ik.descent import REACHED
+from robotics1.ik.joint_relations import joint_relations
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_search import FLAT, SAME, SolutionSearch
@@ -79,8 +80,9 @@ class ExactSolver:
             return self._miss(candidates[~reached], outside, search, otherwise, proven=proven)
         near = boundary_distance(inside, search, self.points)
         if dimension:
-            families = self._with_families(inside, search, goal)
-            return self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)
+            families, relations = self._with_families(inside, search, goal)
+            answer = self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)
+            return replace(answer, families=relations)
         status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
         proven = proven and (status is IKStatus.FINITE or self.is_short)
         return self._answer(inside, outside, status, search, proven=proven, near=near)
@@ -172,17 +174,25 @@ class ExactSolver:
                 outside.append(root)
         return inside, outside
 
-    def _with_families(self, roots: list[Root], search: SolutionSearch, goal: Array) -> list[Root]:
-        """Return the solutions with others along each curve of them."""
+    def _with_families(
+        self, roots: list[Root], search: SolutionSearch, goal: Array
+    ) -> tuple[list[Root], tuple[tuple[str, ...], ...]]:
+        """Return the solutions with others along each curve of them, and what stays the same along each curve."""
+        robot = self.problem.robot
         found: list[Root] = []
+        relations = []
         for root in roots:
             ways = (self.problem.shortest_difference(root.q, other.q) for other in found)
             listed = any(np.linalg.norm(way) < 0.6 * FAMILY_STEP for way in ways)
-            if not (root.singular and listed):
-                found.append(root)
-                if root.singular and search.dimension(root.q):
-                    found += [other for side in (1.0, -1.0) for other in self._along(root.q, side, search, goal)]
-        return sorted(found, key=lambda root: [round(float(value), 6) for value in root.q])
+            if root.singular and listed:
+                continue
+            found.append(root)
+            if root.singular and search.dimension(root.q):
+                curve = [root] + [other for side in (1.0, -1.0) for other in self._along(root.q, side, search, goal)]
+                found += curve[1:]
+                relations.append(joint_relations(self._rows(curve), robot.joint_names, robot.revolute))
+        found.sort(key=lambda root: [round(float(value), 6) for value in root.q])
+        return found, tuple(relations)
 
     def _along(self, q: Array, side: float, search: SolutionSearch, goal: Array) -> list[Root]:
         """Return solutions along the curve through q, to one side, up to a limit or all around."""

@@ -18,7 +18,7 @@ class IKStatus(Enum):
     CONVERGED = "the error is within the tolerance"
     FINITE = "finitely many solutions"
     BOUNDARY = "finitely many solutions, at a boundary of the reach or a singularity: two or more meet"
-    INFINITE = "infinitely many solutions; some are listed"
+    INFINITE = "infinitely many solutions"
     SINGULAR = "J is singular, so Newton's step does not exist; 'pseudoinverse' or 'damped' go on from here"
     STALLED = "Jᵀe = 0 with e ≠ 0: no step along J reduces the error; start elsewhere"
     MAX_ITERATIONS = "the number of iterations is used up"

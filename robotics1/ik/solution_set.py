@@ -32,6 +32,8 @@ class IKSolutions(Frozen):
         outside_limits: (j, nq) the solutions outside the limits, where the method finds these too.
         boundary_distance: how far the target is from the nearest one with a double solution that was seen [m, rad],
             where that is less than 1e-6; else ∞.
+        families: of each curve of solutions that was followed, equations that hold along it, such as
+            ("q5 = 0", "q4 + q6 = 0.7").
         robot, task: whose solutions they are.
     """
 
@@ -47,6 +49,7 @@ class IKSolutions(Frozen):
     within_limits: npt.NDArray[np.bool_]
     outside_limits: Array
     boundary_distance: float = np.inf
+    families: tuple[tuple[str, ...], ...] = ()
     robot: Robot | None = field(default=None, repr=False)
     task: Task | None = field(default=None, repr=False)
 
@@ -87,11 +90,25 @@ class IKSolutions(Frozen):
         """Return how many solutions there are, and the nearest miss if there is none, in sentences."""
         if not len(self):
             return f"{self.status.value}; the nearest miss is |e| = {self.error_norm:.3g}"
-        family = f" of dimension {self.dimension}" if self.dimension else ""
         rest = "these are all" if self.complete else "there may be others"
+        found = f"{len(self)} found by {self.method}, {rest}"
         free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
-        edge = f"; a boundary is {self.boundary_distance:.3g} away" if self.boundary_distance < np.inf else ""
-        return f"{self.status.value}{family}: {len(self)} found by {self.method}, {rest}{free}{edge}"
+        curves = "".join(f"; along a curve {', '.join(equations)}" for equations in self.families if equations)
+        return f"{self.status.value}{self._kind}: {found}{free}{curves}{self._edge}"
+
+    @property
+    def _kind(self) -> str:
+        """What the families are."""
+        if not self.dimension:
+            return ""
+        return ", on curves" if self.dimension == 1 else f", a set of dimension {self.dimension}"
+
+    @property
+    def _edge(self) -> str:
+        """How near the target is to a boundary or a singularity."""
+        if self.boundary_distance == 0:
+            return "; J loses rank there"
+        return f"; a boundary is {self.boundary_distance:.3g} away" if self.boundary_distance < np.inf else ""
 
     def require(self) -> "IKSolutions":
         """Return self if there is a solution.
