@@ -248,3 +248,32 @@ def test_a_box_of_an_unknown_joint_lists_the_joints(planar_2r):
 def test_axes_that_move_are_a_task_error(spatial):
     with pytest.raises(TaskError, match="move with the robot"):
         ik_solutions(spatial, PositionTask("xyz", reference="tool"), [1, 0, 0])
+
+
+# --- how sure a search is
+
+
+def test_a_search_goes_on_until_half_a_solution_is_to_be_expected():
+    robot = arm("six_r")
+    q = random_q(robot, np.random.default_rng(2))
+    found = ik_solutions(robot, PoseTask(), PoseTask().value(robot, q), method="search")
+    w, reached = len(found), found.hits.sum()
+    assert found.hits.shape == (w,)
+    assert (found.hits > 0).all()
+    assert 2 * w**2 + 3 * w + 2 <= reached <= 1000
+    assert found.unseen == pytest.approx(w * (w + 1) / (reached * (reached - 1)))
+    assert f"{reached} starts led to these" in found.explain()
+
+
+def test_few_starts_leave_much_unseen_and_a_formula_nothing():
+    p = [0.9, 0.7]
+    few = ik_solutions(arm("planar_2r"), POINT, p, method="search", starts=1)
+    assert (list(few.hits), few.unseen) == ([1], 1.0)
+    exact = ik_solutions(arm("planar_2r"), POINT, p)
+    assert (len(exact.hits), exact.unseen) == (0, 0.0)
+
+
+def test_of_infinitely_many_solutions_no_hits_are_counted():
+    found = ik_solutions(arm("planar_3r"), POINT, [1.0, 0.5])
+    assert found.status is IKStatus.INFINITE
+    assert len(found.hits) == 0

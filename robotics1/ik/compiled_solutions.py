@@ -38,6 +38,7 @@ class CompiledSolutions:
             "free_joints": problem.free_joints,
             "dimension": 0,
             "boundary_distance": np.inf,
+            "hits": NO_HITS,
             "robot": problem.robot,
             "task": problem.task,
         }
@@ -135,9 +136,9 @@ def compiled_solutions(exact: ExactSolver) -> CompiledSolutions:
     return CompiledSolutions(exact) if roots is None else EliminatedSolutions(exact, roots)
 
 
-ALL, NONE = np.ones(MANY, dtype=bool), np.zeros(MANY, dtype=bool)
-ALL.setflags(write=False)
-NONE.setflags(write=False)
+ALL, NONE, NO_HITS = np.ones(MANY, dtype=bool), np.zeros(MANY, dtype=bool), np.zeros(0, dtype=np.int64)
+for constant in (ALL, NONE, NO_HITS):
+    constant.setflags(write=False)
 
 
 def _arrays(exact: ExactSolver, joints: Array, rows: Indices) -> tuple[Any, ...]:

@@ -39,7 +39,7 @@ class Prepared:
         """The kernel for targets at which no two solutions meet; None if there is none for this arm."""
         return None if self.exact is None else compiled_solutions(self.exact)
 
-    def solve(self, target: Any, starts: int, seed: int) -> IKSolutions:
+    def solve(self, target: Any, starts: int | None, seed: int) -> IKSolutions:
         """Return the solutions of a target, in the form of the task's value.
 
         The kernel answers if it has been compiled before, or there was time to do so.
@@ -54,7 +54,7 @@ class Prepared:
         self._spent += perf_counter() - begin
         return found
 
-    def carefully(self, target: Any, starts: int, seed: int) -> IKSolutions:
+    def carefully(self, target: Any, starts: int | None, seed: int) -> IKSolutions:
         """Return the solutions of a target without the kernel."""
         search = partial(searched, self.problem, target, starts, seed)
         return search() if self.exact is None else self.exact.solve(target, search)

@@ -21,15 +21,23 @@ class SolutionSearch(TaskDescent):
 
     points: SingularPoints | None = None
 
-    def distinct(self, ends: list[End]) -> list[Array]:
-        """Return the solutions among the ends, each once, in ascending order."""
+    def distinct(self, ends: list[End]) -> tuple[list[Array], list[int]]:
+        """Return the solutions among the ends, each once, in ascending order, and how many ends each has."""
         found: list[Array] = []
+        hits: list[int] = []
         for q, _ in sorted(ends, key=lambda end: end[1]):
             p = self.at_the_singularity(q) if self.relative_error(q) <= REACHED else None
             p = None if p is None else self._wound(p)
-            if p is not None and all(self._apart(p, other) > SAME for other in found):
+            if p is None:
+                continue
+            same = next((i for i, other in enumerate(found) if self._apart(p, other) <= SAME), None)
+            if same is None:
                 found.append(p)
-        return sorted(found, key=lambda q: [round(float(value), 6) for value in q])
+                hits.append(1)
+            else:
+                hits[same] += 1
+        order = sorted(range(len(found)), key=lambda i: [round(float(value), 6) for value in found[i]])
+        return [found[i] for i in order], [hits[i] for i in order]
 
     def singular(self, q: Array) -> bool:
         """Whether J loses rank at q."""

@@ -8,6 +8,7 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array
+from robotics1.notation import count
 from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -34,6 +35,8 @@ class IKSolutions(Frozen):
             where that is less than 1e-6; else ∞.
         families: of each curve of solutions that was followed, equations that hold along it, such as
             ("q5 = 0", "q4 + q6 = 0.7").
+        hits: (k,) how many starts of a search have led to each solution; empty where no search has found single ones.
+        unseen: the estimated share of starts that lead to solutions not seen yet; 0 by formula.
         robot, task: whose solutions they are.
     """
 
@@ -50,6 +53,8 @@ class IKSolutions(Frozen):
     outside_limits: Array
     boundary_distance: float = np.inf
     families: tuple[tuple[str, ...], ...] = ()
+    hits: npt.NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    unseen: float = 0.0
     robot: Robot | None = field(default=None, repr=False)
     task: Task | None = field(default=None, repr=False)
 
@@ -91,6 +96,9 @@ class IKSolutions(Frozen):
         if not len(self):
             return f"{self.status.value}; the nearest miss is |e| = {self.error_norm:.3g}"
         rest = "these are all" if self.complete else "there may be others"
+        if len(self.hits):
+            led = f"{count(int(self.hits.sum()), 'start')} led to these, at least {self.hits.min()} to each"
+            rest += f": {led}; the next leads to another with an estimated chance of {self.unseen:.2g}"
         found = f"{len(self)} found by {self.method}, {rest}"
         free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
         curves = "".join(f"; along a curve {', '.join(equations)}" for equations in self.families if equations)

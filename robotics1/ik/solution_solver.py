@@ -33,7 +33,7 @@ class SolutionSolver:
         task: r = f(q).
         box: joint name → (lower, upper), where to look; needed for prismatic joints without limits that move the task.
         locked: joint name → value [rad or m], of joints that stand still.
-        starts: the number of random starts of a search, where no formula is known.
+        starts: the number of random starts of a search, where no formula is known; None as `ik_solutions` has it.
         seed: of the random starts.
 
     Raises:
@@ -48,14 +48,14 @@ class SolutionSolver:
         *,
         box: Mapping[str, tuple[float, float]] | None = None,
         locked: Mapping[str, float] | None = None,
-        starts: int = 100,
+        starts: int | None = None,
         seed: int = 0,
     ) -> None:
         a_robot_and_a_task(robot, task)
         self.robot, self.task = robot, task
         self._box = by_name("box", box, "{'q1': (-1, 1)}")
         self._locked = by_name("locked", locked, "{'q1': 0.5}")
-        self._starts = counting_number("starts", starts, least=1)
+        self._starts = None if starts is None else counting_number("starts", starts, least=1)
         self._seed = counting_number("seed", seed)
         task.check_integrable(robot)
         self._prepare()

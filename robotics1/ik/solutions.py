@@ -24,7 +24,7 @@ def ik_solutions(
     windings: bool = False,
     box: Mapping[str, tuple[float, float]] | None = None,
     locked: Mapping[str, float] | None = None,
-    starts: int = 100,
+    starts: int | None = None,
     seed: int = 0,
 ) -> IKSolutions:
     """Return the solutions of f(q) = r_d inside the joint limits.
@@ -52,7 +52,7 @@ def ik_solutions(
         box: joint name → (lower, upper), where to look; needed for prismatic joints without limits that move the task.
         locked: joint name → value [rad or m], of joints that stand still: a redundant arm then has finitely many
             solutions.
-        starts: the number of random starts of a search.
+        starts: the number of random starts of a search; None for as many as leave half a solution to be expected.
         seed: of the random starts.
 
     Raises:
@@ -65,7 +65,8 @@ def ik_solutions(
     a_robot_and_a_task(robot, task)
     one_of("method", method, ("auto", "search"))
     windings = true_or_false("windings", windings)
-    seed, starts = counting_number("seed", seed), counting_number("starts", starts, least=1)
+    seed = counting_number("seed", seed)
+    starts = None if starts is None else counting_number("starts", starts, least=1)
     task.check_integrable(robot)
     target = task.target(target)
     prepared = _prepared(robot, task, box, locked)

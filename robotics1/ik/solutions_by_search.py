@@ -1,5 +1,6 @@
 """The solutions of a target that descents from random starts lead to: some of them, or a proof that there are none."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,25 +14,56 @@ from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import Array
 from robotics1.singularities.points import singular_points
 
+FEWEST, MOST = 100, 1000  # starts
+MANY = 0.25  # solutions a start: so many that they may be no single ones
 
-def searched(problem: ScaledTask, target: Any, starts: int, seed: int) -> IKSolutions:
-    """Return the solutions that descents from random starts lead to."""
+
+def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) -> IKSolutions:
+    """Return the solutions that descents from random starts lead to.
+
+    Without a number of starts, these go on while w solutions that N of them have led to let expect half a solution
+    more: N < 2w² + 3w + 2.
+
+    Source: Boender and Rinnooy Kan, Bayesian stopping rules for multistart global optimization methods, 1987.
+    """
     robot, task = problem.robot, problem.task
     rng = np.random.default_rng(seed)
     if not problem.moving.any():
-        return _of_a_task_that_nothing_moves(problem, target, problem.box.random(rng, starts))
+        return _of_a_task_that_nothing_moves(problem, target, problem.box.random(rng, starts or FEWEST))
     search = SolutionSearch(problem, target, points=singular_points(robot, task, problem.box, rng))
-    ends = [search.descend(q) for q in problem.random(rng, starts)]
-    found = search.distinct(ends)
+    ends = [search.descend(q) for q in problem.random(rng, starts or FEWEST)]
+    found, hits = search.distinct(ends)
+    while starts is None and len(ends) < MOST and _more_are_expected(hits):
+        if len(found) > MANY * len(ends) and _dimension(search, found):
+            break
+        ends += [search.descend(q) for q in problem.random(rng, FEWEST)]
+        found, hits = search.distinct(ends)
     closest = found[0] if found else search.nearest_miss(min(ends, key=lambda end: end[1])[0])
     if not found:  # what is nearest may be a solution after all
-        found = search.distinct([(closest, 0.0)])
+        found, hits = search.distinct([(closest, 0.0)])
     dimension = _dimension(search, found)
     if found:
         status, closest = IKStatus.INFINITE if dimension else IKStatus.FINITE, found[0]
     else:
         status = IKStatus.UNREACHABLE if is_out_of_reach(problem, target) else IKStatus.NOT_FOUND
-    return _answer(problem, target, found, status, closest, dimension, [search.singular(q) for q in found])
+    answer = _answer(problem, target, found, status, closest, dimension, [search.singular(q) for q in found])
+    if dimension or not found:
+        return answer
+    return replace(answer, hits=np.array(hits), unseen=unseen_share(hits))
+
+
+def _more_are_expected(hits: list[int]) -> bool:
+    w, reached = len(hits), sum(hits)
+    return 0 < reached < 2 * w**2 + 3 * w + 2
+
+
+def unseen_share(hits: list[int]) -> float:
+    """Return the estimated share of starts that lead to solutions not seen yet: w (w + 1) / (N (N − 1)).
+
+    Source: Boender and Rinnooy Kan, 1987: their estimate with no knowledge of the shares.
+    """
+    w, reached = len(hits), sum(hits)
+    return min(1.0, w * (w + 1) / (reached * (reached - 1))) if reached > 1 else 1.0
 
 
 def _dimension(search: "SolutionSearch", found: list[Array]) -> int:
