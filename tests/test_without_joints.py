@@ -148,6 +148,8 @@ def nothing_moves(still, task, folder):
         "is_cuspidal": lambda: r1.ik.is_cuspidal(still, task),
         "posture_change": lambda: r1.ik.posture_change(still, task, [], []),
         "self_motion": lambda: r1.ik.self_motion(still, task, value),
+        "arm_angle": lambda: r1.ik.arm_angle(still, task, []),
+        "solutions_at_arm_angle": lambda: r1.ik.solutions_at_arm_angle(still, task, value, 0.3),
         "ik_solutions": lambda: r1.ik_solutions(still, task, value),
         "rendezvous": lambda: r1.rendezvous(still, task, r1.LinearMotion(P, [0, 0, 0]), [], meet=1.0),
         "follow_trajectory": lambda: r1.follow_trajectory(still, task, motion, []),

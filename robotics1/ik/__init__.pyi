@@ -3,6 +3,7 @@
 from .closed_form.family import IKBranch, IKFormulas, SingularTarget
 from .closed_form.find import ik_formulas
 from .closed_form.trig_equation import TrigSolutions, solve_trig
+from .human_arm import arm_angle, solutions_at_arm_angle
 from .iterate import IKIterate, IKIteration, iterate_ik
 from .postures.aspects import Aspects, group_by_aspect
 from .postures.cuspidal import Cuspidality, CuspidalityStatus, is_cuspidal
@@ -36,6 +37,7 @@ __all__ = [
     "SingularTarget",
     "SolutionSolver",
     "TrigSolutions",
+    "arm_angle",
     "group_by_aspect",
     "ik_formulas",
     "ik_solutions",
@@ -43,6 +45,7 @@ __all__ = [
     "iterate_ik",
     "posture_change",
     "self_motion",
+    "solutions_at_arm_angle",
     "solve_ik",
     "solve_trig",
 ]

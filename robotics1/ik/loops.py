@@ -63,7 +63,7 @@ def loop_solver(between: Sequence[Array], prismatic: Sequence[bool], i: int, len
     turned = [prismatic[(i + k) % 6] for k in range(6)]
     miss = _miss_of_a_point(A) / max(length, 1e-300)
     if not any(turned[:3]) and miss < ROUNDED:
-        ends = _meeting(A[0])[0], _meeting(A[1])[1]
+        ends = meeting(A[0])[0], meeting(A[1])[1]
         return LoopSolver("a spherical wrist", miss, lambda A: _spherical(A, turned), ends=ends)
     tilt, n = _tilt_of_a_plane(A, turned)
     if tilt < ROUNDED and not all(turned[:3]) and not (turned[3] and turned[5]):
@@ -72,7 +72,7 @@ def loop_solver(between: Sequence[Array], prismatic: Sequence[bool], i: int, len
     return None
 
 
-def _meeting(A: Array) -> tuple[float, float, float]:
+def meeting(A: Array) -> tuple[float, float, float]:
     """Return where the z axis and that of a placement A meet, on each, and by how much they miss; ∞ if parallel."""
     M = np.column_stack([Z, -A[:3, 2]])
     here, there = np.linalg.lstsq(M, A[:3, 3], rcond=None)[0]
@@ -82,8 +82,8 @@ def _meeting(A: Array) -> tuple[float, float, float]:
 
 def _miss_of_a_point(A: Sequence[Array]) -> float:
     """Return by how much three axes, with two placements between them, miss a common point."""
-    _, on_second, miss = _meeting(A[0])
-    second, _, other_miss = _meeting(A[1])
+    _, on_second, miss = meeting(A[0])
+    second, _, other_miss = meeting(A[1])
     return max(miss, other_miss, abs(on_second - second))
 
 
@@ -103,7 +103,7 @@ def _spherical(A: Sequence[Array], prismatic: Sequence[bool]) -> Array | None:
 
     Its place on axis 2, and on axis 0 at the other end of the loop: A₂ Z₃ A₃ Z₄ A₄ Z₅ A₅ takes the one to the other.
     """
-    here, there = _meeting(A[0])[0], _meeting(A[1])[1]
+    here, there = meeting(A[0])[0], meeting(A[1])[1]
     c, t = placed(A[5], here * Z), placed(inverse(A[2]), there * Z)
     rest = point(A[3:5], prismatic[3:], c, t)
     if rest is None:
