@@ -209,6 +209,11 @@ def _row(i: int, row: tuple[Any, ...]) -> DHRow:
     entries = [
         number_or_name(f"{name} of row {i}", value) for name, value in zip(DHRow._fields[1:], row[1:], strict=True)
     ]
+    for name, value in zip(("alpha", "theta"), (entries[1], entries[3]), strict=True):
+        if not isinstance(value, str) and abs(value) > 2 * math.pi:
+            raise InputError(
+                f"{name} of row {i} is {value:g}, more than a turn: angles are in radians; write radians({value:g})"
+            )
     return DHRow(str(row[0]), *entries)
 
 

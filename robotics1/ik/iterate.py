@@ -5,14 +5,15 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.errors import TaskError
 from robotics1.ik.result import IKStatus
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
+from robotics1.inputs import Array, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
 from robotics1.results import Frozen, require, tuple_with_arrays
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 METHODS = ("newton", "pseudoinverse", "gradient", "damped")
@@ -76,10 +77,10 @@ class IKIteration(Frozen):
 
 
 def iterate_ik(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     target: Any,
-    q0: npt.ArrayLike,
+    q0: ConfigurationLike,
     *,
     method: str = "newton",
     tolerance: float = 1e-4,
@@ -107,7 +108,7 @@ def iterate_ik(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     step = _step(robot, task, method, gain, damping)
     tolerance = real_number("tolerance", tolerance, positive=True)
     limit = counting_number("max_iterations", max_iterations)

@@ -4,6 +4,7 @@ from importlib.metadata import PackageNotFoundError, distribution
 from importlib.resources import files
 from pathlib import Path
 from stat import S_ISDIR, S_ISREG
+from typing import Any
 
 from robotics1.errors import InputError, MissingExtraError, RobotFileError, UnknownNameError
 from robotics1.robot import markup
@@ -65,7 +66,7 @@ def example_folder() -> Path:
         raise MissingExtraError("example-robot-data", "robots") from error
 
 
-def robot_text(source: str | Path, path: Path) -> str:
+def robot_text(source: Any, path: Path) -> str:
     """Return the text of a robot, with the path that `robot_file` gives.
 
     Raises:
@@ -83,7 +84,7 @@ def robot_text(source: str | Path, path: Path) -> str:
     return decoded(data, path)
 
 
-def robot_file(source: str | Path) -> Path:
+def robot_file(source: Any) -> Path:
     """Return the file meant by `source`: with a suffix or a separator it is a path, else the name of a robot.
 
     What begins with "<" is the text of a robot itself, for which `TEXT` stands.
@@ -93,6 +94,8 @@ def robot_file(source: str | Path) -> Path:
         UnknownNameError: there is no robot of that name.
         InputError: the source is neither a name nor a path.
     """
+    if hasattr(source, "joint_names"):
+        raise InputError("it is a Robot already and needs no loading; hand it to the functions as it is")
     if not isinstance(source, str | Path):
         raise InputError(
             f"a robot is named by a name or a path, or is the text of a URDF; it is {_shortened(repr(source))}"
@@ -121,7 +124,8 @@ def _check_file(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except (FileNotFoundError, NotADirectoryError) as error:
-        raise RobotFileError("there is no such file", path=path) from error
+        home = "; only a shell knows what ~ means: write Path('~/...').expanduser()" if path.parts[:1] == ("~",) else ""
+        raise RobotFileError(f"there is no such file{home}", path=path) from error
     except (OSError, ValueError) as error:  # ValueError: a character that no file name can hold
         raise RobotFileError(f"it cannot be read: {getattr(error, 'strerror', error)}", path=path) from error
     if not S_ISREG(mode):
