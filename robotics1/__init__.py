@@ -37,6 +37,10 @@ USUAL = {  # what others call it
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("robotics1")
     try:
         return _at_the_top(name)
     except AttributeError:

@@ -6,7 +6,6 @@ from typing import Annotated, Any
 
 import numpy as np
 import typer
-from rich.table import Table
 from rich.text import Text
 from rich.tree import Tree
 
@@ -16,9 +15,10 @@ from robotics1.cli.output import PlainConsole, write_json
 from robotics1.errors import InputError
 from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
-from robotics1.notation import count, joint_value
+from robotics1.notation import count
 from robotics1.report.tables import table
-from robotics1.robot.joints import Joint, tips
+from robotics1.robot.description import joint_table
+from robotics1.robot.joints import tips
 from robotics1.robot.loading import check_robot
 from robotics1.robot.model import Robot
 from robotics1.robot.report import AGREES, RobotReport, random_configurations, relative_difference
@@ -120,7 +120,8 @@ def _print(out: PlainConsole, found: RobotReport, dh_difference: float | None) -
         out.print(f"{path} is no robot: {count(len(found.errors), 'error')}.", soft_wrap=True)
         return
     out.print(_link_tree(robot))
-    out.print(_joint_table(robot))
+    joints = joint_table(robot)
+    out.print(table(joints.headings, joints.rows, left=("joint", "kind")))
     listed = ", ".join(map(printable, tips(robot.frame_names, robot.joints)))
     out.print(f"tips: {listed}; tool: {printable(robot.tool or 'open, name it with --tool')}")
     out.print(_agreement("yourdfpy's parser", found.fk_difference))
@@ -144,36 +145,6 @@ def _link_tree(robot: Robot) -> Tree:
         else:
             nodes[i] = parent
     return tree
-
-
-def _joint_table(robot: Robot) -> Table:
-    """Return the moving joints with their kind and limits."""
-    rows = []
-    for joint in robot.moving_joints:
-        number = robot.model.getJointId(joint.name)
-        limits, rates = ["", ""], ["", ""]
-        if joint.kind in ("revolute", "prismatic"):
-            i, j = robot.model.idx_qs[number], robot.model.idx_vs[number]
-            limits = [_limit(robot.lower[i], joint), _limit(robot.upper[i], joint)]
-            rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
-        rows.append((printable(joint.name), _kind(joint), *limits, *rates))
-    return table(("joint", "kind", "lower", "upper", "velocity", "effort"), rows, left=("joint", "kind"))
-
-
-def _kind(joint: Joint) -> str:
-    """Return what a joint is, in words."""
-    if joint.kind not in ("revolute", "prismatic"):
-        return joint.kind
-    aligned = [name for name, unit in zip("xyz", np.eye(3), strict=True) if np.abs(joint.axis - unit).max() <= 1e-12]
-    if not aligned:
-        return f"{joint.kind}, skew axis"
-    return f"{joint.kind} {'about' if joint.kind == 'revolute' else 'along'} {aligned[0]}"
-
-
-def _limit(value: float, joint: Joint) -> str:
-    if not np.isfinite(value):
-        return "none"
-    return joint_value(float(value)) if joint.kind == "revolute" else f"{value:g}"
 
 
 def _agreement(other: str, difference: float | None) -> Text:

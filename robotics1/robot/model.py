@@ -14,6 +14,7 @@ from robotics1.angles import warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.robot.description import DescribedRobot
 from robotics1.robot.frames import frame_number, links_of
 from robotics1.robot.joint_models import restore_followers
 from robotics1.robot.joints import Joint, joints_to, tips
@@ -35,8 +36,8 @@ class RobotSource(Protocol):
         """Return the placements of the robot's joints as polynomials in its parameters."""
 
 
-@dataclass(frozen=True, eq=False)
-class Robot:
+@dataclass(frozen=True, eq=False, repr=False)
+class Robot(DescribedRobot):
     """A robot as Pinocchio sees it.
 
     Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. Its

@@ -16,11 +16,13 @@ from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, answer_of, per_joint, real_array, real_number
 from robotics1.least_squares import generalized_inverse
+from robotics1.notation import vector
 from robotics1.results import Frozen, require
 from robotics1.robot.box import nearest_turn
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
+from robotics1.tables import Table, table_of
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.elementary import cubic
@@ -90,6 +92,13 @@ class Rendezvous(Frozen):
     branches: tuple[MeetingBranch, ...]
     status: MeetingStatus
     miss: float
+
+    def _tables(self) -> tuple[Table, ...]:
+        rows = [
+            (str(i), vector(branch.q), vector(branch.qdot), "; ".join(map(str, branch.violations)) or "inside")
+            for i, branch in enumerate(self.branches)
+        ]
+        return (table_of(("", "q", "q̇", "limits"), rows, f"at t = {self.time:.4g} s"),) if rows else ()
 
     @property
     def trajectory(self) -> PiecewisePolynomial:
