@@ -30,11 +30,18 @@ class DescribedRobot(Shown):
 
 def one_line(robot: Any) -> str:
     """Return the robot's name, its joints as letters, as in PRR, and its tool."""
-    letters = [LETTERS.get(joint.kind, joint.kind) for joint in robot.moving_joints]
-    kinds = ("" if all(len(letter) == 1 for letter in letters) else "-").join(letters)
-    shown = f" {kinds}" if 0 < len(letters) <= MOST else ""
+    number = len(robot.moving_joints)
+    shown = f" {letters(robot)}" if 0 < number <= MOST else ""
     values = "".join(f", {name}={value:g}" for name, value in list(robot.parameters.items())[:4])
-    return printable(f"Robot({robot.name!r}, {count(len(letters), 'joint')}{shown}, tool={robot.tool!r}{values})")
+    return printable(f"Robot({robot.name!r}, {count(number, 'joint')}{shown}, tool={robot.tool!r}{values})")
+
+
+def letters(robot: Any) -> str:
+    """Return the moving joints as letters, as in PRR, and others by name; more than a dozen as their number."""
+    kinds = [LETTERS.get(joint.kind, joint.kind) for joint in robot.moving_joints]
+    if len(kinds) > MOST:
+        return f"{len(kinds)} joints"
+    return ("" if all(len(kind) == 1 for kind in kinds) else "-").join(kinds)
 
 
 def sentences(robot: Any) -> str:

@@ -13,6 +13,13 @@ from robotics1.robot.markup import decoded
 TEXT = Path("<text>")  # stands for the file of a robot that is given as a text
 LONGEST_PATH = 4096  # characters: no system takes longer ones
 LARGEST_CHARACTER = 4  # bytes
+OTHER_FILES = {
+    **dict.fromkeys((".stl", ".dae", ".obj", ".glb", ".ply"), "the mesh of a link"),
+    **dict.fromkeys((".step", ".stp", ".iges", ".sldasm", ".f3d"), "a drawing of a CAD program, which can export one"),
+    **dict.fromkeys((".sdf", ".mjcf", ".usd"), "a robot for a simulator (`pin.buildModelFromMJCF` reads MJCF)"),
+    **dict.fromkeys((".py", ".ipynb", ".csv", ".json", ".toml", ".yaml", ".yml", ".html", ".pdf"), "of another kind"),
+    ".srdf": "what MoveIt knows of a robot; its URDF stands beside it",
+}
 EXAMPLES = "cmeel.prefix/share/example-robot-data/robots"
 
 
@@ -110,6 +117,8 @@ def robot_file(source: Any) -> Path:
     path = Path(source)
     if isinstance(source, Path) or path.suffix or "/" in source or "\\" in source:
         _check_file(path)
+        if path.suffix.lower() in OTHER_FILES:
+            raise RobotFileError(f"it is {OTHER_FILES[path.suffix.lower()]}, and no URDF or xacro", path=path)
         return path
     robots = own_robots()
     if source not in robots:  # the others take longer to list
