@@ -28,12 +28,37 @@ from robotics1 import (  # noqa: E402
 
 SPACES = (curves, trajectories, orientation, rigid_motions, singularities, ik, workspaces, dh, textbook_robots, plots)
 
+USUAL = {  # what others call it
+    "fk": "forward_kinematics", "fkine": "forward_kinematics", "directkinematics": "forward_kinematics",
+    "ik": "solve_ik", "ikine": "solve_ik", "inversekinematics": "solve_ik or ik_solutions",
+    "jacobian": "frame_jacobian, or the method jacobian of a task", "loadurdf": "load_robot", "urdf": "load_robot",
+    "dh": "robot_from_dh", "spline": "cubic_spline", "plot": "view, animate or plots",
+}  # fmt: skip
+
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("robotics1")
     try:
         return _at_the_top(name)
     except AttributeError:
         for space in (*SPACES, _at_the_top("control")):
             if name in space.__all__:
                 return getattr(space, name)
-        raise
+        known = [*__all__, *(other for space in SPACES for other in space.__all__)]
+        if name.startswith("_") or name in known:
+            raise
+        raise AttributeError(f"robotics1 has no {name!r}{_meant(name, known)}", name=name) from None
+
+
+def _meant(name: str, known: list[str]) -> str:
+    """Return which names may be meant."""
+    from difflib import get_close_matches
+
+    usual = USUAL.get(name.lower().replace("_", ""))
+    close = get_close_matches(name, known, n=3) or [other for other in known if name in other][:3]
+    if usual is None and not close:
+        return "; dir(robotics1) lists what there is"
+    return f"; did you mean {usual or ' or '.join(close)}?"

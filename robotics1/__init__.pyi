@@ -58,6 +58,8 @@ from .trajectories.splines import cubic_spline
 from .trajectories.target_motion import LinearMotion
 from .viewer.animation import animate, view
 
+__version__: str
+
 __all__ = [
     "RANK_TOLERANCE",
     "FormulaError",

@@ -1,9 +1,17 @@
-"""Angles: whole turns, and the multiples of π/12 that files and tables write with few digits."""
+"""Angles: whole turns, the multiples of π/12 that files and tables write with few digits, and degrees by mistake."""
 
+import warnings
 from math import pi
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import RobotWarning
 
 TURN = 2 * pi
 MEANT = 1e-5  # an angle this near to a multiple of π/12 is meant to be it: files write 1.5708 for π/2 [rad]
+FEWEST, MOST = 10.0, 720.0  # between these, a whole number that should be an angle in radians is one in degrees
 
 
 def twelfths_of_pi(angle: float, tolerance: float = MEANT) -> int | None:
@@ -16,3 +24,29 @@ def clean_angle(angle: float, tolerance: float = 1e-14) -> float:
     """Return the multiple of π/12 that an angle is to the tolerance [rad], else the angle itself."""
     k = twelfths_of_pi(angle, tolerance)
     return angle if k is None else k * pi / 12
+
+
+def warn_of_degrees(
+    name: str,
+    values: npt.NDArray[np.floating[Any]],
+    turns: npt.NDArray[np.bool_] | bool = True,
+) -> None:
+    """Warn of angles that were probably typed in degrees: whole or half numbers from 10 to 720.
+
+    Args:
+        name: what they are called.
+        values: (..., n).
+        turns: (n,) which of them are angles [rad]; the others are lengths.
+    """
+    size = np.abs(values)
+    if not size.size or size.max() < FEWEST:
+        return
+    typed = (size >= FEWEST) & (size <= MOST) & (2 * values == np.round(2 * values)) & turns
+    if typed.any():
+        angle = float(values[typed][0])
+        warnings.warn(
+            f"{name} has the angle {angle:g}, which is {angle / TURN:.1f} turns: angles are in radians; "
+            f"if degrees are meant, write radians({angle:g})",
+            RobotWarning,
+            stacklevel=4,
+        )

@@ -8,7 +8,7 @@ import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.inputs import Array
-from robotics1.robot.model import Robot
+from robotics1.robot.model import ConfigurationLike, Robot
 
 STEP = 1e-4  # of differences of fourth order: error about STEP⁴ from the curve and 1e-16/STEP from rounding
 STRIDE = 5e-3  # of differences of sixth order: error about STRIDE⁶/140 from the curve and 1e-16/STRIDE from rounding
@@ -70,7 +70,7 @@ def _extrapolated(f: Callable[[float], Any], step: float, noise: npt.ArrayLike) 
     return Estimate(best, error)
 
 
-def configuration_derivative(f: Callable[[Array], Array], robot: Robot, q: npt.ArrayLike) -> Array:
+def configuration_derivative(f: Callable[[Array], Array], robot: Robot, q: ConfigurationLike) -> Array:
     """Return ∂f/∂q by central differences of fourth order, shape f(q).shape + (nv,): exact to about 1e-11 for smooth f.
 
     f may be vector or matrix valued. The steps are 1e-4 rad, and 1e-4 of the size of an arm or of its slide.

@@ -11,7 +11,7 @@
     ├── NotConverged (RuntimeError)     an answer was insisted upon: .result
     └── MissingExtraError (ImportError) an optional package is not installed
 
-    RobotWarning (UserWarning)          the robot loads, but something in its file is odd
+    RobotWarning (UserWarning)          something in a file, or an angle, is probably not meant
 
 Misuse raises. An unreachable target is not misuse: it is an outcome, reported in the result's status.
 """
@@ -99,4 +99,4 @@ class MissingExtraError(Robotics1Error, ImportError):
 
 
 class RobotWarning(UserWarning):
-    """The robot loads, but something in its file is probably not meant."""
+    """Something in a robot's file, or an angle that a caller hands in, is probably not meant."""

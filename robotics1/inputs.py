@@ -129,12 +129,13 @@ def a_robot(value: Any) -> None:
     Raises:
         InputError: the message says what would be right.
     """
-    if _is_a_robot(value):
+    if is_a_robot(value):
         return
-    if _is_a_task(value):
+    if is_a_task(value):
         raise InputError("the robot comes first, then the task; here a task stands in the place of the robot")
-    hint = f"load it first: load_robot({value!r})" if isinstance(value, str) else "load_robot() returns one"
-    raise InputError(f"the robot must be a Robot, not {_kind(value)}; {hint}")
+    raise InputError(
+        f"the robot must be a Robot, not {_kind(value)}; load_robot() returns one, and a name or a path stands for it"
+    )
 
 
 def a_task(value: Any) -> None:
@@ -143,13 +144,13 @@ def a_task(value: Any) -> None:
     Raises:
         InputError: the message says what would be right.
     """
-    if _is_a_task(value):
+    if is_a_task(value):
         return
     if isinstance(value, type) and hasattr(value, "check_integrable"):
         raise InputError(f"the task must be made first: write {value.__name__}(...) with brackets")
-    if _is_a_robot(value):
+    if is_a_robot(value):
         raise InputError("the robot comes first, then the task; here a robot stands in the place of the task")
-    hint = "such as PositionTask('xy'), PlanarPoseTask() or PoseTask()"
+    hint = "such as PositionTask('xy'), PlanarPoseTask() or PoseTask(), or a short form such as 'position:xy'"
     raise InputError(f"the task must be a task {hint}, not {_kind(value)}")
 
 
@@ -177,11 +178,13 @@ def true_or_false(name: str, value: Any) -> bool:
     return bool(value)
 
 
-def _is_a_robot(value: Any) -> bool:
+def is_a_robot(value: Any) -> bool:
+    """Whether a value is a robot."""
     return hasattr(type(value), "frame_id")  # robots are made of what is checked here, so that their class is unknown
 
 
-def _is_a_task(value: Any) -> bool:
+def is_a_task(value: Any) -> bool:
+    """Whether a value is a task that has been made."""
     return hasattr(value, "check_integrable") and hasattr(value, "jacobian") and not isinstance(value, type)
 
 

@@ -1,38 +1,44 @@
 """Where a frame is and how fast it moves: forward kinematics, the frame Jacobian and its rate of change."""
 
+from collections.abc import Mapping
+from contextlib import suppress
+
 import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, a_robot, one_of, real_array, true_or_false
-from robotics1.robot.model import Robot
+from robotics1.inputs import Array, one_of, real_array, true_or_false
+from robotics1.robot.given import RobotLike, robot_from
+from robotics1.robot.model import ConfigurationLike, Robot
 
 KINDS = {"mixed": pin.LOCAL_WORLD_ALIGNED, "space": pin.WORLD, "body": pin.LOCAL}
 
 
-def forward_kinematics(robot: Robot, q: npt.ArrayLike, *, frame: str | None = None) -> pin.SE3:
+def forward_kinematics(robot: RobotLike, q: ConfigurationLike, *, frame: str | None = None) -> pin.SE3:
     """Return T_world_frame(q): rotation (3, 3) and translation (3,) [m] of a frame, by default the tool.
 
     Args:
         robot: the robot.
-        q: (nq,) configuration [rad or m].
+        q: (nq,) configuration [rad or m]; of several, (k, nq), the answer is an array of matrices T, (k, 4, 4).
         frame: the frame's name.
 
     Raises:
         InputError: q has the wrong shape or is not finite.
         UnknownNameError: there is no such frame.
     """
-    a_robot(robot)
-    q = robot.configuration(q)
+    robot = robot_from(robot)
     number = robot.frame_id(frame)
-    pin.forwardKinematics(robot.model, robot.data, q)
+    if is_batch(q):
+        poses = [forward_kinematics(robot, one, frame=frame).homogeneous for one in robot.configurations(q)]
+        return np.reshape(poses, (-1, 4, 4))
+    pin.forwardKinematics(robot.model, robot.data, robot.configuration(q))
     return pin.SE3(pin.updateFramePlacement(robot.model, robot.data, number))
 
 
 def frame_jacobian(
-    robot: Robot,
-    q: npt.ArrayLike,
+    robot: RobotLike,
+    q: ConfigurationLike,
     *,
     frame: str | None = None,
     reference: str = "world",
@@ -56,7 +62,7 @@ def frame_jacobian(
 
     Args:
         robot: the robot.
-        q: (nq,) configuration [rad or m].
+        q: (nq,) configuration [rad or m]; of several, (k, nq), the answer is (k, 6, nv).
         frame: whose velocity; by default the tool's.
         reference: the axes the rows of a mixed Jacobian are written in: "world", "tool", or the name of a frame.
             ʳJ = diag(R_rᵀ, R_rᵀ) J: the same velocity, other axes.
@@ -70,9 +76,13 @@ def frame_jacobian(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.1; Lynch, Park, Modern Robotics, 2017,
     section 5.1 (space and body).
     """
-    a_robot(robot)
-    q = robot.configuration(q)
+    robot = robot_from(robot)
     number = robot.frame_id(frame)
+    if is_batch(q):
+        options = {"frame": frame, "reference": reference, "kind": kind, "angular_first": angular_first}
+        every = [frame_jacobian(robot, one, **options) for one in robot.configurations(q)]  # type: ignore[arg-type]
+        return np.reshape(every, (len(every), 6, robot.nv))
+    q = robot.configuration(q)
     J = pin.computeFrameJacobian(robot.model, robot.data, q, number, KINDS[one_of("kind", kind, tuple(KINDS))])
     J = J.reshape(6, robot.nv)  # Pinocchio drops the second axis of a single column
     if not _is(reference, "world"):
@@ -86,7 +96,7 @@ def frame_jacobian(
 
 
 def frame_jacobian_rate(
-    robot: Robot, q: npt.ArrayLike, qdot: npt.ArrayLike, *, frame: str | None = None, reference: str = "world"
+    robot: RobotLike, q: ConfigurationLike, qdot: npt.ArrayLike, *, frame: str | None = None, reference: str = "world"
 ) -> Array:
     """Return J̇(q, q̇), (6, nv), of the frame Jacobian: the acceleration of the frame is (v̇, ω̇) = J q̈ + J̇ q̇.
 
@@ -107,7 +117,7 @@ def frame_jacobian_rate(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4; Featherstone, Rigid Body Dynamics
     Algorithms, 2008, section 2.10 (the derivative of a motion vector that is fixed in a moving body).
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     q = robot.configuration(q)
     qdot = velocity_of_joints(robot, "qdot", qdot)
     rate = _jacobian_rate(robot, q, qdot, robot.frame_id(frame))
@@ -145,7 +155,7 @@ def _jacobian_rate(robot: Robot, q: Array, qdot: Array, frame: int) -> Array:
     return rate
 
 
-def reference_axes(robot: Robot, q: npt.ArrayLike, reference: str) -> Array:
+def reference_axes(robot: Robot, q: ConfigurationLike, reference: str) -> Array:
     """Return R_world_reference(q), (3, 3): the axes of "world", of "tool", or of a named frame.
 
     Raises:
@@ -166,6 +176,13 @@ def velocity_of_joints(robot: Robot, name: str, value: npt.ArrayLike) -> Array:
         InputError: there is not one finite number for each degree of freedom.
     """
     return real_array(name, value, (robot.nv,), "one number for each degree of freedom")
+
+
+def is_batch(q: ConfigurationLike) -> bool:
+    """Whether q is several configurations, (k, nq)."""
+    with suppress(TypeError, ValueError):
+        return not isinstance(q, str | Mapping) and np.ndim(q) == 2
+    return False  # no array at all, which is said where it is read
 
 
 def _is(reference: str, name: str) -> bool:

@@ -1,6 +1,6 @@
 """What results have in common: they cannot be changed, they explain themselves, and they can be insisted on."""
 
-from collections.abc import Callable, Iterable, Sized
+from collections.abc import Callable, Iterable, Sequence, Sized
 from dataclasses import fields
 from enum import Enum
 from typing import Any, Protocol, TypeVar
@@ -8,6 +8,7 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 
 from robotics1.errors import NotConverged
+from robotics1.tables import Table, in_html, in_text
 
 
 class Explained(Protocol):
@@ -65,7 +66,30 @@ def _made_again(kind: Callable[..., Any], *values: Any) -> Any:
     return kind(*values)
 
 
-class Frozen:
+class Shown:
+    """A base of what is looked at: `str` gives sentences and tables, a notebook shows the same as HTML."""
+
+    def __str__(self) -> str:
+        return in_text(self._sentences(), self._tables())
+
+    def _repr_html_(self) -> str:
+        return in_html(self._sentences(), self._tables(), *self._drawings())
+
+    def _sentences(self) -> str:
+        """Return what the result explains, else its repr."""
+        explain = getattr(self, "explain", None)
+        return repr(self) if explain is None else str(explain())
+
+    def _tables(self) -> Sequence[Table]:
+        """Return the tables below the sentences."""
+        return ()
+
+    def _drawings(self) -> Sequence[str]:
+        """Return what a notebook shows below the tables, as HTML."""
+        return ()
+
+
+class Frozen(Shown):
     """A base of frozen dataclasses whose arrays are read-only, also in copies and after unpickling.
 
     Their `repr` has one line: what it is, short values, and how many there are of the others.
@@ -104,7 +128,7 @@ def _short(value: Any) -> str:
             return f"[{', '.join(map(_short, value.tolist()))}]" if few else f"<{value.shape} array>"
         case tuple() if len(value) <= FEW:
             return f"({', '.join(map(_short, value))}{',' if len(value) == 1 else ''})"
-        case Frozen():
+        case Shown():
             return f"<{type(value).__name__}>"
     text = f"{value:.6g}" if isinstance(value, float) else repr(value)
     if len(text) <= LONG and "\n" not in text:

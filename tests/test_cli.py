@@ -150,7 +150,7 @@ def test_every_command_prints_for_people(words, tmp_path, monkeypatch):
         (["jacobian", "prr", "--angles", "XXY"], "XXY"),
         (["jacobian", "prr", "--task", "position", "--angles", "ZYZ"], "has no angles; orientation and pose have"),
         (["ik", "prr", "--target", "1,2"], "the target must have shape (3,)"),
-        (["ik", "prr", "--task", "pose", "--target", "1,2"], "the target is 4 × 4, row by row; it has 2 numbers"),
+        (["ik", "prr", "--task", "pose", "--target", "1,2"], "or 4 × 4 numbers row by row; it has 2 numbers"),
         (["view", "prr", "--out", "nowhere/page.html"], "there is no folder nowhere"),
     ],
 )

@@ -13,7 +13,7 @@ POSE = ["singularities", "prr", "--task", "planar-pose"]
 def test_the_answer_is_in_sentences_with_symbols():
     result = run(*POSE, "--intersections")
     assert result.code == 0
-    assert "2. q2 = π/2, whatever q1 and q3: the rank is 2 instead of 3." in result.stdout
+    assert "1–2. q2 = −π/2 or π/2, whatever q1 and q3: the rank is 2 instead of 3." in result.stdout
     assert "joint velocities along (l2, 1, −1) do not move the task" in result.stdout
     assert "These are all singular configurations." in result.stdout
     assert "No two branches meet, and nowhere does the rank fall further." in result.stdout

@@ -47,7 +47,6 @@ OF_A_ROBOT = {
 }
 NO_ROBOTS = {
     "a task": (XY, "the robot comes first, then the task"),
-    "a name": ("prr", r"load it first: load_robot\('prr'\)"),
     "the class": (r1.Robot, r"not the class Robot; load_robot\(\) returns one"),
     "a motion": (JOINTS, r"the robot must be a Robot, not a PiecewisePolynomial"),
     "a pose": (np.eye(4), "the robot must be a Robot, not a ndarray"),

@@ -64,7 +64,14 @@ def test_nobody_can_write_into_the_arrays_of_a_result_or_of_its_copies(name):
             arrays = list(arrays_in(other))
             found += len(arrays)
             assert not any(array.flags.writeable for array in arrays)
-    assert found or name in ("FormulaPath", "IKBranch", "IKFormulas", "TrigSolutions")  # which hold formulas alone
+    assert found or name in (
+        "Formulas",
+        "Intersections",
+        "FormulaPath",
+        "IKBranch",
+        "IKFormulas",
+        "TrigSolutions",
+    )  # which hold formulas alone
 
 
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))  # SymPy, for a point, has no lower one

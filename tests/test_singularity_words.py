@@ -80,8 +80,8 @@ def test_explain_says_where_what_is_lost_and_what_does_not_matter(pose_set, poin
     text = pose_set.explain()
     for words in (
         "q1 and q3 never matter.",
-        "1. q2 = −π/2, whatever q1 and q3: the rank is 2 instead of 3",
-        "2. q2 = π/2, whatever q1 and q3: the rank is 2 instead of 3",
+        "1–2. q2 = −π/2 or π/2, whatever q1 and q3: the rank is 2 instead of 3",
+        "Where q2 = π/2\n",
         "a task velocity (x, y, φ) with a part along (0, 1, l3·sin(q3)) cannot be realised",
         "joint velocities along (l2, 1, −1) do not move the task",
         "These are all singular configurations.",

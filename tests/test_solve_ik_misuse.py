@@ -60,7 +60,7 @@ BAD_SHAPES = {
     "rotation alone": (np.eye(3), r"shape \(4, 4\).*pin\.SE3 or a homogeneous matrix"),
     "six numbers": (np.zeros(6), r"shape \(4, 4\)"),
     "text": ("here", "real numbers"),
-    "None": (None, r"pin\.SE3 or a homogeneous \(4, 4\) matrix"),
+    "None": (None, r"pin\.SE3 or a homogeneous matrix"),
     "complex": (1j * np.eye(4), "real numbers"),
 }
 
@@ -127,7 +127,7 @@ def test_the_error_of_a_printed_rotation_names_what_makes_it_exact():
         ([1, 2, 3], TWO),
         ([[1, 2]], TWO),
         (None, TWO),
-        ("ab", "real numbers"),
+        (b"ab", "real numbers"),
         ([1, 1j], "real numbers"),
     ],
 )
@@ -190,7 +190,7 @@ def test_a_batch_without_targets_is_refused(planar_2r, task, targets, said):
         ([1, 2, 3], TWO),
         ([[1, 2]], TWO),
         (5, TWO),
-        ("ab", "real numbers"),
+        (b"ab", "real numbers"),
         ([1, 1j], "real numbers"),
     ],
 )

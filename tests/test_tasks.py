@@ -219,7 +219,7 @@ MIRROR = np.diag([1.0, 1.0, -1.0])
         ("spatial", PositionTask("xyz"), None),
         ("prr", PlanarPoseTask("xy"), [1, 2]),
         ("prr", PlanarPoseTask("xy"), pin.SE3.Identity()),
-        ("spatial", OrientationTask(), [0, 0, 0, 1]),
+        ("spatial", OrientationTask(), [0, 0, 0, 2]),
         ("spatial", OrientationTask(), SHEARED),
         ("spatial", OrientationTask(), MIRROR),
         ("spatial", OrientationTask(), 2 * np.eye(3)),
@@ -258,7 +258,7 @@ def test_mistyped_frames_of_a_task_are_unknown_names(prr, task):
 
 
 @pytest.mark.parametrize("task", [PositionTask("xy"), PlanarPoseTask("xy"), PoseTask(), FunctionTask(squares, 2)])
-@pytest.mark.parametrize("q", [[0, 0], [0, nan, 0], "abc"])
+@pytest.mark.parametrize("q", [[0, 0], [0, nan, 0], b"abc"])
 def test_a_wrong_q_is_an_input_error_in_every_task(prr, task, q):
     for call in (task.value, task.jacobian):
         with pytest.raises(InputError):

@@ -137,6 +137,7 @@ def nothing_moves(still, task, folder):
         "singularity_within_rounding": lambda: r1.singularities.singularity_within_rounding(still, task, []),
         "screws": lambda: r1.rigid_motions.screws(still),
         "manipulability": lambda: r1.singularities.manipulability(still, task, []),
+        "sigma_min": lambda: r1.singularities.sigma_min(still, task, []),
         "formulas": lambda: r1.formulas(still, task),
         "find_singularities": lambda: r1.find_singularities(still, task),
         "scan_singularities": lambda: r1.scan_singularities(still, task, samples=10),

@@ -1,21 +1,24 @@
-"""What is typed at the command line, turned into robots, tasks and vectors."""
+"""What is typed at the command line, turned into robots, tasks and vectors.
 
+Heavy libraries are imported where they are used: `--help` needs none of them.
+"""
+
+from __future__ import annotations
+
+import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
-
-import numpy as np
+from typing import TYPE_CHECKING, Any
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array
-from robotics1.robot.loading import load_robot
-from robotics1.robot.model import Robot
-from robotics1.tasks.planar_pose import PlanarPoseTask
-from robotics1.tasks.pose import OrientationTask, PoseTask
-from robotics1.tasks.position import PositionTask
-from robotics1.tasks.task import FrameTask
 
-TASKS = ("position[:xyz]", "planar-pose[:xy]", "orientation", "pose")
+if TYPE_CHECKING:
+    from robotics1.inputs import Array
+    from robotics1.robot.model import Robot
+    from robotics1.tasks.task import FrameTask
+
 NUMBER = re.compile(  # with one way only to read each text: else a long one takes the square of its length
     r"([+-]?)((?:\d+(?:\.\d*)?|\.\d+)?(?:e[+-]?\d+)?)\s*(?:\*\s*)?(pi|π)?(?:/(\d+(?:\.\d*)?))?", re.IGNORECASE
 )
@@ -31,33 +34,74 @@ def parse_number(text: str) -> float:
     if match is None or not (match[2] or match[3]):
         raise InputError(f"{text[:100]!r} is not a number; write it like 1.5, 0.7pi or -pi/4")
     try:
-        value = float(match[2] or 1) * (np.pi if match[3] else 1.0) / float(match[4] or 1)
+        value = float(match[2] or 1) * (math.pi if match[3] else 1.0) / float(match[4] or 1)
     except (ValueError, ZeroDivisionError) as error:
         raise InputError(f"{text!r} is not a number; write it like 1.5, 0.7pi or -pi/4") from error
-    if not np.isfinite(value):
+    if not math.isfinite(value):
         raise InputError(f"a number must be finite; {text[:100]!r} is beyond 1e308")
     return -value if match[1] == "-" else value
 
 
-def parse_vector(text: str) -> Array:
+def parse_vector(text: str, degrees: bool = False) -> Array:
     """Return numbers separated by commas or blanks.
 
     Raises:
-        InputError: one of them is no number.
+        InputError: one of them is no number; or one has pi in it, where angles are typed in degrees.
     """
-    return np.array([parse_number(part) for part in parse_names(text)])
+    import numpy as np
+
+    return np.array([parse_number(without_pi(part) if degrees else part) for part in parse_names(text)])
+
+
+def without_pi(text: str) -> str:
+    """Return a number as typed in degrees.
+
+    Raises:
+        InputError: it has pi in it, and is an angle in radians then.
+    """
+    if "pi" in text.lower() or "π" in text:
+        raise InputError(f"{text[:100]!r} is an angle in radians; leave out --degrees, or type degrees, as 90")
+    return text
 
 
 def parse_robot(
-    source: str, parameters: Sequence[str] | None, tool: str | None, packages: Sequence[Path] | None = None
+    source: str,
+    parameters: Sequence[str] | None,
+    tool: str | None,
+    packages: Sequence[Path] | None = None,
+    lock: Sequence[str] | None = None,
+    degrees: bool = False,
 ) -> Robot:
-    """Return the robot of a name or path, with parameters typed as l2=0.5.
+    """Return the robot of a name or path, with parameters typed as l2=0.5, and joints locked as q1=0.2.
 
     Raises:
         Robotics1Error: what `parse_parameters` and `load_robot` raise.
     """
+    from robotics1.robot.loading import load_robot
+
     path = source if "/" not in source else Path(source)
-    return load_robot(path, parameters=parse_parameters(parameters), tool=tool, packages=packages or ())
+    given: dict[str, Any] = {"parameters": parse_parameters(parameters), "packages": packages or ()}
+    locked = parse_lock(lock, degrees)
+    if degrees and locked:
+        free = load_robot(path, **given)
+        turning = {name for name, turns in zip(free.joint_names, free.revolute, strict=False) if turns}
+        locked = {name: math.radians(value) if name in turning else value for name, value in locked.items()}
+    return load_robot(path, tool=tool, locked=locked, **given)
+
+
+def parse_lock(texts: Sequence[str] | None, degrees: bool = False) -> dict[str, float]:
+    """Return the joints that are locked, typed as q1=0.2.
+
+    Raises:
+        InputError: one is not name=value.
+    """
+    values = {}
+    for text in texts or ():
+        name, sign, value = text.partition("=")
+        if not sign:
+            raise InputError(f"{text!r} is no locked joint; write it like q1=0.2")
+        values[name.strip()] = parse_number(without_pi(value) if degrees else value)
+    return values
 
 
 def parse_parameters(texts: Sequence[str] | None) -> dict[str, float | str]:
@@ -90,23 +134,32 @@ def parse_names(text: str) -> tuple[str, ...]:
 
 
 def parse_task(text: str, frame: str | None, angles: str | None = None) -> FrameTask:
-    """Return the task typed as position, position:xy, planar-pose:xz, orientation or pose; these two also with angles.
+    """Return the task of a short form such as position:xy; orientation and pose also with angles.
 
     Raises:
         InputError: it is none of these, or has no angles.
     """
-    kind, _, option = text.partition(":")
-    kinds: dict[str, Callable[[], FrameTask]] = {
-        "position": lambda: PositionTask(option or "xyz", frame=frame),
-        "planar-pose": lambda: PlanarPoseTask(option or "xy", frame=frame),
-        "orientation": lambda: OrientationTask(angles, frame=frame),
-        "pose": lambda: PoseTask(angles, frame=frame),
-    }
-    if kind not in kinds or (option and kind in ("orientation", "pose")):
-        raise InputError(f"there is no task {text!r}; there is {', '.join(TASKS)}")
-    if angles is not None and kind not in ("orientation", "pose"):
-        raise InputError(f"task {text!r} has no angles; orientation and pose have")
-    return kinds[kind]()
+    from robotics1.tasks.given import short_form
+
+    return short_form(text, frame, angles)
+
+
+def task_for(robot: Robot, text: str | None, frame: str | None, angles: str | None = None) -> FrameTask:
+    """Return the task that is typed; without a text, the one that the robot is made for.
+
+    An arm in the plane z = 0 has a planar pose from three joints on, else a position; an arm in space a pose from six
+    joints on, else a position.
+
+    Raises:
+        InputError: as `parse_task`.
+    """
+    if text is not None or angles is not None:
+        return parse_task(text or "pose", frame, angles)
+    from robotics1.tasks.position import PositionTask
+    from robotics1.viewer.arm_data import default_task
+
+    usual: Any = default_task(robot) or PositionTask()
+    return replace(usual, frame=frame)  # type: ignore[no-any-return]
 
 
 def read_text(path: Path) -> str:
@@ -126,12 +179,19 @@ def read_text(path: Path) -> str:
 
 
 def configuration(robot: Robot, text: str | None, degrees: bool) -> Array:
-    """Return q as typed, in degrees where asked; without text, zero moved inside the limits.
+    """Return q as typed, in degrees where asked, or of a posture's name; without text, zero moved inside the limits.
 
     Raises:
         InputError: the wrong number of values.
     """
+    import numpy as np
+
     if text is None:
         return np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
-    q = robot.configuration(parse_vector(text))
-    return np.where(robot.revolute, np.radians(q), q) if degrees else q
+    if text.strip() in robot.postures:
+        return robot.configuration(text.strip())
+    values = parse_vector(text, degrees)
+    if degrees and robot.nq == robot.nv and values.shape == robot.revolute.shape:
+        return robot.configuration(np.where(robot.revolute, np.radians(values), values))
+    q = robot.configuration(values)
+    return q

@@ -1,28 +1,31 @@
 """The command `robotics1 check`: the verdict on a robot file, and what was understood of it."""
 
+from __future__ import annotations
+
 import csv
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
-from rich.table import Table
-from rich.text import Text
-from rich.tree import Tree
 
-from robotics1.cli.arguments import parse_number, parse_parameters, read_text
-from robotics1.cli.options import AsJson, Parameters, RobotName, Tool
-from robotics1.cli.output import PlainConsole, write_json
+from robotics1.cli.arguments import parse_lock, parse_number, parse_parameters, read_text
+from robotics1.cli.options import AsJson, Locked, Packages, Parameters, RobotName, Tool
 from robotics1.errors import InputError
-from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
-from robotics1.notation import count, joint_value
-from robotics1.report.tables import table
-from robotics1.robot.joints import Joint, tips
-from robotics1.robot.loading import check_robot
-from robotics1.robot.model import Robot
-from robotics1.robot.report import AGREES, RobotReport, random_configurations, relative_difference
 
+if TYPE_CHECKING:
+    from rich.text import Text
+    from rich.tree import Tree
+
+    from robotics1.cli.output import PlainConsole
+    from robotics1.robot.model import Robot
+    from robotics1.robot.report import RobotReport
+
+EXAMPLES = (
+    "check arm.urdf",
+    "check arm.urdf --dh table.csv --convention modified",
+    "check arm.urdf --packages ros/src",
+)
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
 
 
@@ -30,17 +33,22 @@ def check(
     robot: RobotName,
     dh: Annotated[Path | None, typer.Option("--dh", help="A CSV file type,a,alpha,d,theta to compare with.")] = None,
     convention: Annotated[str, typer.Option(help="Of the DH table: standard or modified.")] = "standard",
-    packages: Annotated[list[Path] | None, typer.Option(help="A folder in which package:// looks.")] = None,
+    packages: Packages = None,
+    lock: Locked = None,
     trusted: Annotated[bool, typer.Option("--trusted", help="Let a xacro read YAML and the environment.")] = False,
     param: Parameters = None,
     tool: Tool = None,
     json: AsJson = False,
 ) -> None:
     """The verdict on a robot file, and what was understood of it."""
+    from robotics1.cli.output import PlainConsole, write_json
     from robotics1.dh.to_robot import robot_from_dh
+    from robotics1.robot.loading import check_robot
+    from robotics1.robot.report import AGREES
 
     values = parse_parameters(param)
-    found = check_robot(robot, parameters=values, tool=tool, packages=packages or (), trusted=trusted)
+    given: dict[str, Any] = {"parameters": values, "packages": packages or (), "locked": parse_lock(lock)}
+    found = check_robot(robot, tool=tool, trusted=trusted, **given)
     difference = None
     if dh is not None and found.robot is not None:
         difference = _difference_from(found.robot, robot_from_dh(read_dh_table(dh), convention=convention))
@@ -74,6 +82,11 @@ def _difference_from(robot: Robot, other: Robot) -> float:
     Raises:
         InputError: the numbers of joints differ.
     """
+    import numpy as np
+
+    from robotics1.kinematics import forward_kinematics
+    from robotics1.robot.report import random_configurations, relative_difference
+
     if robot.nq != other.nq:
         raise InputError(f"the DH table has {other.nq} joints, and the tool of the robot hangs on {robot.nq}")
     worst = 0.0
@@ -85,6 +98,8 @@ def _difference_from(robot: Robot, other: Robot) -> float:
 
 def _as_json(found: RobotReport, dh_difference: float | None, sound: bool) -> dict[str, Any]:
     """Return the report as plain data."""
+    from robotics1.robot.joints import tips
+
     answer: dict[str, Any] = {
         "path": str(found.path),
         "sound": sound,
@@ -111,6 +126,13 @@ def _as_json(found: RobotReport, dh_difference: float | None, sound: bool) -> di
 
 def _print(out: PlainConsole, found: RobotReport, dh_difference: float | None) -> None:
     """Print the verdict, and the robot as it was understood."""
+    from rich.text import Text
+
+    from robotics1.notation import count
+    from robotics1.report.tables import table
+    from robotics1.robot.description import joint_table
+    from robotics1.robot.joints import tips
+
     for finding in found.errors:
         out.print(Text.assemble(("error", "red"), f" {printable(str(finding))}"), soft_wrap=True)
     for finding in found.warnings:
@@ -120,7 +142,8 @@ def _print(out: PlainConsole, found: RobotReport, dh_difference: float | None) -
         out.print(f"{path} is no robot: {count(len(found.errors), 'error')}.", soft_wrap=True)
         return
     out.print(_link_tree(robot))
-    out.print(_joint_table(robot))
+    joints = joint_table(robot)
+    out.print(table(joints.headings, joints.rows, left=("joint", "kind")))
     listed = ", ".join(map(printable, tips(robot.frame_names, robot.joints)))
     out.print(f"tips: {listed}; tool: {printable(robot.tool or 'open, name it with --tool')}")
     out.print(_agreement("yourdfpy's parser", found.fk_difference))
@@ -131,6 +154,9 @@ def _print(out: PlainConsole, found: RobotReport, dh_difference: float | None) -
 
 def _link_tree(robot: Robot) -> Tree:
     """Return the links as a tree, each with the joint it hangs on."""
+    from rich.text import Text
+    from rich.tree import Tree
+
     model = robot.model
     nodes: dict[int, Tree] = {}
     tree = Tree(printable(robot.name))
@@ -146,37 +172,11 @@ def _link_tree(robot: Robot) -> Tree:
     return tree
 
 
-def _joint_table(robot: Robot) -> Table:
-    """Return the moving joints with their kind and limits."""
-    rows = []
-    for joint in robot.moving_joints:
-        number = robot.model.getJointId(joint.name)
-        limits, rates = ["", ""], ["", ""]
-        if joint.kind in ("revolute", "prismatic"):
-            i, j = robot.model.idx_qs[number], robot.model.idx_vs[number]
-            limits = [_limit(robot.lower[i], joint), _limit(robot.upper[i], joint)]
-            rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
-        rows.append((printable(joint.name), _kind(joint), *limits, *rates))
-    return table(("joint", "kind", "lower", "upper", "velocity", "effort"), rows, left=("joint", "kind"))
-
-
-def _kind(joint: Joint) -> str:
-    """Return what a joint is, in words."""
-    if joint.kind not in ("revolute", "prismatic"):
-        return joint.kind
-    aligned = [name for name, unit in zip("xyz", np.eye(3), strict=True) if np.abs(joint.axis - unit).max() <= 1e-12]
-    if not aligned:
-        return f"{joint.kind}, skew axis"
-    return f"{joint.kind} {'about' if joint.kind == 'revolute' else 'along'} {aligned[0]}"
-
-
-def _limit(value: float, joint: Joint) -> str:
-    if not np.isfinite(value):
-        return "none"
-    return joint_value(float(value)) if joint.kind == "revolute" else f"{value:g}"
-
-
 def _agreement(other: str, difference: float | None) -> Text:
+    from rich.text import Text
+
+    from robotics1.robot.report import AGREES
+
     if difference is None:
         return Text(f"forward kinematics was not compared with {other}")
     verdict = ("agrees with", "") if difference <= AGREES else ("differs from", "red")

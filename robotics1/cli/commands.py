@@ -3,8 +3,9 @@
 import sys
 import traceback
 import warnings
+from collections.abc import Callable
 from pathlib import Path
-from typing import NoReturn
+from typing import Annotated, NoReturn
 
 import typer
 
@@ -13,8 +14,8 @@ from robotics1.cli.exam import exam
 from robotics1.cli.fk import fk
 from robotics1.cli.ik import ik
 from robotics1.cli.jacobian import jacobian
-from robotics1.cli.output import PlainConsole
 from robotics1.cli.robot_page import view
+from robotics1.cli.robots import robots
 from robotics1.cli.scan import scan
 from robotics1.cli.singularities import singularities
 from robotics1.cli.statics import statics
@@ -26,11 +27,37 @@ from robotics1.names import printable
 app = typer.Typer(
     help="Kinematics of robot arms: the number, the formula, the verdict, the picture.",
     no_args_is_help=True,
-    add_completion=False,
+    rich_markup_mode=None,
     pretty_exceptions_enable=False,
 )
-for command in (exam, fk, jacobian, singularities, ik, statics, workspace, scan, view, check):
-    app.command()(command)
+
+
+def examples_of(command: Callable[..., None]) -> str | None:
+    """Return the examples of a command, as its help shows them: what EXAMPLES of its module holds."""
+    examples = getattr(sys.modules[command.__module__], "EXAMPLES", ())
+    return "\n".join(["\b", "Examples:", *(f"  robotics1 {example}" for example in examples)]) if examples else None
+
+
+for command in (exam, fk, jacobian, singularities, ik, statics, workspace, scan, view, check, robots):
+    app.command(epilog=examples_of(command))(command)
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        from importlib.metadata import version
+
+        typer.echo(f"robotics1 {version('robotics1')}")
+        raise typer.Exit
+
+
+@app.callback()
+def every_command(
+    version: Annotated[
+        bool,
+        typer.Option("--version", help="Print the version.", is_eager=True, callback=_version),
+    ] = False,
+) -> None:
+    """Kinematics of robot arms: the number, the formula, the verdict, the picture."""
 
 
 def main() -> None:
@@ -55,10 +82,14 @@ def main() -> None:
 
 
 def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
+    from robotics1.cli.output import PlainConsole
+
     PlainConsole(stderr=True).print(printable(f"warning: {message}"), style="yellow", soft_wrap=True)
 
 
 def _stop(message: str, code: int) -> NoReturn:
     """Print a message on one line, whatever it holds, and end."""
+    from robotics1.cli.output import PlainConsole
+
     PlainConsole(stderr=True).print(printable(message), style="red", soft_wrap=True)
     sys.exit(code)

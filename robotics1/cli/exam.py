@@ -10,7 +10,8 @@ from typing import Annotated
 import typer
 
 from robotics1.cli.options import AsJson
-from robotics1.cli.output import PlainConsole, write_json
+
+EXAMPLES = ("exam", "exam --out answers")
 
 
 def exam(
@@ -18,6 +19,8 @@ def exam(
     json: AsJson = False,
 ) -> None:
     """Solve the exam of 13 January 2025 and check every published value."""
+    from robotics1.cli.output import PlainConsole, write_json
+
     with PlainConsole(stderr=True).status("solving the exam"):
         worked = example("exams.exam_2025_01_13.worked").work_exam(folder)
     if json:

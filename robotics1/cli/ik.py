@@ -7,11 +7,23 @@ from typing import Annotated, Any
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.uncompiled import run_without_compiler
 from robotics1.errors import InputError
-from robotics1.inputs import one_of
 
-Target = Annotated[str | None, typer.Option(help="The target: x,y,z or x,y,φ; for a pose, 16 numbers row by row.")]
+EXAMPLES = (
+    "ik planar_2r --target 0,1.5359 --degrees",
+    "ik ur5 --target 0.4,0.2,0.3,pi,0,0",
+    "ik cylindrical --target 1,-1,3 --method newton --q0 -2,0.7pi,1.4142",
+    "ik planar_2r --task position:xy --formulas",
+)
+Target = Annotated[
+    str | None,
+    typer.Option(
+        help="The target: x,y,z or x,y,φ; of a pose x,y,z,roll,pitch,yaw, or x,y,z and a quaternion qx,qy,qz,qw, or 16 "
+        "numbers row by row."
+    ),
+]
 Targets = Annotated[
     Path | None,
     typer.Option(help="A file with a target on each line as in --target, # for comments; --method solve is meant."),
@@ -56,7 +68,7 @@ USES = {  # option → the questions whose answer it changes
 def ik(
     robot: RobotName,
     target: Target = None,
-    task: TaskName = "position",
+    task: TaskName = None,
     method: Method = None,
     targets: Targets = None,
     q0: Start = None,
@@ -71,19 +83,23 @@ def ik(
     param: Parameters = None,
     tool: Tool = None,
     packages: Packages = None,
+    lock: Locked = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """Inverse kinematics: all solutions or their formulas, one solution, many targets, or one method's iterations."""
+    if method == "solve" and targets is None:
+        run_without_compiler()
     from robotics1.cli import ik_answers as answers
     from robotics1.ik.iterate import METHODS
+    from robotics1.inputs import one_of
 
     given: dict[str, Any] = {"q0": q0, "prefer": prefer, "seed": seed, "time_limit": time_limit}
     given |= {"tolerance": tolerance, "max_iterations": max_iterations, "page": page}
     if formulas:
         _refuse_beside_formulas({"target": target, "targets": targets, "method": method, **given})
-        arm = arguments.parse_robot(robot, param, tool, packages)
-        raise typer.Exit(0 if answers.formulas(arm, arguments.parse_task(task, frame), json=json) else 1)
+        arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
+        raise typer.Exit(0 if answers.formulas(arm, arguments.task_for(arm, task, frame), json=json) else 1)
     if (target is None) == (targets is None):
         raise InputError("give either --target, as in --target 1,-1,3, or --targets FILE with a target on each line")
     if method is not None:
@@ -92,8 +108,8 @@ def ik(
         raise InputError(f"--targets is for --method solve; {method!r} takes one --target")
     question = SOLVE if method == "solve" or targets is not None else ALL if method is None else ITERATE
     options = _used(question, given)
-    arm = arguments.parse_robot(robot, param, tool, packages)
-    what = arguments.parse_task(task, frame)
+    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
+    what = arguments.task_for(arm, task, frame)
     start = None if q0 is None else arguments.configuration(arm, q0, degrees)
     if targets is not None:
         wanted = answers.read_targets(targets, what, degrees)

@@ -8,20 +8,24 @@ from typing import Any
 import numpy as np
 
 from robotics1.cli.arguments import parse_vector, read_text
-from robotics1.cli.output import PlainConsole, in_degrees, joint_names, progress_bar, say_outside_limits, write_json
+from robotics1.cli.output import (
+    PlainConsole,
+    in_degrees,
+    joint_names,
+    progress_bar,
+    say_outside_limits,
+    units,
+    write_json,
+)
 from robotics1.errors import InputError
-from robotics1.ik.closed_form.find import ik_formulas
 from robotics1.ik.iterate import IKIterate, IKIteration, iterate_ik
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.solution_set import IKSolutions
-from robotics1.ik.solutions import ik_solutions
-from robotics1.ik.solver import IKSolver
 from robotics1.inputs import Array
 from robotics1.notation import count, number, vector
 from robotics1.report.tables import iteration_table, matrix_table, table
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
-from robotics1.viewer.animation import view
 
 OF_A_FAMILY = 16  # solutions that are printed, where there are infinitely many
 IN_COLUMNS = 4  # joints, up to which the table has a column for the posture
@@ -34,16 +38,35 @@ def parse_target(task: FrameTask, text: str, degrees: bool) -> Any:
     Raises:
         InputError: the wrong number of values.
     """
-    values = parse_vector(text)
+    values = parse_vector(text, degrees)
     value = task.g(np.zeros(3), np.eye(3))
     shape = np.shape(getattr(value, "homogeneous", value))
     if len(shape) == 2:
-        if values.size != shape[0] * shape[1]:
-            raise InputError(f"the target is {shape[0]} × {shape[1]}, row by row; it has {values.size} numbers")
-        return values.reshape(shape)
+        return _pose_or_rotation(values, shape, degrees)
     if degrees and values.size == task.rows:
         values = np.where(np.array(task.row_units) == "rad", np.radians(values), values)
     return values
+
+
+def _pose_or_rotation(values: Array, shape: tuple[int, ...], degrees: bool) -> Any:
+    """Return a pose (4, 4), or a rotation (3, 3), from its matrix row by row, from rpy, or from a quaternion.
+
+    Raises:
+        InputError: there is another number of values.
+    """
+    place = 3 if shape[0] == 4 else 0
+    if values.size == shape[0] * shape[1]:
+        return values.reshape(shape)
+    if values.size not in (place + 3, place + 4):
+        at = "x,y,z," * bool(place)
+        raise InputError(
+            f"the target is {at}roll,pitch,yaw, or {at}qx,qy,qz,qw, or {shape[0]} × {shape[1]} numbers row by row; "
+            f"it has {values.size} numbers"
+        )
+    turn = values[place:]
+    if turn.size == 3 and degrees:
+        turn = np.radians(turn)
+    return (values[:3], turn) if place else turn
 
 
 def read_targets(path: Path, task: FrameTask, degrees: bool) -> list[Any]:
@@ -70,9 +93,13 @@ def all_solutions(
     robot: Robot, task: FrameTask, target: Any, _: None, options: dict[str, Any], *, degrees: bool, json: bool
 ) -> bool:
     """Print every solution, write a page of them if that is asked for, and return whether there is one."""
+    from robotics1.ik.solutions import ik_solutions
+
     page = options.pop("page", None)
     found = ik_solutions(robot, task, target, **options)
     if page is not None and len(found):
+        from robotics1.viewer.animation import view
+
         view(robot, file=page, task=task, solutions=found)
     if json:
         write_json(_solutions_as_json(found))
@@ -119,6 +146,7 @@ def _print_solutions(out: PlainConsole, found: IKSolutions, robot: Robot, degree
 def _solutions_as_json(found: IKSolutions) -> dict[str, Any]:
     return {
         "status": found.status.name,
+        "units": {"q": [] if found.robot is None else units(found.robot)},
         "complete": found.complete,
         "method": found.method,
         "solutions": found.q,
@@ -134,6 +162,8 @@ def _solutions_as_json(found: IKSolutions) -> dict[str, Any]:
 
 def formulas(robot: Robot, task: FrameTask, *, json: bool) -> bool:
     """Print the formulas of every solution, and return that there are some."""
+    from robotics1.ik.closed_form.find import ik_formulas
+
     found = ik_formulas(robot, task)
     if json:
         branches = [{name: str(e) for name, e in branch.q.items()} for branch in found.branches]
@@ -147,9 +177,11 @@ def one_solution(
     robot: Robot, task: FrameTask, target: Any, q0: Array | None, options: dict[str, Any], *, degrees: bool, json: bool
 ) -> bool:
     """Print the solution that is found robustly, or the nearest miss; and return which it is."""
+    from robotics1.ik.solver import IKSolver
+
     result = IKSolver(robot, task, **options)(target, q0)
     if json:
-        write_json(_as_json(result))
+        write_json(_as_json(result) | {"units": {"q": units(robot)}})
         return result.converged
     out = PlainConsole()
     out.print(f"{result.status.name} after {count(result.starts, 'start')}: {result.status.value}")
@@ -172,6 +204,8 @@ def many_solutions(
     json: bool,
 ) -> bool:
     """Print the solutions of many targets, and return whether all are reached."""
+    from robotics1.ik.solver import IKSolver
+
     with progress_bar("solving", hidden=json) as progress:
         batch = IKSolver(robot, task, **options).solve_batch(targets, q0, progress=progress)
     if json:
@@ -206,7 +240,7 @@ def iteration(
     """Print the table of an iteration, and return whether it converged."""
     run = iterate_ik(robot, task, target, q0, **options)
     if json:
-        answer = {"status": run.status.name, "iterations": run.iterations, "q": run.q}
+        answer = {"units": {"q": units(robot)}, "status": run.status.name, "iterations": run.iterations, "q": run.q}
         write_json(answer | {"within_limits": run.within_limits, "table": [row._asdict() for row in run.table]})
         return run.converged
     out = PlainConsole()

@@ -1,35 +1,40 @@
 """The command `robotics1 jacobian`: numbers at a configuration, or formulas."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, Q, RobotName, TaskName, Tool
-from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, write_json
+from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, Q, RobotName, TaskName, Tool
 from robotics1.errors import FormulaError, InputError
-from robotics1.notation import enumeration, number, vector
-from robotics1.report.tables import matrix_table
-from robotics1.singularities.explain import directions
-from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
-from robotics1.singularities.spaces import Subspaces
 
 if TYPE_CHECKING:
     import sympy
 
+    from robotics1.cli.output import PlainConsole
+    from robotics1.singularities.rounding import RoundedConfiguration
+    from robotics1.singularities.spaces import Subspaces
     from robotics1.symbolic.tasks.task_formulas import Formulas
+
+EXAMPLES = (
+    "jacobian prr --task planar-pose --q 0.5,pi/2,1",
+    "jacobian prr --task position:xy --symbolic",
+    "jacobian ur5 --q 0,-90,90,0,90,0 --degrees",
+)
 
 
 def jacobian(
     robot: RobotName,
     q: Q = None,
-    task: TaskName = "pose",
+    task: TaskName = None,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
     packages: Packages = None,
+    lock: Locked = None,
     degrees: Degrees = False,
     symbolic: Annotated[bool, typer.Option("--symbolic", help="Formulas instead of numbers; --q is not used.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Formulas in LaTeX.")] = False,
@@ -40,41 +45,56 @@ def jacobian(
     json: AsJson = False,
 ) -> None:
     """The Jacobian of a task, its rank and its subspaces; or its formulas, with determinant or minors."""
-    from robotics1.symbolic.kinematics.points import with_point
-    from robotics1.symbolic.tasks.formula import formulas, row_places
-
-    arm = arguments.parse_robot(robot, param, tool, packages)
-    what = arguments.parse_task(task, frame, angles)
+    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
+    what = arguments.task_for(arm, task, frame, angles)
     chosen = None if rows is None else arguments.parse_names(rows)
     at = None if point is None else arguments.parse_point(point)
     if symbolic or latex or python:
         if latex and python:
             raise InputError("choose one of --latex and --python")
+        from robotics1.symbolic.tasks.formula import formulas
+
         _print_formulas(formulas(arm, what, point=at, rows=chosen), latex=latex, python=python, json=json)
         return
+    import numpy as np
+
+    from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
+    from robotics1.notation import enumeration, vector
+    from robotics1.report.tables import matrix_table
+    from robotics1.singularities.rounding import rounded_configuration
+
     values = arguments.configuration(arm, q, degrees)
     if at is not None:
+        from robotics1.symbolic.kinematics.points import with_point
+
         named = arm.parameters
         arm, moved = with_point(arm, what.frame, at)
         what = replace(what, frame=moved)
         unvalued = [name for name in arm.parameters if name not in named]
         if unvalued:
             raise InputError(f"{enumeration(unvalued)} of the point has no value; type a number, or ask for --symbolic")
-    places = list(row_places(what, chosen))
+    places = list(range(what.rows))
+    if chosen is not None:
+        from robotics1.symbolic.tasks.formula import row_places
+
+        places = list(row_places(what, chosen))
     found = rounded_configuration(lambda x: what.jacobian(arm, x)[places], arm, values)
     J = found.spaces.J
     det = float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
     if json:
-        write_json(_as_json(found, det))
+        write_json(_as_json(found, det) | {"units": {"q": units(arm)}})
         return
     out = PlainConsole()
     say_outside_limits(out, arm, values)
-    title = f"J of {task} at q = {vector(in_degrees(arm, values, degrees))}, world axes"
-    out.print(matrix_table(J, tuple(what.row_names[i] for i in places), joint_names(arm), title))
+    shown = tuple(what.row_names[i] for i in places)
+    title = f"J of ({', '.join(shown)}) at q = {vector(in_degrees(arm, values, degrees))}, world axes"
+    out.print(matrix_table(J, shown, joint_names(arm), title))
     _print_rank(out, found, det)
 
 
 def _print_rank(out: PlainConsole, found: RoundedConfiguration, det: float | None) -> None:
+    from robotics1.notation import number, vector
+
     determinant = "" if det is None else f", det J = {number(det)}"
     out.print(f"rank {found.spaces.rank}{determinant}, singular values {vector(found.spaces.singular_values)}")
     _print_spaces(out, found.spaces)
@@ -86,6 +106,8 @@ def _print_rank(out: PlainConsole, found: RoundedConfiguration, det: float | Non
 
 def _print_spaces(out: PlainConsole, spaces: Subspaces) -> None:
     """Print what does not move the task, and what cannot be realised."""
+    from robotics1.singularities.explain import directions
+
     if spaces.null.size:
         out.print(f"the task does not move with q̇ along {directions(spaces.null)}")
     if spaces.left_null.size:
@@ -108,8 +130,9 @@ def singularity_as_json(found: RoundedConfiguration) -> dict[str, Any] | None:
     return {"q": found.singular_q, "rank": there.rank, "null": there.null.T, "left_null": there.left_null.T}
 
 
-def _print_formulas(found: "Formulas", *, latex: bool, python: bool, json: bool) -> None:
+def _print_formulas(found: Formulas, *, latex: bool, python: bool, json: bool) -> None:
     """Print the value, the Jacobian, and its determinant or minors; as LaTeX or JSON where asked; or a function."""
+    from robotics1.cli.output import PlainConsole, write_json
     from robotics1.symbolic.writing.printing import latex_text, unicode_text
 
     out = PlainConsole()
@@ -136,8 +159,10 @@ def _print_formulas(found: "Formulas", *, latex: bool, python: bool, json: bool)
         out.print(f"angles of the file were made exact, by at most {found.cleaned:.1e} rad")
 
 
-def _named_minors(found: "Formulas") -> "tuple[list[tuple[str, sympy.Expr]], str]":
+def _named_minors(found: Formulas) -> tuple[list[tuple[str, sympy.Expr]], str]:
     """Return the determinant, or the minors with the joints or rows that are left out; or why there are none."""
+    from robotics1.notation import enumeration
+
     wide = len(found.q) > len(found.row_names)
     names = found.robot.joint_names if wide else found.row_names
     try:

@@ -1,19 +1,22 @@
 """How the commands print: JSON for programs, degrees and warnings for people."""
 
+from __future__ import annotations
+
 import json
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import pinocchio as pin
 from rich.console import Console
+from rich.table import Table
 from rich.text import Text
 
-from robotics1.inputs import Array
 from robotics1.names import printable
-from robotics1.robot.model import Robot
+
+if TYPE_CHECKING:
+    from robotics1.inputs import Array
+    from robotics1.robot.model import Robot
 
 
 class PlainConsole(Console):
@@ -29,6 +32,50 @@ class PlainConsole(Console):
         """Return a text as Rich draws it, here and in the cells of tables."""
         return super().render_str(printable(text, keep="\n"), **options)
 
+    def print(self, *objects: Any, **options: Any) -> None:
+        """Print; a table that is wider than the terminal with short headings, or as one line for each cell."""
+        if len(objects) == 1 and isinstance(objects[0], Table) and _width(objects[0]) > self.width:
+            table, legend = _with_short_headings(objects[0])
+            if legend and _width(table) <= self.width:
+                super().print(table, **options)
+                super().print(legend, **options)
+            else:
+                super().print(_one_cell_a_line(objects[0]), **options)
+            return
+        super().print(*objects, **options)
+
+
+def _width(table: Table) -> int:
+    """Return how wide a table is whose cells are not broken into lines."""
+    widths = [max(map(len, (str(column.header), *map(str, column.cells)))) for column in table.columns]
+    return sum(widths) + 3 * len(widths) + 1
+
+
+def _with_short_headings(table: Table) -> tuple[Table, str]:
+    """Return a table with numbers for headings that are wider than their columns, and what these stand for."""
+    short = Table(title=table.title, title_justify="left", show_header=table.show_header)
+    names = []
+    for column in table.columns:
+        heading, cells = str(column.header), [str(cell) for cell in column.cells]
+        if len(heading) > max(map(len, cells), default=0):
+            names.append(heading)
+            heading = f"({len(names)})"
+        short.add_column(heading, justify=column.justify)
+    for row in zip(*(column.cells for column in table.columns), strict=True):
+        short.add_row(*row)
+    return short, ", ".join(f"({i}) {name}" for i, name in enumerate(names, 1))
+
+
+def _one_cell_a_line(table: Table) -> Text:
+    """Return the rows of a table as lines, each cell under the first of its row."""
+    headings = [str(column.header).strip() for column in table.columns]
+    lines = [str(table.title)] if table.title else []
+    for cells in zip(*(column.cells for column in table.columns), strict=True):
+        texts = [(heading, str(cell).strip()) for heading, cell in zip(headings, cells, strict=True)]
+        first, *rest = [": ".join(filter(None, pair)) for pair in texts if pair[1]]
+        lines += [first, *(f"  {text}" for text in rest)]
+    return Text("\n".join(lines))
+
 
 def write_json(answer: Any) -> None:
     """Print an answer as JSON on stdout, in ASCII: so it fits every terminal, and holds every name as it is."""
@@ -38,6 +85,9 @@ def write_json(answer: Any) -> None:
 
 def plain(value: Any) -> Any:
     """Return a value made of what JSON knows; NaN and infinity become null."""
+    import numpy as np
+    import pinocchio as pin
+
     if isinstance(value, dict):
         return {str(key): plain(item) for key, item in value.items()}
     if isinstance(value, pin.SE3):
@@ -53,7 +103,14 @@ def plain(value: Any) -> Any:
 
 def in_degrees(robot: Robot, q: Array, degrees: bool) -> Array:
     """Return q for printing: its angles in degrees where asked."""
+    import numpy as np
+
     return np.where(robot.revolute, np.degrees(q), q) if degrees else q
+
+
+def units(robot: Robot) -> list[str]:
+    """Return the unit of each entry of q in JSON: rad or m."""
+    return ["rad" if turns else "m" for turns in robot.revolute]
 
 
 def joint_names(robot: Robot) -> tuple[str, ...]:

@@ -1,21 +1,22 @@
 """The command `robotics1 view`."""
 
-import webbrowser
+from __future__ import annotations
+
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Packages, Parameters, Q, RobotName, Tool
-from robotics1.cli.output import PlainConsole, in_degrees, say_outside_limits, write_json
+from robotics1.cli.options import TASKS, AsJson, Degrees, Locked, Packages, Parameters, Q, RobotName, Tool
 from robotics1.errors import InputError
 from robotics1.names import file_stem
-from robotics1.notation import vector
-from robotics1.robot.model import Robot
 
 if TYPE_CHECKING:
+    from robotics1.robot.model import Robot
     from robotics1.viewer.page import Page
+
+EXAMPLES = ("view prr --q 0.3,0.6,0.7 --open", "view ur5 -o ur5.html", "view planar_2r --trajectory motion.csv --serve")
 
 
 def view(
@@ -30,7 +31,7 @@ def view(
     ] = None,
     task: Annotated[
         str | None,
-        typer.Option(help=f"The task whose Jacobian is shown: {', '.join(arguments.TASKS)}; by default by the robot."),
+        typer.Option(help=f"The task whose Jacobian is shown: {', '.join(TASKS)}; by default by the robot."),
     ] = None,
     page: Annotated[
         Path | None,
@@ -46,11 +47,16 @@ def view(
     param: Parameters = None,
     tool: Tool = None,
     packages: Packages = None,
+    lock: Locked = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """Write an offline page to play with a robot, or to watch a recorded motion."""
-    arm = arguments.parse_robot(robot, param, tool, packages)
+    import webbrowser
+
+    from robotics1.cli.output import PlainConsole, say_outside_limits, write_json
+
+    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
     file = None if server else page or Path(f"{file_stem(arm.name)}.html")
     made = _page(arm, q, trajectory, task, file, degrees)
     if server:
@@ -68,8 +74,10 @@ def view(
 
 def _page(
     arm: Robot, q: str | None, trajectory: Path | None, task: str | None, file: Path | None, degrees: bool
-) -> "Page":
+) -> Page:
     """Return the page of a recorded motion, or of a configuration."""
+    from robotics1.cli.output import in_degrees
+    from robotics1.notation import vector
     from robotics1.viewer.animation import animate, view as view_robot
     from robotics1.viewer.recording import read_recording
 
@@ -83,7 +91,10 @@ def _page(
     return animate(arm, times=times, q=recorded, file=file, task=of_task, caption=trajectory.name)
 
 
-def _serve(page: "Page", port: int, show: bool) -> None:
+def _serve(page: Page, port: int, show: bool) -> None:
+    import webbrowser
+
+    from robotics1.cli.output import PlainConsole
     from robotics1.viewer.server import serve
 
     def started(address: str) -> None:

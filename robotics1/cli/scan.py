@@ -1,25 +1,24 @@
 """The command `robotics1 scan`: in sentences, where the task is nearest to singular, and a histogram; or as JSON."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from math import radians
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
-from rich.table import Table
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, RobotName, TaskName, Tool
-from robotics1.cli.output import PlainConsole, in_degrees, progress_bar, write_json
+from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
 from robotics1.errors import InputError
-from robotics1.inputs import counting_number
-from robotics1.notation import vector
-from robotics1.report.tables import table
-from robotics1.robot.model import Robot
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
+    from robotics1.robot.model import Robot
     from robotics1.singularities.scan_result import SingularityScan
 
+EXAMPLES = ("scan prr --samples 1e5", "scan ur5 --samples 1e6 --refine 10", "scan planar_2r --box q1=-1:pi/2")
 QUANTILES = (0.0, 0.001, 0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 0.999, 1.0)
 ROWS = 12  # of the histogram, and one for the rest
 SHOWN = 5  # configurations that are printed; JSON has all
@@ -28,7 +27,7 @@ WIDTH = 30  # of a bar
 
 def scan(
     robot: RobotName,
-    task: TaskName = "pose",
+    task: TaskName = None,
     samples: Annotated[str, typer.Option(help="How many configurations, as 1e6; of a grid at most so many.")] = "1e6",
     measure: Annotated[
         list[str] | None, typer.Option(help="sigma_min, condition or manipulability; the first decides what is worst.")
@@ -43,15 +42,18 @@ def scan(
     param: Parameters = None,
     tool: Tool = None,
     packages: Packages = None,
+    lock: Locked = None,
     degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """How near to singular a task is, over millions of configurations."""
-    arm = arguments.parse_robot(robot, param, tool, packages)
+    from robotics1.cli.output import write_json
+
+    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
     done = _run(
         workers,
         arm,
-        arguments.parse_task(task, frame),
+        arguments.task_for(arm, task, frame),
         samples=arguments.parse_number(samples),
         measures=measure or ["sigma_min"],
         method=method,
@@ -75,7 +77,8 @@ def _parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, t
     box = {}
     for text in texts:
         name, _, interval = text.partition("=")
-        ends = [arguments.parse_number(end) for end in interval.split(":")] if interval else []
+        typed = interval.split(":") if interval else []
+        ends = [arguments.parse_number(arguments.without_pi(end) if degrees else end) for end in typed]
         if len(ends) != 2:
             raise InputError(f"{text!r} is not an interval; write it like q1=-1:pi/2")
         turns = degrees and name in robot.joint_names and robot.revolute[robot.joint_names.index(name)]
@@ -84,7 +87,7 @@ def _parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, t
     return box
 
 
-def _run(workers: int, *asked: Any, **options: Any) -> "SingularityScan":
+def _run(workers: int, *asked: Any, **options: Any) -> SingularityScan:
     """Scan with a progress bar, in so many threads.
 
     Raises:
@@ -92,6 +95,8 @@ def _run(workers: int, *asked: Any, **options: Any) -> "SingularityScan":
     """
     from concurrent.futures import ThreadPoolExecutor
 
+    from robotics1.cli.output import progress_bar
+    from robotics1.inputs import counting_number
     from robotics1.singularities.scan import scan_singularities
 
     counting_number("--workers", workers, least=1)
@@ -102,8 +107,10 @@ def _run(workers: int, *asked: Any, **options: Any) -> "SingularityScan":
             return scan_singularities(*asked, progress=progress, executor=executor, **options)
 
 
-def _print(scan: "SingularityScan", degrees: bool) -> None:
+def _print(scan: SingularityScan, degrees: bool) -> None:
     """Print the scan in sentences, the worst configurations and a histogram."""
+    from robotics1.cli.output import PlainConsole, in_degrees
+    from robotics1.notation import vector
     from robotics1.singularities.scan_result import symbols
 
     lines = [
@@ -117,8 +124,11 @@ def _print(scan: "SingularityScan", degrees: bool) -> None:
     out.print(_histogram(scan))
 
 
-def _histogram(scan: "SingularityScan") -> Table:
+def _histogram(scan: SingularityScan) -> Table:
     """Return the histogram of the first measure, with a row from x to 2x; rare worst values share one row."""
+    import numpy as np
+
+    from robotics1.report.tables import table
     from robotics1.singularities.reduction import WORST_IS_LARGEST
     from robotics1.singularities.scan_result import symbols
 
@@ -138,9 +148,12 @@ def _histogram(scan: "SingularityScan") -> Table:
     return table(("from", "to", "configurations", ""), rows, title)
 
 
-def _as_json(scan: "SingularityScan") -> dict[str, Any]:
+def _as_json(scan: SingularityScan) -> dict[str, Any]:
     """Return the scan as what JSON knows."""
+    from robotics1.cli.output import units
+
     return {
+        "units": {"q": units(scan.robot)},
         "robot": scan.robot.name,
         "rows": scan.task.row_names,
         "method": scan.method,
@@ -156,13 +169,13 @@ def _as_json(scan: "SingularityScan") -> dict[str, Any]:
     }
 
 
-def _distribution(scan: "SingularityScan", measure: str) -> dict[str, Any]:
+def _distribution(scan: SingularityScan, measure: str) -> dict[str, Any]:
     edges, counts = scan.histogram(measure)
     quantiles = {f"{p:g}": scan.quantile(p, measure) for p in QUANTILES}
     return {"quantiles": quantiles, "histogram": {"edges": edges, "counts": counts}}
 
 
-def _refined(scan: "SingularityScan") -> dict[str, Any] | None:
+def _refined(scan: SingularityScan) -> dict[str, Any] | None:
     if scan.refined is None:
         return None
     branches = scan.refined.branches

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Frame, Packages, Parameters, RobotName, TaskName, Tool
-from robotics1.cli.output import PlainConsole, write_json
+from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
 from robotics1.errors import FormulaError, InputError
 
 if TYPE_CHECKING:
@@ -15,12 +14,13 @@ if TYPE_CHECKING:
 
     from robotics1.singularities.result import SingularBranch, SingularSet
 
+EXAMPLES = ("singularities planar_2r", "singularities ur5 --task pose", "singularities prr --latex")
 BASES = {"null": r"\mathcal{N}(J)", "range": r"\mathcal{R}(J)", "left_null": r"\mathcal{N}(J^T)"}
 
 
 def singularities(
     robot: RobotName,
-    task: TaskName = "pose",
+    task: TaskName = None,
     frame: Frame = None,
     method: Annotated[str, typer.Option(help="auto, symbolic or numeric.")] = "auto",
     time_limit: Annotated[float, typer.Option(help="Of the exact answer, in seconds.")] = 30.0,
@@ -30,9 +30,11 @@ def singularities(
     param: Parameters = None,
     tool: Tool = None,
     packages: Packages = None,
+    lock: Locked = None,
     json: AsJson = False,
 ) -> None:
     """All singular configurations of a task: where, what is lost there, and what does not move the tool."""
+    from robotics1.cli.output import PlainConsole, write_json
     from robotics1.singularities.find import find_singularities
     from robotics1.singularities.intersections import find_intersections
 
@@ -40,9 +42,9 @@ def singularities(
         raise InputError("choose one of --latex and --python")
     if intersections and (latex or python):
         raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
-    arm, out = arguments.parse_robot(robot, param, tool, packages), PlainConsole()
+    arm, out = arguments.parse_robot(robot, param, tool, packages, lock), PlainConsole()
     with PlainConsole(stderr=True).status("searching"):
-        found = find_singularities(arm, arguments.parse_task(task, frame), method=method, time_limit=time_limit)
+        found = find_singularities(arm, arguments.task_for(arm, task, frame), method=method, time_limit=time_limit)
         if latex or python:
             text = _in_latex(found) if latex else _in_python(found)
             if json:

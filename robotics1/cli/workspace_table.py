@@ -5,16 +5,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.table import Table
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Frame, Packages, Parameters, RobotName, Tool
-from robotics1.cli.output import PlainConsole, write_json
+from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, Tool
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from robotics1.workspaces.result import BoundaryCurve, Workspace
 
+EXAMPLES = ("workspace planar_2r", "workspace planar_2r --box q1=-1:1 --box q2=0.5:pi/2 --figure reach.svg")
 Boxes = Annotated[
     list[str] | None,
     typer.Option(
@@ -33,16 +34,19 @@ def workspace(
     param: Parameters = None,
     tool: Tool = None,
     packages: Packages = None,
+    lock: Locked = None,
     figure: Figure = None,
     json: AsJson = False,
 ) -> None:
     """What an arm reaches: area or volume, smallest and largest reach, regions, and the boundary with its reasons."""
-    from robotics1.plots.reach import plot_workspace
+    from robotics1.cli.output import PlainConsole, write_json
     from robotics1.workspaces.find import workspace as exact_workspace
 
-    arm = arguments.parse_robot(robot, param, tool, packages)
+    arm = arguments.parse_robot(robot, param, tool, packages, lock)
     ws = exact_workspace(arm, arguments.parse_task(task, frame), box=_ranges(box))
     if figure is not None:
+        from robotics1.plots.reach import plot_workspace
+
         plot_workspace(ws, file=figure, title=arm.name)
     if json:
         write_json(_as_json(ws))
@@ -68,8 +72,10 @@ def _ranges(texts: Sequence[str] | None) -> dict[str, tuple[float, float]] | Non
     return ranges or None
 
 
-def _table(ws: "Workspace") -> Table:
+def _table(ws: "Workspace") -> "Table":
     """Return the curves of the boundary, one a row."""
+    from rich.table import Table
+
     table = Table(title=f"boundary, in ({', '.join(ws.coordinates)}) [m]")
     for heading in ("where", "curve", "from", "to"):
         table.add_column(heading)

@@ -10,10 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
+from robotics1.curves.drawing import DrawnCurve
 from robotics1.curves.interpolants import Extreme, interpolants, largest
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, dimensions, one_of, real_array
-from robotics1.results import Frozen
 
 Side = Literal["right", "left"]
 SAME_PLACE = 1e-9  # of the end: a parameter so little beyond it is the end
@@ -22,7 +22,7 @@ SAME_SIZE = 1e-12  # relative: magnitudes so near are equal, and the earlier ins
 STANDSTILL = 1e-12  # |p'| relative to the length over the end: slower is no motion
 
 
-class Curve(Frozen, ABC):
+class Curve(DrawnCurve, ABC):
     """x(t), 0 ≤ t ≤ end, with its derivatives: one value for a number t, k values for (k,) parameters.
 
     At a breakpoint a derivative jumps; `side` says from which side it is taken there: "right", the default, or "left".

@@ -11,12 +11,16 @@ from numpy.polynomial import polynomial
 
 from robotics1.caching import cached_property
 from robotics1.curves.curve import Curve, Side, piece_at
+from robotics1.curves.drawing import polynomial_text
 from robotics1.curves.interpolants import minimum_and_maximum
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, dimensions, positive_number, real_array, real_number
 
 JUMP, NOISE = 1e-9, 1e-13  # of a coordinate's largest value in the two pieces, and in all: a smaller jump is rounding
 NEWTON = 3  # steps: from three digits to all
+
+
+MOST_WRITTEN = 12  # polynomials that are written out
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,6 +134,19 @@ class PiecewisePolynomial(Curve):
         if self.c.shape[1] > 1:
             raise InputError("there are several polynomials; ask one of pieces for its coefficients")
         return self.c[::-1, 0]
+
+    def _sentences(self) -> str:
+        """Return the polynomials in t, or how many there are where these are too many to read."""
+        if len(self.durations) * self.dimension > MOST_WRITTEN:
+            return f"{len(self.durations)} polynomials of degree {len(self.c) - 1} in {self.dimension} coordinates"
+        lines, begin = [], 0.0
+        for piece in self.pieces:
+            c = np.reshape(piece.coefficients_t, (len(piece.c), -1))
+            since = "t" if not begin else f"(t − {begin:.4g})"
+            interval = f", {begin:.4g} ≤ t ≤ {begin + piece.end:.4g}"
+            lines += [f"x{i + 1}(t) = {polynomial_text(c[:, i], since)}{interval}" for i in range(c.shape[1])]
+            begin += piece.end
+        return "\n".join(lines)
 
     @property
     def coefficients_t(self) -> Array:

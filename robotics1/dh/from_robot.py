@@ -14,7 +14,8 @@ from robotics1.dh.common_normals import Axis, Step, clean_placement, first_step,
 from robotics1.dh.own_frames import own_steps
 from robotics1.dh.table import CONVENTIONS, DHRow, DHTable
 from robotics1.errors import InputError
-from robotics1.inputs import a_robot, one_of, real_number
+from robotics1.inputs import one_of, real_number
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 
 PARALLEL = 1e-8  # sine of an angle; nearer to parallel, the common normal is so far away that rounding loses more
@@ -23,7 +24,7 @@ SAMPLES = 8  # configurations at which the table is held against the robot
 
 
 def urdf_to_dh(
-    robot: Robot, *, tool: str | None = None, convention: str = "standard", tolerance: float | None = None
+    robot: RobotLike, *, tool: str | None = None, convention: str = "standard", tolerance: float | None = None
 ) -> DHTable:
     """Return a DH table of the chain from the world to the tool, in the robot's own joint values.
 
@@ -49,7 +50,7 @@ def urdf_to_dh(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; Craig, Introduction to Robotics,
     2005, sections 3.4 and 3.6.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     one_of("convention", convention, CONVENTIONS)
     if tolerance is not None:
         tolerance = real_number("tolerance", tolerance, non_negative=True)

@@ -15,10 +15,12 @@ import pinocchio as pin
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, one_of, real_array, real_number
 from robotics1.notation import joint_value, number, vector
+from robotics1.results import Frozen
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.parameters import Parameters
 from robotics1.robot.placements import homogeneous
 from robotics1.robot.report import LARGEST
+from robotics1.tables import in_html, table_of
 
 CONVENTIONS = ("standard", "modified")
 Limits = Sequence[float | None] | Array | None
@@ -36,7 +38,7 @@ class DHRow(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class DHTable:
+class DHTable(Frozen):
     """T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, with
 
         standard: A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i)
@@ -139,8 +141,8 @@ class DHTable:
             T = T * along_z * along_x if self.convention == "standard" else T * along_x * along_z
         return T * self.tool_placement
 
-    def __str__(self) -> str:
-        """The table as on paper, angles as multiples of π where they are."""
+    def _lines(self) -> list[list[str]]:
+        """Return the headings and the rows as texts."""
         shift = "" if self.convention == "standard" else "ᵢ₋₁"
         lines = [["i", "type", f"a{shift}", f"α{shift}", "d", "θ"]]
         for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
@@ -150,12 +152,33 @@ class DHTable:
             else:
                 slide = _with_offset(f"q{i}", slide)
             lines.append([str(i), kind, _written(a, number), _written(alpha, joint_value), slide, turn])
+        return lines
+
+    def _repr_html_(self) -> str:
+        """The table for a notebook, with the placements and lengths below it."""
+        head, *rows = self._lines()
+        return in_html("\n".join(self._constants()), [table_of(head, rows, f"{self.convention} DH table")])
+
+    def _repr_latex_(self) -> str:
+        """The table in LaTeX."""
+        _, *rows = self._lines()
+        shift = "" if self.convention == "standard" else "_{i-1}"
+        head = rf"i & & a{shift} & \alpha{shift} & d & \theta"
+        body = [" & ".join(map(_latex, row)) for row in rows]
+        return rf"$$\begin{{array}}{{cccccc}} {head} \\ \hline " + r" \\ ".join(body) + r" \end{array}$$"
+
+    def __str__(self) -> str:
+        """The table as on paper, angles as multiples of π where they are."""
+        lines = self._lines()
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         table = ["  ".join(map(str.ljust, line, widths)).rstrip() for line in lines]
+        return "\n".join([f"{self.convention} DH table", *table, *self._constants()])
+
+    def _constants(self) -> list[str]:
+        """Return the placements that are not the identity, and the values of the names."""
         placements = [("base", self.base_placement), ("tool", self.tool_placement)]
         constants = [f"{name}: {_placement(T)}" for name, T in placements if not T.isIdentity(1e-12)]
-        values = [f"{name} = {value:g}" for name, value in self.parameters.items()]
-        return "\n".join([f"{self.convention} DH table", *table, *constants, *values])
+        return [*constants, *(f"{name} = {value:g}" for name, value in self.parameters.items())]
 
 
 def value_of(entry: float | str, parameters: Mapping[str, float]) -> float:
@@ -173,6 +196,11 @@ def screw(axis: Array, angle: float, length: float) -> pin.SE3:
 
 def _written(value: float | str, written: Callable[[float], str]) -> str:
     return value if isinstance(value, str) else written(value)
+
+
+def _latex(text: str) -> str:
+    """Return an entry of a table in LaTeX: numbers, π, and names, whose underscores are escaped."""
+    return text.replace("π", r"\pi ").replace("−", "-").replace("_", r"\_")
 
 
 def _with_offset(joint: str, offset: str) -> str:
@@ -209,6 +237,11 @@ def _row(i: int, row: tuple[Any, ...]) -> DHRow:
     entries = [
         number_or_name(f"{name} of row {i}", value) for name, value in zip(DHRow._fields[1:], row[1:], strict=True)
     ]
+    for name, value in zip(("alpha", "theta"), (entries[1], entries[3]), strict=True):
+        if not isinstance(value, str) and abs(value) > 2 * math.pi:
+            raise InputError(
+                f"{name} of row {i} is {value:g}, more than a turn: angles are in radians; write radians({value:g})"
+            )
     return DHRow(str(row[0]), *entries)
 
 

@@ -1,18 +1,21 @@
 """Inverse kinematics as it is taught: one method, iterated, with its table and the reason it stopped."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.errors import TaskError
 from robotics1.ik.result import IKStatus
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, real_number
+from robotics1.inputs import Array, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
+from robotics1.notation import number, vector
 from robotics1.results import Frozen, require, tuple_with_arrays
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.tables import Table, table_of
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 METHODS = ("newton", "pseudoinverse", "gradient", "damped")
@@ -59,6 +62,24 @@ class IKIteration(Frozen):
         """The number of updates of q that were made."""
         return len(self.table) - 1
 
+    def __len__(self) -> int:
+        return len(self.table)
+
+    def __iter__(self) -> Iterator[IKIterate]:
+        return iter(self.table)
+
+    def __getitem__(self, i: int) -> IKIterate:
+        return self.table[i]
+
+    def _tables(self) -> tuple[Table, ...]:
+        square = not np.isnan(self.table[0].det)
+        rows = []
+        for row in self.table:
+            r = getattr(row.r, "translation", row.r)
+            last = row.det if square else row.sigma_min
+            rows.append((str(row.k), vector(row.q), vector(r), f"{row.error_norm:.5f}", number(last)))
+        return (table_of(("k", "q", "r", "|e|", "det J" if square else "σ_min"), rows),)
+
     def explain(self) -> str:
         """Return why the iteration stopped, with its numbers, in a sentence."""
         return (
@@ -76,10 +97,10 @@ class IKIteration(Frozen):
 
 
 def iterate_ik(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     target: Any,
-    q0: npt.ArrayLike,
+    q0: ConfigurationLike,
     *,
     method: str = "newton",
     tolerance: float = 1e-4,
@@ -107,7 +128,7 @@ def iterate_ik(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     step = _step(robot, task, method, gain, damping)
     tolerance = real_number("tolerance", tolerance, positive=True)
     limit = counting_number("max_iterations", max_iterations)

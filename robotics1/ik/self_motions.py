@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from scipy.optimize import minimize_scalar
 
 from robotics1.errors import InputError, TaskError
@@ -13,11 +12,12 @@ from robotics1.ik.curve_tracing import STEP, CurveTracer, TracedCurve
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.solutions import ik_solutions
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
+from robotics1.inputs import Array, counting_number, one_of
 from robotics1.notation import count
 from robotics1.results import Frozen, require
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 CRITERIA = ("manipulability", "middle", "near")
 Criterion = Callable[[Array], float]
@@ -91,12 +91,12 @@ class SelfMotion(Frozen):
 
 
 def self_motion(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     target: Any,
     *,
     criterion: str = "manipulability",
-    q0: npt.ArrayLike | None = None,
+    q0: ConfigurationLike | None = None,
     samples: int = 50,
     box: Mapping[str, tuple[float, float]] | None = None,
     starts: int = 30,
@@ -126,7 +126,7 @@ def self_motion(
     Source: Burdick, On the inverse kinematics of redundant manipulators: characterization of the self-motion manifolds,
     ICRA 1989; Liégeois, Automatic supervisory control of the configuration and behavior of multibody mechanisms, 1977.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     one_of("criterion", criterion, CRITERIA)
     if (q0 is not None) != (criterion == "near"):
         raise InputError("give q0 with criterion='near', and only then")

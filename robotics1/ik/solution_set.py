@@ -1,5 +1,6 @@
 """Every solution of one target, and how much is known about them."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -8,10 +9,18 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array
-from robotics1.notation import count
+from robotics1.names import printable
+from robotics1.notation import count, joint_value, number
 from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
+from robotics1.tables import Table, table_of
 from robotics1.tasks.task import Task
+
+SHOWN = 32  # solutions in a table; of infinitely many there are more
+
+
+def _written(value: float, turns: bool) -> str:
+    return joint_value(float(value)) if turns else number(float(value))
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,6 +99,24 @@ class IKSolutions(Frozen):
 
     def __len__(self) -> int:
         return len(self.q)
+
+    def __iter__(self) -> Iterator[Array]:
+        return iter(self.q)
+
+    def __getitem__(self, i: int) -> Array:
+        row: Array = self.q[i]
+        return row
+
+    def _tables(self) -> tuple[Table, ...]:
+        if not len(self):
+            return ()
+        angles = np.ones(self.q.shape[1], dtype=bool) if self.robot is None else self.robot.revolute
+        names = [f"q{i + 1}" for i in range(len(angles))] if self.robot is None else self.robot.joint_names
+        rows = [
+            (str(i), *map(_written, q, angles), ", ".join((*labels, *(["singular"] * bool(flag)))))
+            for i, (q, labels, flag) in enumerate(zip(self.q[:SHOWN], self.labels, self.singular, strict=False))
+        ]
+        return (table_of(("", *map(printable, names), "posture"), rows),)
 
     def explain(self) -> str:
         """Return how many solutions there are, and the nearest miss if there is none, in sentences."""

@@ -14,11 +14,11 @@ from robotics1.ik.search import numbered
 from robotics1.ik.solution_batch import IKSolutionsBatch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solver import list_of_targets
-from robotics1.inputs import Array, a_robot_and_a_task, by_name, counting_number
+from robotics1.inputs import Array, by_name, counting_number
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.every_solution import COUNT, EDGE, ERROR, INSIDE
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 
 class SolutionSolver:
@@ -43,15 +43,15 @@ class SolutionSolver:
 
     def __init__(
         self,
-        robot: Robot,
-        task: Task,
+        robot: RobotLike,
+        task: TaskLike,
         *,
         box: Mapping[str, tuple[float, float]] | None = None,
         locked: Mapping[str, float] | None = None,
         starts: int | None = None,
         seed: int = 0,
     ) -> None:
-        a_robot_and_a_task(robot, task)
+        robot, task = robot_and_task(robot, task)
         self.robot, self.task = robot, task
         self._box = by_name("box", box, "{'q1': (-1, 1)}")
         self._locked = by_name("locked", locked, "{'q1': 0.5}")

@@ -10,14 +10,16 @@ from robotics1.ik.scaled_task import never_changes
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solutions_by_search import searched
 from robotics1.ik.windings import with_windings
-from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, true_or_false
+from robotics1.inputs import counting_number, one_of, true_or_false
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 
 def ik_solutions(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     target: Any,
     *,
     method: str = "auto",
@@ -62,7 +64,7 @@ def ik_solutions(
     Source: Pieper, The kinematics of manipulators under computer control, 1968; Siciliano, Sciavicco, Villani, Oriolo,
     Robotics, 2009, section 2.12.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     one_of("method", method, ("auto", "search"))
     windings = true_or_false("windings", windings)
     seed = counting_number("seed", seed)

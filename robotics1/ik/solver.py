@@ -1,6 +1,6 @@
 """Inverse kinematics that keeps to the joint limits, and reports a success only when forward kinematics verifies it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from time import perf_counter
 from typing import Any
 
@@ -11,9 +11,10 @@ from robotics1.ik.kernel_descent import KernelDescent, PoseSolver
 from robotics1.ik.python_descent import PythonDescent
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.search import Search
-from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.inputs import counting_number, one_of, real_number
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 PREFERENCES = ("any", "near", "middle")
 
@@ -44,15 +45,15 @@ class IKSolver:
 
     def __init__(
         self,
-        robot: Robot,
-        task: Task,
+        robot: RobotLike,
+        task: TaskLike,
         *,
         seed: int = 0,
         time_limit: float = 0.5,
         tolerance: float = 1e-6,
         prefer: str = "any",
     ) -> None:
-        a_robot_and_a_task(robot, task)
+        robot, task = robot_and_task(robot, task)
         self.robot, self.task = robot, task
         self._options: dict[str, Any] = {
             "prefer": one_of("prefer", prefer, PREFERENCES),
@@ -82,7 +83,7 @@ class IKSolver:
         self.__dict__.update(state)
         self._prepare()
 
-    def __call__(self, target: Any, q0: npt.ArrayLike | None = None) -> IKResult:
+    def __call__(self, target: Any, q0: ConfigurationLike | None = None) -> IKResult:
         """Return the answer for one target: a solution inside the joint limits, or the nearest miss and why.
 
         A solution is near q0 where a descent from q0 finds one; a joint that can make whole turns stays within half
@@ -95,6 +96,8 @@ class IKSolver:
         Raises:
             InputError: the target or q0 has the wrong form, or is not finite.
         """
+        if isinstance(q0, str | Mapping):
+            q0 = self.robot.configuration(q0, "q0")
         return self._solve(target, q0)
 
     def leave(self, seconds: float) -> None:
@@ -120,10 +123,10 @@ class IKSolver:
 
 
 def solve_ik(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     target: Any,
-    q0: npt.ArrayLike | None = None,
+    q0: ConfigurationLike | None = None,
     *,
     seed: int = 0,
     time_limit: float = 0.5,

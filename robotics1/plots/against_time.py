@@ -9,7 +9,7 @@ import numpy as np
 from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve, as_law
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, counting_number, text
+from robotics1.inputs import Array, counting_number, text
 from robotics1.plots.figures import (
     drawn,
     legend_text,
@@ -18,7 +18,7 @@ from robotics1.plots.figures import (
     panels_of,
     smooth_samples,
 )
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.trajectories.limits import MotionLimits
 
 QUANTITIES = ("position", "velocity", "acceleration", "jerk")
@@ -32,7 +32,7 @@ def plot_trajectory(
     ax: Sequence[Any] | None = None,
     *,
     file: str | Path | None = None,
-    robot: Robot | None = None,
+    robot: RobotLike | None = None,
     names: Sequence[str] | None = None,
     units: str | Sequence[str] | None = None,
     limits: MotionLimits | None = None,
@@ -165,12 +165,12 @@ def _positions(motion: Curve, t: Array) -> Array:
     return np.asarray(values)
 
 
-def _labels(start: Any, n: int, rates: int, robot: Robot | None) -> tuple[list[str], list[str]]:
+def _labels(start: Any, n: int, rates: int, robot: RobotLike | None) -> tuple[list[str], list[str]]:
     """Return names and units of the coordinates: of a robot's joints, of a pose, of a rotation, or numbers."""
     if n != rates:
         raise InputError(f"the trajectory has {n} coordinates and {rates} velocities; both must be as many")
     if robot is not None:
-        a_robot(robot)
+        robot = robot_from(robot)
         if robot.nv != n:
             raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
         return list(map(legend_text, robot.joint_names)), ["rad" if angle else "m" for angle in robot.revolute]

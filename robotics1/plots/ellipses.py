@@ -8,13 +8,15 @@ import numpy as np
 
 from robotics1.curves.given import joint_motion
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of
+from robotics1.inputs import Array, counting_number, one_of
 from robotics1.kinematics import forward_kinematics
 from robotics1.least_squares import numeric_rank
 from robotics1.plots.ellipsoid_shadows import Shadow, shadow_of
 from robotics1.plots.figures import MOST_DRAWN, PLANES, drawn, new_axes, new_projections
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipsoid
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 KINDS = {
@@ -27,8 +29,8 @@ SHOWN = 2.5  # sizes: a force ellipse that is longer is cut by the edge of the p
 
 
 def plot_ellipses(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     at: Any,
     ax: Any = None,
     *,
@@ -65,7 +67,7 @@ def plot_ellipses(
 
     Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     task.check(robot)
     rows, letters = _position_rows(task)
     listed = [kinds] if isinstance(kinds, str) or not np.iterable(kinds) else kinds

@@ -11,8 +11,9 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.frenet import frenet_frame
 from robotics1.curves.given import as_curve, joint_motion
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, counting_number, one_of, text
+from robotics1.inputs import Array, counting_number, one_of, text
 from robotics1.plots.figures import MOST_DRAWN, PLANES, STYLES, drawn, new_axes, new_projections, smooth_samples
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.pose import PoseTask
 from robotics1.trajectories.following.task_rates import TaskTrajectory
@@ -28,7 +29,7 @@ def plot_path(
     curve: Any,
     ax: Any = None,
     *,
-    robot: Robot | None = None,
+    robot: RobotLike | None = None,
     projection: str = "3d",
     file: str | Path | None = None,
     frames: int = 0,
@@ -63,6 +64,7 @@ def plot_path(
     counting_number("frames", frames, most=MOST_DRAWN)
     text("unit", unit)
     one_of("projection", projection, ("3d", "projections"))
+    robot = None if robot is None else robot_from(robot)
     curve = as_curve("curve", curve, derivatives=0) if robot is None else _tool_path(robot, curve)
     samples = [s for _, s in smooth_samples(curve.ends)]
     points = np.concatenate([_points(curve, s) for s in samples])
@@ -113,7 +115,6 @@ def _frames(curve: Curve, count: int, points: Array) -> list[Line]:
 
 def _tool_path(robot: Robot, motion: Any) -> Curve:
     """Return the path of the tool of a robot whose joints move."""
-    a_robot(robot)
     return TaskTrajectory(robot, PoseTask(), joint_motion("curve", motion, robot.nv, derivatives=2))
 
 

@@ -9,11 +9,12 @@ import pinocchio as pin
 
 from robotics1.dh.table import Limits, joint_limits
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, moderate, one_of, real_array
+from robotics1.inputs import Array, moderate, one_of, real_array
 from robotics1.kinematics import forward_kinematics, frame_jacobian
 from robotics1.rigid_motions.changes_of_frame import adjoint
 from robotics1.rigid_motions.exponential import pose_exp
 from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint, Triple, placed
 from robotics1.robot.model import Robot
@@ -73,7 +74,7 @@ def robot_from_screws(
     return robot_of_joints("screws", [*joints, placed(mount, last)])
 
 
-def screws(robot: Robot, *, kind: str = "space", frame: str | None = None) -> Array:
+def screws(robot: RobotLike, *, kind: str = "space", frame: str | None = None) -> Array:
     """Return the screws (ω, v) of a robot's joints at q = 0, (n, 2, 3), with T(q) = e^([S₁] q₁) ⋯ e^([Sₙ] qₙ) M.
 
     M = `forward_kinematics(robot, 0)`; `robot_from_screws(M, space=screws(robot))` moves alike. Of kind "body" they
@@ -90,7 +91,7 @@ def screws(robot: Robot, *, kind: str = "space", frame: str | None = None) -> Ar
 
     Source: Lynch, Park, Modern Robotics, 2017, sections 4.1 and 5.1: at q = 0 they are the columns of the Jacobian.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     one_of("kind", kind, ("space", "body"))
     robot.require_single_coordinates("are products of exponentials")
     home = np.zeros(robot.nq)

@@ -1,5 +1,6 @@
 """From a file to a `Robot`: the text is expanded, checked, and becomes joints and Pinocchio's model."""
 
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -8,16 +9,25 @@ from typing import Any, cast
 
 import pinocchio as pin
 
-from robotics1.errors import InputError, MissingExtraError, RobotFileError, Robotics1Error, UnknownNameError
+from robotics1.errors import (
+    InputError,
+    MissingExtraError,
+    RobotFileError,
+    Robotics1Error,
+    RobotWarning,
+    UnknownNameError,
+)
 from robotics1.inputs import by_name
 from robotics1.robot.building import build_model
 from robotics1.robot.checking import check_urdf
+from robotics1.robot.frames import frame_number, links_of
+from robotics1.robot.from_pinocchio import robot_of_model
 from robotics1.robot.joints import Joint, tips
 from robotics1.robot.locking import lock, rebase
 from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
 from robotics1.robot.mimic import follow_leaders, narrow_leaders
-from robotics1.robot.model import Robot, frame_number, links_of
+from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Parameters, Placements, agree, fitted_placements
 from robotics1.robot.report import Finding, NotComparable, RobotReport, difference_from_yourdfpy
 from robotics1.robot.sources import robot_file, robot_text
@@ -26,11 +36,12 @@ from robotics1.robot.xacro.expansion import Expanded, expand_xacro
 
 USUAL_TOOLS = ("tool0", "tool")
 FEW = 6  # parameters: with more, or in a large file, the polynomials are found when formulas are first asked for
+SHOWN = 2  # of the warnings of a file, in the one that Python shows
 LITTLE = 0.01  # of what an expansion may use
 
 
 def load_robot(
-    source: str | Path,
+    source: str | Path | pin.Model | tuple[pin.Model, pin.GeometryModel],
     *,
     parameters: Mapping[str, float | str] | None = None,
     base: str | None = None,
@@ -47,7 +58,8 @@ def load_robot(
     and narrows the limits of the joint that it mimics.
 
     Args:
-        source: a path, a name, or a text.
+        source: a path, a name, or a text; or a `pin.Model`, also with its `pin.GeometryModel`, where `tool` alone is
+            taken.
         parameters: values for the arguments of a xacro file: named lengths such as {"l2": 0.5} [m], and words such
             as {"ur_type": "ur5e"}, which True and False may stand for.
         base: the link that is the world; by default the root. Of a link that moves, only its subtree is kept.
@@ -63,10 +75,26 @@ def load_robot(
         RobotFileError: the file is missing, not in the encoding that it declares, or no robot; with the line.
         UnknownNameError: no robot, parameter, link or joint of that name.
         InputError: a value has another form or is not finite, or the file has no parameters.
+
+    Warns:
+        RobotWarning: something about a joint is odd; `Robot.warnings` has these sentences, and those on masses and
+            meshes.
     """
+    model, shapes = source if isinstance(source, tuple) and len(source) == 2 else (source, None)
+    if isinstance(model, pin.Model):
+        if parameters or base is not None or locked:
+            raise InputError("a pin.Model has no parameters, base or locked joints to choose; write a URDF for that")
+        return robot_of_model(model, shapes, tool)
     path = robot_file(source)
     text = robot_text(source, path)
-    return RobotText(text, path, parameters, base, tool, locked, packages, trusted).read().require()
+    report = RobotText(text, path, parameters, base, tool, locked, packages, trusted).read()
+    robot = report.require()
+    # What is odd about masses does not change kinematics, and a mesh that is missing is noticed when it is drawn.
+    odd = [str(finding) for finding in report.warnings if finding.message.startswith("joint ")]
+    if odd:
+        more = f"; and {len(odd) - SHOWN} more in robot.warnings" if len(odd) > SHOWN else ""
+        warnings.warn(f"robot {robot.name!r}: {'; '.join(odd[:SHOWN])}{more}", RobotWarning, stacklevel=2)
+    return robot
 
 
 def check_robot(

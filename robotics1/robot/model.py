@@ -4,18 +4,24 @@ import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
+from robotics1.angles import warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.robot.description import DescribedRobot
+from robotics1.robot.frames import frame_number, links_of
 from robotics1.robot.joint_models import restore_followers
 from robotics1.robot.joints import Joint, joints_to, tips
 from robotics1.robot.parameters import Placements, constant_placements
+from robotics1.robot.postures import in_numbers, named_postures
+
+ConfigurationLike: TypeAlias = npt.ArrayLike | Mapping[str, float]  # also the name of a posture
 
 SMALLEST = 1e-100  # length of an arm [m]
 
@@ -30,8 +36,8 @@ class RobotSource(Protocol):
         """Return the placements of the robot's joints as polynomials in its parameters."""
 
 
-@dataclass(frozen=True, eq=False)
-class Robot:
+@dataclass(frozen=True, eq=False, repr=False)
+class Robot(DescribedRobot):
     """A robot as Pinocchio sees it.
 
     Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. Its
@@ -184,12 +190,29 @@ class Robot:
         """(nv,) what counts as one of each joint: 1 rad, or the reach [m]."""
         return np.where(self.revolute, 1.0, self.reach)
 
-    def configuration(self, q: npt.ArrayLike, name: str = "q") -> Array:
-        """Return q as a float array (nq,); `name` is what an error calls it.
+    @cached_property
+    def postures(self) -> Mapping[str, Array]:
+        """The postures that have a name, (nq,) each: "zero", and those of an SRDF beside the file."""
+        if self.nq != self.nv:
+            return {"zero": np.array(pin.neutral(self.model))}
+        return named_postures(self.path, self.joint_names, self.lower, self.upper)
+
+    def configuration(self, q: ConfigurationLike, name: str = "q") -> Array:
+        """Return q as a float array (nq,): of numbers, of joint → value, or of a posture's name.
+
+        Args:
+            q: [rad or m].
+            name: what an error calls it.
 
         Raises:
             InputError: wrong shape, not numeric, not finite, or a quaternion that is not of length 1.
+            UnknownNameError: there is no joint or posture of that name.
+
+        Warns:
+            RobotWarning: an angle is a whole or half number from 10 to 720, as if in degrees.
         """
+        if isinstance(q, str | Mapping):
+            q = in_numbers(name, q, self.joint_names, self.postures)
         meaning = (
             f"one number for each of {', '.join(self.joint_names)}" if self.nq == self.nv else "in Pinocchio's order"
         )
@@ -198,7 +221,18 @@ class Robot:
             raise InputError(
                 f"{name} holds a quaternion or a (cos, sin) that is not of length 1; start from pin.neutral(model)"
             )
+        if self.nq == self.nv:
+            warn_of_degrees(name, values, self.revolute)
         return values
+
+    def configurations(self, q: Any, name: str = "q") -> Array:
+        """Return several configurations as a float array (k, nq).
+
+        Raises:
+            InputError: wrong shape, not numeric or not finite.
+        """
+        rows = real_array(name, q, (None, self.nq), f"one row for each configuration of {', '.join(self.joint_names)}")
+        return np.array([self.configuration(row, name) for row in rows]).reshape(-1, self.nq)
 
     def frame_id(self, frame: str | None) -> int:
         """Return Pinocchio's number of a frame; None means the tool.
@@ -262,19 +296,3 @@ class Robot:
 def _length(vector: Array) -> float:
     """Return |vector|; numbers of 1e200 do not overflow, and numbers of 1e-200 do not vanish."""
     return float(np.hypot.reduce(vector))
-
-
-def links_of(model: pin.Model) -> tuple[str, ...]:
-    """Return the links of a model, in its order."""
-    return tuple(frame.name for frame in model.frames if frame.type == pin.FrameType.BODY)
-
-
-def frame_number(model: pin.Model, name: object) -> int | None:
-    """Return Pinocchio's number of the link of a name, else of the joint of that name, or None.
-
-    A link and a joint may share a name, and Pinocchio then wants to know which is meant.
-    """
-    for kind in (pin.FrameType.BODY, pin.FrameType.JOINT, pin.FrameType.FIXED_JOINT):
-        if isinstance(name, str) and model.existFrame(name, kind):
-            return int(model.getFrameId(name, kind))
-    return None

@@ -4,6 +4,7 @@ from importlib.metadata import PackageNotFoundError, distribution
 from importlib.resources import files
 from pathlib import Path
 from stat import S_ISDIR, S_ISREG
+from typing import Any
 
 from robotics1.errors import InputError, MissingExtraError, RobotFileError, UnknownNameError
 from robotics1.robot import markup
@@ -12,6 +13,13 @@ from robotics1.robot.markup import decoded
 TEXT = Path("<text>")  # stands for the file of a robot that is given as a text
 LONGEST_PATH = 4096  # characters: no system takes longer ones
 LARGEST_CHARACTER = 4  # bytes
+OTHER_FILES = {
+    **dict.fromkeys((".stl", ".dae", ".obj", ".glb", ".ply"), "the mesh of a link"),
+    **dict.fromkeys((".step", ".stp", ".iges", ".sldasm", ".f3d"), "a drawing of a CAD program, which can export one"),
+    **dict.fromkeys((".sdf", ".mjcf", ".usd"), "a robot for a simulator (`pin.buildModelFromMJCF` reads MJCF)"),
+    **dict.fromkeys((".py", ".ipynb", ".csv", ".json", ".toml", ".yaml", ".yml", ".html", ".pdf"), "of another kind"),
+    ".srdf": "what MoveIt knows of a robot; its URDF stands beside it",
+}
 EXAMPLES = "cmeel.prefix/share/example-robot-data/robots"
 
 
@@ -65,7 +73,7 @@ def example_folder() -> Path:
         raise MissingExtraError("example-robot-data", "robots") from error
 
 
-def robot_text(source: str | Path, path: Path) -> str:
+def robot_text(source: Any, path: Path) -> str:
     """Return the text of a robot, with the path that `robot_file` gives.
 
     Raises:
@@ -83,7 +91,7 @@ def robot_text(source: str | Path, path: Path) -> str:
     return decoded(data, path)
 
 
-def robot_file(source: str | Path) -> Path:
+def robot_file(source: Any) -> Path:
     """Return the file meant by `source`: with a suffix or a separator it is a path, else the name of a robot.
 
     What begins with "<" is the text of a robot itself, for which `TEXT` stands.
@@ -93,6 +101,8 @@ def robot_file(source: str | Path) -> Path:
         UnknownNameError: there is no robot of that name.
         InputError: the source is neither a name nor a path.
     """
+    if hasattr(source, "joint_names"):
+        raise InputError("it is a Robot already and needs no loading; hand it to the functions as it is")
     if not isinstance(source, str | Path):
         raise InputError(
             f"a robot is named by a name or a path, or is the text of a URDF; it is {_shortened(repr(source))}"
@@ -107,6 +117,8 @@ def robot_file(source: str | Path) -> Path:
     path = Path(source)
     if isinstance(source, Path) or path.suffix or "/" in source or "\\" in source:
         _check_file(path)
+        if path.suffix.lower() in OTHER_FILES:
+            raise RobotFileError(f"it is {OTHER_FILES[path.suffix.lower()]}, and no URDF or xacro", path=path)
         return path
     robots = own_robots()
     if source not in robots:  # the others take longer to list
@@ -121,7 +133,8 @@ def _check_file(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except (FileNotFoundError, NotADirectoryError) as error:
-        raise RobotFileError("there is no such file", path=path) from error
+        home = "; only a shell knows what ~ means: write Path('~/...').expanduser()" if path.parts[:1] == ("~",) else ""
+        raise RobotFileError(f"there is no such file{home}", path=path) from error
     except (OSError, ValueError) as error:  # ValueError: a character that no file name can hold
         raise RobotFileError(f"it cannot be read: {getattr(error, 'strerror', error)}", path=path) from error
     if not S_ISREG(mode):

@@ -1,6 +1,6 @@
 """The public names of `robotics1.singularities`, and where they are."""
 
-from .dexterity import Manipulability, Transmission, manipulability
+from .dexterity import Manipulability, Transmission, manipulability, sigma_min
 from .ellipsoids import Ellipsoid
 from .find import find_singularities
 from .intersections import find_intersections
@@ -35,6 +35,7 @@ __all__ = [
     "manipulability",
     "parameter_conditions",
     "scan_singularities",
+    "sigma_min",
     "singularity_within_rounding",
     "subspaces",
 ]

@@ -1,17 +1,19 @@
 """How well an arm moves and pushes at one configuration: measure, condition, ellipsoids, transmission."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.inputs import Array
+from robotics1.kinematics import is_batch
 from robotics1.results import Frozen
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike
 from robotics1.singularities.ellipsoids import Ellipsoid, force_ellipsoid, velocity_ellipsoid
 from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 
 class Transmission(NamedTuple):
@@ -75,7 +77,7 @@ class Manipulability(Frozen):
         return f"w = {self.measure:.6g}, condition {self.condition:.6g}; {self.spaces.explain()}"
 
 
-def manipulability(robot: Robot, task: Task, q: npt.ArrayLike) -> Manipulability:
+def manipulability(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Manipulability:
     """Return the manipulability of a task at q: w = √det(J Jᵀ), condition, and the velocity and force ellipsoids.
 
     Where J has rows or joints of several units, w depends on them: choose a task of one unit, as `PositionTask`.
@@ -92,6 +94,29 @@ def manipulability(robot: Robot, task: Task, q: npt.ArrayLike) -> Manipulability
 
     Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     J = task.jacobian(robot, q)
     return Manipulability(J, velocity_ellipsoid(J), force_ellipsoid(J), subspaces(J))
+
+
+def sigma_min(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Any:
+    """Return σ_min of J(q), the least of its min(m, n) singular values, a number; of several q, (k,).
+
+    It is zero where J has not its full rank. Of millions of configurations `scan_singularities` finds the least.
+
+    Args:
+        robot: the robot.
+        task: m rows.
+        q: (nq,) a configuration, or (k, nq) several [rad or m].
+
+    Raises:
+        InputError: q has the wrong shape or is not finite.
+        TaskError: the task does not fit the robot.
+    """
+    robot, task = robot_and_task(robot, task)
+    several = is_batch(q)
+    every = robot.configurations(q) if several else [robot.configuration(q)]
+    J = np.reshape([task.jacobian(robot, one) for one in every], (len(every), task.rows, robot.nv))
+    nothing = 0 in J.shape[1:]  # then no singular value can vanish
+    least = np.full(len(J), np.inf) if nothing else np.linalg.svd(J, compute_uv=False)[:, -1]
+    return least if several else least[0]

@@ -39,15 +39,50 @@ def set_sentences(found: "SingularSet") -> str:
         verb = "matters" if len(found.free_joints) == 1 else "matter"
         free = _called(found.free_joints, found.robot, symbols=found.jacobian is not None)
         lines.append(f"{enumeration(free)} never {verb}.")
-    lines += [f"{number}. {branch.explain()}" for number, branch in enumerate(found.branches, start=1)]
+    lines += [_family(number, family) for number, family in _families(found.branches)]
     return "\n".join([*lines, f"{status}.", *_besides(found)])
+
+
+def _families(branches: "Sequence[SingularBranch]") -> "list[tuple[int, list[SingularBranch]]]":
+    """Return the branches with the number of the first, those that differ in the value of one joint together."""
+    families: list[tuple[int, list[SingularBranch]]] = []
+    for number, branch in enumerate(branches, start=1):
+        before = families[-1][1][-1] if families else None
+        if before is not None and _alike(before, branch):
+            families[-1][1].append(branch)
+        else:
+            families.append((number, [branch]))
+    return families
+
+
+def _alike(a: "SingularBranch", b: "SingularBranch") -> bool:
+    """Whether one joint alone has a value on both branches, and nothing else is different but that value."""
+    same_joint = len(a.values) == 1 == len(b.values) and a.values.keys() == b.values.keys()
+    same_place = len(a.conditions) == 1 == len(b.conditions)
+    said = (a.rank, a.free_joints, a.note, _because(a)) == (b.rank, b.free_joints, b.note, _because(b))
+    return same_joint and same_place and said
+
+
+def _family(number: int, family: "list[SingularBranch]") -> str:
+    """Return the sentences about one branch, or about several that differ in the value of one joint."""
+    if len(family) == 1:
+        return f"{number}. {branch_sentences(family[0])}"
+    places = [place(branch) for branch in family]
+    ends = [where.partition(" = ")[2] for where in places[1:]]
+    first = family[0]
+    heading = f"{' or '.join([places[0], *ends])}{_because(first)}{_whatever(first)}: {_rank(first)}"
+    lines = [f"{number}–{number + len(family) - 1}. {heading}", *([f"   {first.note}"] if first.note else [])]
+    for branch, where in zip(family, places, strict=True):
+        body = _body(branch, f"Where {where}")
+        lines += [*body[:-1], body[-1][:-1] + "."]
+    return "\n".join(lines)
 
 
 def _almost_everywhere(found: "SingularSet") -> list[str]:
     """Say what is lost, and what does not move the task, where nothing is singular."""
     if found.generic_bases is None:
         return []
-    lost, still = (_written(found.generic_bases, name) for name in ("left_null", "null"))
+    lost, still = (_written(found.generic_bases, name, _lengths(found.robot)) for name in ("left_null", "null"))
     lines = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
     return ["Almost everywhere", *lines[:-1], lines[-1][:-1] + "."] if lines else []
 
@@ -121,14 +156,25 @@ def intersection_sentences(found: "Intersections") -> str:
 def place(branch: "SingularBranch") -> str:
     """Return where a branch is: q2 = π/2, or l2·cos(q2) + l3·cos(q2 + q3) = 0."""
     if branch.formulas is not None:
-        from robotics1.symbolic.writing.printing import line_text
-
-        texts = [(line_text(condition), condition) for condition in branch.conditions]
+        texts = [(_equation(branch, condition), condition) for condition in branch.conditions]
         return ", ".join(text if len(text) <= WIDEST else _described(condition) for text, condition in texts)
     where = [f"{name} = {joint_value(value)}" for name, value in branch.values.items()]
     if branch.tied_joints:
         where.append(f"{enumeration(branch.tied_joints)} tied by σ_min = 0")
     return ", ".join(where)
+
+
+def _equation(branch: "SingularBranch", condition: Any) -> str:
+    """Return an equation; one whose coefficients are large numbers in metres, or with 1 for the largest."""
+    from robotics1.symbolic.writing.decimals import in_decimals
+    from robotics1.symbolic.writing.printing import line_text
+
+    text = in_decimals(condition.lhs, _lengths(branch.robot)) if condition.rhs == 0 else None
+    return line_text(condition) if text is None else f"{text} = 0"
+
+
+def _lengths(robot: "Robot") -> list[float]:
+    return [abs(length) for joint in robot.joints for length in joint.xyz]
 
 
 def _because(branch: "SingularBranch") -> str:
@@ -148,32 +194,44 @@ def _described(condition: Any) -> str:
 
 def branch_sentences(branch: "SingularBranch") -> str:
     """Return where the branch is, and what the robot cannot do, can do, and holds there."""
-    free = _called(branch.free_joints, branch.robot, symbols=branch.formulas is not None)
-    whatever = f", whatever {enumeration(free)}" if free else ""
-    lines = [
-        f"{place(branch)}{_because(branch)}{whatever}: the rank is {branch.rank} instead of {branch.generic_rank}."
-    ]
+    lines = [f"{place(branch)}{_because(branch)}{_whatever(branch)}: {_rank(branch)}"]
     lines += [f"   {branch.note}"] if branch.note else []
+    return "\n".join([*lines, *_body(branch, "There")])[:-1] + "."
+
+
+def _whatever(branch: "SingularBranch") -> str:
+    free = _called(branch.free_joints, branch.robot, symbols=branch.formulas is not None)
+    return f", whatever {enumeration(free)}" if free else ""
+
+
+def _rank(branch: "SingularBranch") -> str:
+    return f"the rank is {branch.rank} instead of {branch.generic_rank}."
+
+
+def _body(branch: "SingularBranch", there: str) -> list[str]:
+    """Return what the robot cannot do, can do, and holds on a branch."""
     rows = ", ".join(branch.task.row_names)
     if branch.rank == 0:
-        return "\n".join([*lines, *_nothing_moves(rows)])
+        return _nothing_moves(rows, there)
+    lines = []
     lost, still = (
-        None if branch.formulas is None else _written(branch.formulas, name) for name in ("left_null", "null")
+        None if branch.formulas is None else _written(branch.formulas, name, _lengths(branch.robot))
+        for name in ("left_null", "null")
     )
     in_symbols = [*_lost(rows, lost), *_still(still)]
     in_numbers = [] if lost is not None else _lost(rows, directions(branch.left_null))
     in_numbers += [] if still is not None else _still(directions(branch.null))
     if in_symbols:
-        lines += ["   There", *in_symbols]
+        lines += [f"   {there}", *in_symbols]
     if in_numbers:
         lines += [f"   For example at q = {vector(branch.q)}:", *in_numbers]
-    return "\n".join(lines)[:-1] + "."
+    return lines
 
 
-def _nothing_moves(rows: str) -> list[str]:
+def _nothing_moves(rows: str, there: str) -> list[str]:
     """Say what J = 0 means, where every vector is lost or does not move the task."""
     return [
-        "   There J = 0:",
+        f"   {there} J = 0:",
         f"   - no task velocity ({rows}) but zero can be realised;",
         "   - no force needs joint torques;",
         "   - no joint velocity moves the task.",
@@ -193,7 +251,7 @@ def _still(along: str | None) -> list[str]:
     return [f"   - joint velocities along {along} do not move the task;"] if along else []
 
 
-def _written(formulas: "BranchFormulas", name: str) -> str | None:
+def _written(formulas: "BranchFormulas", name: str, lengths: Sequence[float]) -> str | None:
     """Return a basis in symbols, or None where there is none, or it is too long to be read."""
     if not formulas.is_short(name):
         return None
@@ -203,11 +261,13 @@ def _written(formulas: "BranchFormulas", name: str) -> str | None:
         return None
     if sum(entry.count_ops() for entry in basis) > LONGEST * max(basis.cols, 1):
         return None
+    from robotics1.symbolic.writing.decimals import in_decimals
     from robotics1.symbolic.writing.printing import line_text
 
-    return " and ".join(line_text(basis.col(i)) for i in range(basis.cols))
+    columns = [basis.col(i) for i in range(basis.cols)]
+    return " or ".join(in_decimals(column, lengths) or line_text(column) for column in columns)
 
 
 def directions(basis: Array) -> str:
     """Return the columns of a basis, as they are written by hand."""
-    return " and ".join(vector(column) for column in echelon(basis).T)
+    return " or ".join(vector(column) for column in echelon(basis).T)

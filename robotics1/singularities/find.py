@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from robotics1.errors import FormulaError
-from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
+from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import JointBox, joint_box
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.singularities.numeric import numeric_branches
 from robotics1.singularities.points import singular_points
 from robotics1.singularities.result import SingularBranch, SingularSet
 from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task, turns_of
 
 if TYPE_CHECKING:
@@ -25,8 +27,8 @@ EXACT, DRAWN = 0.75, 0.85  # parts of the time, for equations, and for them and 
 
 
 def find_singularities(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     *,
     method: str = "auto",
     box: Mapping[str, tuple[float, float]] | None = None,
@@ -61,7 +63,7 @@ def find_singularities(
         TaskError: the task does not fit the robot, or no joint moves it.
         FormulaError: method="symbolic", and there are no formulas of the robot or the task.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     one_of("method", method, METHODS)
     count = counting_number("samples", samples, least=1)
     seed = counting_number("seed", seed)

@@ -1,6 +1,6 @@
 """The singular configurations of a task, as branches."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING
@@ -150,7 +150,7 @@ class SingularSetStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class SingularSet:
+class SingularSet(Frozen):
     """All singular configurations of a robot in a task.
 
     Attributes:
@@ -206,6 +206,27 @@ class SingularSet:
         names = self.robot.joint_names
         return tuple(name for name in names if all(name in branch.free_joints for branch in self.branches))
 
+    def __len__(self) -> int:
+        return len(self.branches)
+
+    def __iter__(self) -> Iterator[SingularBranch]:
+        return iter(self.branches)
+
+    def __getitem__(self, i: int) -> SingularBranch:
+        return self.branches[i]
+
+    def _repr_latex_(self) -> str | None:
+        """Return the conditions of the branches, and the rank on each; None of a set that was found by numbers."""
+        if not self.branches or any(branch.formulas is None for branch in self.branches):
+            return None
+        from robotics1.symbolic.writing.printing import aligned, latex_text
+
+        rows = [
+            ", ".join(map(latex_text, branch.conditions)) + rf" &\Rightarrow \mathrm{{rank}}\,J = {branch.rank}"
+            for branch in self.branches
+        ]
+        return aligned(rows)
+
     def explain(self) -> str:
         """Return the singularities in sentences, with the conditions on lengths of `parameter_conditions`."""
         return self._explanation
@@ -227,7 +248,7 @@ class SingularSet:
 
 
 @dataclass(frozen=True, eq=False)
-class Intersections:
+class Intersections(Frozen):
     """Where branches of a singular set meet, and where the rank falls further inside one.
 
     Attributes:

@@ -1,21 +1,21 @@
 """The singularity that the rounding of a configuration may hide: q2 = 1.5708 where the rank is lost at π/2."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import Robotics1Error
-from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.inputs import Array
 from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration, joint_value, pi_fraction
 from robotics1.results import Frozen
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.printed_digits import half_units
 from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces, subspaces_of_rank, vanishing_block
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 ROUNDS = 8  # of Newton's method, which converges quadratically from so near
 SLACK = 1e-6  # relative: how far beyond half a unit a singularity still counts as within
@@ -68,7 +68,7 @@ class RoundedConfiguration(Frozen):
         )
 
 
-def singularity_within_rounding(robot: Robot, task: Task, q: npt.ArrayLike) -> RoundedConfiguration:
+def singularity_within_rounding(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> RoundedConfiguration:
     """Return whether q, with the digits it is given by, may be singular: J(q') loses rank at a q' that rounds to q.
 
     A number of two or more decimals and at most 12 digits is taken as rounded to them, so that q2 = 1.5708 stands for
@@ -83,14 +83,14 @@ def singularity_within_rounding(robot: Robot, task: Task, q: npt.ArrayLike) -> R
         InputError: q has the wrong shape or is not finite.
         TaskError: the task does not fit the robot.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     return rounded_configuration(lambda x: task.jacobian(robot, x), robot, q)
 
 
-def rounded_configuration(matrix: Callable[[Array], Array], robot: Robot, q: npt.ArrayLike) -> RoundedConfiguration:
+def rounded_configuration(matrix: Callable[[Array], Array], robot: Robot, q: ConfigurationLike) -> RoundedConfiguration:
     """Return the same for any matrix A(q), (m, n), such as a Jacobian times an input matrix."""
     x = robot.configuration(q)
-    units = half_units(q) if robot.nq == robot.nv else np.zeros(robot.nq)
+    units = half_units(x if isinstance(q, str | Mapping) else q) if robot.nq == robot.nv else np.zeros(robot.nq)
     spaces = subspaces(matrix(x))
     singular = singular_within(matrix, robot, x, units)
     there = None

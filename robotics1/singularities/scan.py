@@ -9,23 +9,24 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import a_robot_and_a_task, counting_number, one_of, real_number
+from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
 from robotics1.singularities.points import MOVES, SingularPoints, singular_points
 from robotics1.singularities.reduction import MEASURES, Reduction, reduced
 from robotics1.singularities.refinement import refine as refine_worst
 from robotics1.singularities.samples import METHODS, Chunk, samples_of
 from robotics1.singularities.scan_result import SingularityScan
-from robotics1.tasks.task import Task, turns_of
+from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.task import turns_of
 
 KEPT = 10  # worst configurations, or as many as are refined
 WAITING = 32  # chunks handed to an executor at a time: of Sobol's sequence 30 MB for seven joints
 
 
 def scan_singularities(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     *,
     samples: int | float | Sequence[int],
     measures: Sequence[str] = ("sigma_min",),
@@ -81,7 +82,7 @@ def scan_singularities(
     Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985; Siciliano, Sciavicco,
     Villani, Oriolo, Robotics, 2009, section 3.9.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     chosen = _measures(measures)
     one_of("method", method, METHODS)
     seed, refine = counting_number("seed", seed), counting_number("refine", refine)

@@ -14,6 +14,7 @@ from robotics1.robot.model import Robot
 from robotics1.singularities.explain import place
 from robotics1.singularities.reduction import MeasureDistribution
 from robotics1.singularities.result import SingularBranch, SingularSet
+from robotics1.tables import Table, table_of
 from robotics1.tasks.task import Task
 
 CHOSEN = {"random": "random configurations", "sobol": "configurations of Sobol's sequence", "grid": "points of a grid"}
@@ -69,6 +70,9 @@ class Refinement:
         return tuple(number for number in range(len(self.branches)) if number not in met)
 
 
+FEW = 5  # configurations in a table
+
+
 @dataclass(frozen=True, eq=False)
 class SingularityScan(Frozen):
     """How near to singular a task is, at many configurations of a robot.
@@ -99,6 +103,13 @@ class SingularityScan(Frozen):
     worst: Array
     worst_values: Array
     refined: Refinement | None = None
+
+    def _tables(self) -> tuple[Table, ...]:
+        if not len(self.worst):
+            return ()
+        name = symbols(self)[self.measures[0]]
+        rows = [(f"{value:.4g}", vector(q)) for value, q in zip(self.worst_values[:FEW], self.worst, strict=False)]
+        return (table_of((name, "q"), rows, "nearest to singular"),)
 
     @property
     def measures(self) -> tuple[str, ...]:

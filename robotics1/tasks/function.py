@@ -9,10 +9,11 @@ import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot, counting_number, real_array
+from robotics1.inputs import Array, counting_number, real_array
 from robotics1.kinematics import forward_kinematics
 from robotics1.orientation.expressions import wrapped
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike, robot_from
+from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tasks.task import FrameMap
 
 TaskFunction = Callable[[Array, Array, Array], npt.ArrayLike]
@@ -69,29 +70,29 @@ class FunctionTask:
         """Those that were given; without them the rows are taken as numbers."""
         return ("1",) * self.rows if self.units is None else self.units
 
-    def value(self, robot: Robot, q: npt.ArrayLike) -> Array:
+    def value(self, robot: RobotLike, q: ConfigurationLike) -> Array:
         """Return r = f(p, R, q), (m,).
 
         Raises:
             TaskError: f fails, or returns something else than m finite numbers.
         """
-        a_robot(robot)
+        robot = robot_from(robot)
         return self._evaluate(self.f, robot, robot.configuration(q), (self.rows,))
 
     def target(self, target: Any) -> Array:
         """Return the target as (m,)."""
         return real_array("the target", target, (self.rows,), "one number for each row of the task")
 
-    def error(self, robot: Robot, q: npt.ArrayLike, target: Any) -> Array:
+    def error(self, robot: RobotLike, q: ConfigurationLike, target: Any) -> Array:
         """Return r_d − r, (m,); a row in "rad" is wrapped into (−π, π]."""
         return self._difference(self.target(target), self.value(robot, q))
 
-    def jacobian(self, robot: Robot, q: npt.ArrayLike) -> Array:
+    def jacobian(self, robot: RobotLike, q: ConfigurationLike) -> Array:
         """Return ∂f/∂q, (m, nv): the given one, else by central differences."""
+        robot = robot_from(robot)
         if self.derivative is None:
             r = self.value(robot, q)  # from which an angle differs little, also where it jumps from π to −π
             return configuration_derivative(lambda x: self._difference(self.value(robot, x), r), robot, q)
-        a_robot(robot)
         return self._evaluate(self.derivative, robot, robot.configuration(q), (self.rows, robot.nv))
 
     def check(self, robot: Robot) -> None:

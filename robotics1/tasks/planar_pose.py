@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
+from robotics1.angles import warn_of_degrees
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, a_robot, one_of, real_array
+from robotics1.inputs import Array, one_of, real_array
 from robotics1.kinematics import frame_jacobian
 from robotics1.orientation.expressions import angle_of, wrapped
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.position import numbers_of
 from robotics1.tasks.task import FrameTask, PoseError
@@ -62,7 +64,9 @@ class PlanarPoseTask(FrameTask):
 
     def target(self, target: Any) -> Array:
         """Return the target as (3,) [m, m, rad]."""
-        return real_array("the target", target, (3,), f"({', '.join(self.row_names)}) [m, m, rad]")
+        r = real_array("the target", target, (3,), f"({', '.join(self.row_names)}) [m, m, rad]")
+        warn_of_degrees("the target", r, np.array([False, False, True]))
+        return r
 
     def difference(self, target: Array, value: Array) -> Array:
         """Return r_d − r, (3,), the angle wrapped into (−π, π]."""
@@ -86,9 +90,9 @@ class PlanarPoseTask(FrameTask):
         T[a, 3], T[b, 3], T[3, 3] = r[0], r[1], 1.0
         return T
 
-    def check(self, robot: Robot) -> None:
+    def check(self, robot: RobotLike) -> None:
         """Raise TaskError if the frame leaves the plane, or its x axis stands on it."""
-        a_robot(robot)
+        robot = robot_from(robot)
         _check_planar(robot, self)
 
 

@@ -15,7 +15,7 @@ from robotics1.orientation.nearest import SINGULAR
 from robotics1.orientation.rates import inverse_rate_map, rate_determinant
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
 from robotics1.robot.model import Robot
-from robotics1.robot.placements import homogeneous, rotation_matrix
+from robotics1.robot.placements import MEANING, homogeneous, rotation_matrix
 from robotics1.tasks.task import FrameTask, PoseError
 
 
@@ -223,12 +223,12 @@ class PoseTask(_WithOrientation):
         return np.vstack([np.eye(6, dtype=int)[:3], angular])
 
     def target(self, target: Any) -> Any:
-        """Return the target as a `pin.SE3`; a homogeneous (4, 4) matrix is one too. With angles= it is (p, φ), (6,)."""
+        """Return the target as a `pin.SE3`; see `homogeneous`. With angles= it is (p, φ), (6,)."""
         if self.angles is not None:
             r = real_array("the target", target, (6,), "a position [m] and three angles [rad]")
             return np.concatenate([r[:3], self.representation.target(r[3:])])
         if target is None:
-            raise InputError("the target must be a pin.SE3 or a homogeneous (4, 4) matrix, not None")
+            raise InputError(f"the target must be {MEANING}, not None")
         return homogeneous("the target", target)
 
     def difference(self, target: Any, value: Any) -> Array:

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, a_task, real_array
-from robotics1.robot.model import Robot
+from robotics1.inputs import Array, real_array
+from robotics1.robot.given import RobotLike, robot_from
+from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.tasks.given import TaskLike, task_from
 from robotics1.tasks.task import FrameMap, Task
 
 
@@ -27,12 +28,10 @@ class StackedTask:
 
     tasks: tuple[Task, ...]
 
-    def __init__(self, tasks: Sequence[Task]) -> None:
+    def __init__(self, tasks: Sequence[TaskLike]) -> None:
         if not isinstance(tasks, Sequence) or not tasks or isinstance(tasks, str):
             raise InputError(f"tasks must be a list of tasks, such as [PositionTask('xy'), ...]; it is {tasks!r}")
-        for task in tasks:
-            a_task(task)
-        object.__setattr__(self, "tasks", tuple(tasks))
+        object.__setattr__(self, "tasks", tuple(map(task_from, tasks)))
 
     @property
     def row_names(self) -> tuple[str, ...]:
@@ -54,9 +53,9 @@ class StackedTask:
         """The sum of the rows, m = m₁ + m₂ + ..."""
         return sum(task.rows for task in self.tasks)
 
-    def value(self, robot: Robot, q: npt.ArrayLike) -> Any:
+    def value(self, robot: RobotLike, q: ConfigurationLike) -> Any:
         """Return r, (m,), or a tuple with the value of each task where one is no (mᵢ,)."""
-        a_robot(robot)
+        robot = robot_from(robot)
         return _joined(self.tasks, tuple(task.value(robot, q) for task in self.tasks))
 
     def target(self, target: Any) -> Any:
@@ -67,15 +66,15 @@ class StackedTask:
         """
         return _joined(self.tasks, self._parts(target))
 
-    def error(self, robot: Robot, q: npt.ArrayLike, target: Any) -> Array:
+    def error(self, robot: RobotLike, q: ConfigurationLike, target: Any) -> Array:
         """Return (e₁, e₂, ...), (m,), each as its task has it: angles wrapped, rotations as vectors."""
-        a_robot(robot)
+        robot = robot_from(robot)
         parts = self._parts(target)
         return np.concatenate([task.error(robot, q, part) for task, part in zip(self.tasks, parts, strict=True)])
 
-    def jacobian(self, robot: Robot, q: npt.ArrayLike) -> Array:
+    def jacobian(self, robot: RobotLike, q: ConfigurationLike) -> Array:
         """Return [J₁; J₂; ...], (m, nv)."""
-        a_robot(robot)
+        robot = robot_from(robot)
         return np.vstack([task.jacobian(robot, q) for task in self.tasks])
 
     def check(self, robot: Robot) -> None:

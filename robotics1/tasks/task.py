@@ -6,14 +6,14 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import numpy as np
-import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, text
-from robotics1.kinematics import forward_kinematics, frame_jacobian, reference_axes
+from robotics1.kinematics import forward_kinematics, frame_jacobian, is_batch, reference_axes
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.mimic import turns_of_followers
-from robotics1.robot.model import Robot
+from robotics1.robot.model import ConfigurationLike, Robot
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,16 +81,16 @@ class Task(Protocol):
     def rows(self) -> int:
         """m, the number of rows of J."""
 
-    def value(self, robot: Robot, q: npt.ArrayLike) -> Any:
+    def value(self, robot: Robot, q: ConfigurationLike) -> Any:
         """Return r = f(q)."""
 
     def target(self, target: Any) -> Any:
         """Return a target in the form of `value`, or raise InputError saying what would be right."""
 
-    def error(self, robot: Robot, q: npt.ArrayLike, target: Any) -> Array:
+    def error(self, robot: Robot, q: ConfigurationLike, target: Any) -> Array:
         """Return e = r_d − f(q), (m,)."""
 
-    def jacobian(self, robot: Robot, q: npt.ArrayLike) -> Array:
+    def jacobian(self, robot: Robot, q: ConfigurationLike) -> Array:
         """Return J(q), (m, nv), with ṙ = J q̇."""
 
     def check(self, robot: Robot) -> None:
@@ -176,13 +176,14 @@ class FrameTask:
         """m, the number of rows of J."""
         return len(self.row_names)
 
-    def value(self, robot: Robot, q: npt.ArrayLike) -> Any:
+    def value(self, robot: RobotLike, q: ConfigurationLike) -> Any:
         """Return r = g(T(q))."""
+        robot = robot_from(robot)
         self.check(robot)
         T = self._pose(robot, q)
         return self.g(T.translation, T.rotation)
 
-    def error(self, robot: Robot, q: npt.ArrayLike, target: Any) -> Array:
+    def error(self, robot: RobotLike, q: ConfigurationLike, target: Any) -> Array:
         """Return e = r_d − r, (m,), angles wrapped into (−π, π].
 
         Raises:
@@ -191,13 +192,17 @@ class FrameTask:
         """
         return self.difference(self.target(target), self.value(robot, q))
 
-    def jacobian(self, robot: Robot, q: npt.ArrayLike) -> Array:
-        """Return J(q) = S(T) ʳJ(q), (m, nv).
+    def jacobian(self, robot: RobotLike, q: ConfigurationLike) -> Array:
+        """Return J(q) = S(T) ʳJ(q), (m, nv); of several configurations (k, nq), (k, m, nv).
 
         Raises:
             TaskError: the task does not fit the robot.
         """
+        robot = robot_from(robot)
         self.check(robot)
+        if is_batch(q):
+            every = [self.jacobian(robot, one) for one in robot.configurations(q)]
+            return np.reshape(every, (len(every), self.rows, robot.nv))
         T = self._pose(robot, q)
         return self.S(T.translation, T.rotation) @ frame_jacobian(robot, q, frame=self.frame, reference=self.reference)
 
@@ -216,7 +221,7 @@ class FrameTask:
                 f"use reference='world'"
             )
 
-    def _pose(self, robot: Robot, q: npt.ArrayLike) -> pin.SE3:
+    def _pose(self, robot: Robot, q: ConfigurationLike) -> pin.SE3:
         T = forward_kinematics(robot, q, frame=self.frame)
         if self.reference == "world":
             return T
@@ -241,6 +246,6 @@ def unitless_rows(robot: Robot, task: Task) -> Array:
     return np.array([1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units])
 
 
-def unitless_jacobian(robot: Robot, task: Task, q: npt.ArrayLike) -> Array:
+def unitless_jacobian(robot: Robot, task: Task, q: ConfigurationLike) -> Array:
     """Return J(q), (m, nv), without units: rows in metres and prismatic speeds are divided by the reach."""
     return np.asarray(unitless_rows(robot, task)[:, None] * task.jacobian(robot, q) * robot.units)

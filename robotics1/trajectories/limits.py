@@ -9,8 +9,8 @@ import numpy as np
 from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve, joint_motion
 from robotics1.errors import InputError
-from robotics1.inputs import a_robot, positive_bound
-from robotics1.robot.model import Robot
+from robotics1.inputs import positive_bound
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.trajectories.norms import peak_norm
 
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3, "deceleration": 2, "normal acceleration": 2}
@@ -171,7 +171,7 @@ class NormLimits:
         return tuple(found)
 
 
-def limit_violations(robot: Robot, trajectory: Any, limits: MotionLimits | None = None) -> tuple[LimitUse, ...]:
+def limit_violations(robot: RobotLike, trajectory: Any, limits: MotionLimits | None = None) -> tuple[LimitUse, ...]:
     """Return where q(t) leaves [lower, upper] or a derivative exceeds its limit, from the exact extremes.
 
     Args:
@@ -182,7 +182,7 @@ def limit_violations(robot: Robot, trajectory: Any, limits: MotionLimits | None 
     Raises:
         InputError: the trajectory or the limits are of another number of joints.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     motion = joint_motion("trajectory", trajectory, robot.nv)
     if limits is not None and not isinstance(limits, MotionLimits):
         raise InputError(f"limits must be MotionLimits(acceleration=..., jerk=...); it is {limits!r}")

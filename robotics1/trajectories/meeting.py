@@ -14,12 +14,16 @@ from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, NotConverged
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solutions import ik_solutions
-from robotics1.inputs import Array, a_robot_and_a_task, answer_of, per_joint, real_array, real_number
+from robotics1.inputs import Array, answer_of, per_joint, real_array, real_number
 from robotics1.least_squares import generalized_inverse
+from robotics1.notation import vector
 from robotics1.results import Frozen, require
 from robotics1.robot.box import nearest_turn
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.spaces import Subspaces, subspaces
+from robotics1.tables import Table, table_of
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.elementary import cubic
 from robotics1.trajectories.limits import LimitUse, limit_violations
@@ -89,6 +93,13 @@ class Rendezvous(Frozen):
     status: MeetingStatus
     miss: float
 
+    def _tables(self) -> tuple[Table, ...]:
+        rows = [
+            (str(i), vector(branch.q), vector(branch.qdot), "; ".join(map(str, branch.violations)) or "inside")
+            for i, branch in enumerate(self.branches)
+        ]
+        return (table_of(("", "q", "q̇", "limits"), rows, f"at t = {self.time:.4g} s"),) if rows else ()
+
     @property
     def trajectory(self) -> PiecewisePolynomial:
         """The trajectory of the first branch.
@@ -115,10 +126,10 @@ class Rendezvous(Frozen):
 
 
 def rendezvous(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     target_motion: TargetMotion,
-    q0: npt.ArrayLike,
+    q0: ConfigurationLike,
     meet: float | Callable[[float, Any], float],
     *,
     qdot0: npt.ArrayLike = 0.0,
@@ -142,7 +153,7 @@ def rendezvous(
         InputError: the event has no zero before the horizon, the time is not positive, or a shape is wrong.
         TaskError: the task does not fit the robot.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     q0 = robot.configuration(q0)
     qdot0 = per_joint("qdot0", qdot0, robot.nv)
     if isinstance(target_motion, type) or not callable(target_motion) or not hasattr(target_motion, "velocity"):

@@ -10,10 +10,11 @@ import numpy.typing as npt
 from robotics1.curves.given import Motion
 from robotics1.errors import InputError
 from robotics1.ik.solution_set import IKSolutions
-from robotics1.inputs import Array, a_robot, a_task, text
+from robotics1.inputs import Array, text
 from robotics1.plots.figures import names_of
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike, robot_from
+from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.tasks.given import TaskLike, task_from
 from robotics1.trajectories.target_motion import TargetMotion
 from robotics1.viewer.arm_data import arm_data, is_planar
 from robotics1.viewer.page import Page, page_of
@@ -30,14 +31,14 @@ TINTS = (
 
 
 def animate(
-    robot: Robot | Sequence[Robot],
+    robot: RobotLike | Sequence[RobotLike],
     motion: Motion | Sequence[Motion] | None = None,
     file: str | Path | None = None,
     *,
     times: npt.ArrayLike | None = None,
     q: npt.ArrayLike | None = None,
     target: TargetMotion | None = None,
-    task: Task | None = None,
+    task: TaskLike | None = None,
     names: Sequence[str] | None = None,
     title: str | None = None,
     caption: str = "",
@@ -90,11 +91,11 @@ def animate(
 
 
 def view(
-    robot: Robot,
-    q: npt.ArrayLike | None = None,
+    robot: RobotLike,
+    q: ConfigurationLike | None = None,
     file: str | Path | None = None,
     *,
-    task: Task | None = None,
+    task: TaskLike | None = None,
     solutions: IKSolutions | Sequence[npt.ArrayLike] | Mapping[str, npt.ArrayLike] = (),
     title: str | None = None,
     caption: str = "",
@@ -120,7 +121,7 @@ def view(
     Warns:
         RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     states = _labelled(robot, solutions)
     start = robot.configuration(q) if q is not None else states[0][1] if states else _resting(robot)
     shapes = Shapes()
@@ -148,9 +149,7 @@ def _pairs(robot: Any, motion: Any, *, recorded_values: bool) -> tuple[list[Robo
         raise InputError("give a motion, or times and q of a recorded one")
     motions = list(motion) if isinstance(motion, list | tuple) else [motion]
     listed = isinstance(robot, Sequence) and not isinstance(robot, str)
-    robots = list(robot) if listed else [robot] * len(motions)
-    for one in robots:
-        a_robot(one)
+    robots = [robot_from(one) for one in (robot if listed else [robot] * len(motions))]
     if not motions or len(robots) != len(motions):
         raise InputError(f"each motion wants its robot: there are {len(robots)} robots and {len(motions)} motions")
     return robots, motions
@@ -165,10 +164,10 @@ def _resting(robot: Robot) -> Array:
     return np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
 
 
-def _arm(robot: Robot, q: Array, task: Task | None, shapes: Shapes, label: str) -> dict[str, Any]:
+def _arm(robot: Robot, q: Array, task: TaskLike | None, shapes: Shapes, label: str) -> dict[str, Any]:
     """Return an arm of the page with its shapes."""
     if task is not None:
-        a_task(task)
+        task = task_from(task)
     return {**arm_data(robot, q, task), "label": label, "shapes": shapes.of(robot)}
 
 

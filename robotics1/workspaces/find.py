@@ -5,9 +5,9 @@ from math import pi, tau
 
 import numpy as np
 
-from robotics1.inputs import Array, a_robot_and_a_task
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.inputs import Array
+from robotics1.robot.given import RobotLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, regions
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.distances import extreme_positions
@@ -21,7 +21,7 @@ SAME = 1e-9  # of distances that are alike, by the arm's size
 SAME_CONFIGURATION = 1e-6  # rad or m; what is stationary is found to the root of the rounding
 
 
-def workspace(robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]] | None = None) -> Workspace:
+def workspace(robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float, float]] | None = None) -> Workspace:
     """Return the points r = f(q) with q inside the joint limits: boundary, regions and sizes, exactly.
 
     At a point of the boundary the joints that are not at a limit are singular together. Of an arm in a plane such
@@ -47,7 +47,7 @@ def workspace(robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]
     Source: Kumar, Waldron, The workspaces of a mechanical manipulator, 1981 (boundaries are singular); the rest is
     plane geometry.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     arm = read_arm(robot, task, box)
     plane = section_of(arm.joints, arm.tip, arm.neutral)
     full_turn = arm.base is not None and arm.base.circular

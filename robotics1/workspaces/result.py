@@ -7,7 +7,10 @@ import numpy.typing as npt
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
+from robotics1.names import printable
+from robotics1.notation import vector
 from robotics1.results import Frozen
+from robotics1.tables import Table, table_of
 from robotics1.workspaces.arrangement import Loop
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.distances import distance_to_curve
@@ -113,6 +116,15 @@ class Workspace(Frozen):
     def __repr__(self) -> str:
         size = f"area={self.area:.6g}" + ("" if self.volume is None else f", volume={self.volume:.6g}")
         return f"Workspace({self.robot_name!r}, {size}, r_min={self.r_min:.6g}, r_max={self.r_max:.6g})"
+
+    def _tables(self) -> tuple[Table, ...]:
+        rows = []
+        for curve in self.boundary:
+            kind = "segment" if curve.center is None else f"arc, r = {curve.radius:.4g}"
+            where = [f"{name} {limit}" for name, limit in curve.limits.items()]
+            where += [f"{', '.join(curve.singular)} singular"] if curve.singular else []
+            rows.append((printable("; ".join(where)), kind, vector(curve.start), vector(curve.end)))
+        return (table_of(("where", "curve", "from", "to"), rows, f"boundary, ({', '.join(self.coordinates)}) [m]"),)
 
     def contains(self, p: npt.ArrayLike) -> bool:
         """Return whether a point is reached; the boundary, to 1e-9 of the arm's size, belongs to the workspace.

@@ -1,6 +1,6 @@
 """The formulas of all solutions: a result that explains itself and can be written as source."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import product
 from typing import Any, NamedTuple
@@ -103,6 +103,15 @@ class IKFormulas(Frozen):
 
     def __len__(self) -> int:
         return len(self.branches)
+
+    def __iter__(self) -> Iterator[IKBranch]:
+        return iter(self.branches)
+
+    def __getitem__(self, i: int) -> IKBranch:
+        return self.branches[i]
+
+    def _repr_latex_(self) -> str:
+        return f"$${self.latex()}$$"
 
     @cached_property
     def branches(self) -> tuple[IKBranch, ...]:

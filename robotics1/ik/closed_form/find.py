@@ -10,14 +10,15 @@ from robotics1.ik.closed_form.links import Links, links_of
 from robotics1.ik.closed_form.peeling import Peeling
 from robotics1.ik.closed_form.target import Target, TargetChain, symbolic_target
 from robotics1.ik.closed_form.trial_point import trial_point
-from robotics1.inputs import a_robot_and_a_task
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import chain_to
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import FrameMap, Task
 
 
-def ik_formulas(robot: Robot, task: Task) -> IKFormulas:
+def ik_formulas(robot: RobotLike, task: TaskLike) -> IKFormulas:
     """Return the formulas of every solution of f(q) = r_d, in the target's symbols and the robot's named lengths.
 
     Joint after joint is found from equations with one unknown: a sin θ + b cos θ = c, sin θ and cos θ together, or a
@@ -35,7 +36,7 @@ def ik_formulas(robot: Robot, task: Task) -> IKFormulas:
 
     Source: Paul, Robot Manipulators, 1981, chapter 3; Craig, Introduction to Robotics, 2005, chapter 4.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     task.check_integrable(robot)
     form = task.frame_map()
     if form is None:

@@ -13,11 +13,11 @@ from robotics1.ik.postures.labels import postures
 from robotics1.ik.postures.path_between import PostureChange, PostureChangeStatus, path_of, region_of
 from robotics1.ik.postures.roadmap import Region
 from robotics1.ik.solutions import ik_solutions
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number
+from robotics1.inputs import Array, counting_number
 from robotics1.notation import count
 from robotics1.results import Frozen
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 REGULAR = 1e-3  # |det J|, beside its largest value, of the configurations that are asked about
 BESIDE = (0.03, 0.1, 0.2, 0.3, 0.1, 0.2, 0.3)  # [rad] from a cusp, where three solutions are near
@@ -64,7 +64,9 @@ class Cuspidality(Frozen):
         return f"{self.status.value}. {self.reason}{'' if self.proven else ' That is a search, and no proof.'}"
 
 
-def is_cuspidal(robot: Robot, task: Task, *, targets: int = 20, samples: int = 600, seed: int = 0) -> Cuspidality:
+def is_cuspidal(
+    robot: RobotLike, task: TaskLike, *, targets: int = 20, samples: int = 600, seed: int = 0
+) -> Cuspidality:
     """Return whether a path without singularities joins two solutions of one target, joint limits left aside.
 
     - An arm whose postures have names has one solution for each of them, and is not cuspidal.
@@ -86,7 +88,7 @@ def is_cuspidal(robot: Robot, task: Task, *, targets: int = 20, samples: int = 6
     Wenger, Necessary and sufficient condition for a generic 3R serial manipulator to be cuspidal, Mechanism and Machine
     Theory, 2022.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     seed = counting_number("seed", seed)
     targets, samples = counting_number("targets", targets, least=1), counting_number("samples", samples, least=1)
     det, names = determinant(robot, task), postures(robot, task)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
-import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.ik.postures.barrier import are_apart
@@ -12,11 +11,12 @@ from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import NO_POSTURE, Postures, postures
 from robotics1.ik.postures.roadmap import Region, least_along
 from robotics1.ik.postures.walls import crossed_wall, walls
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, true_or_false
+from robotics1.inputs import Array, counting_number, true_or_false
 from robotics1.notation import joint_value, number
 from robotics1.results import Frozen, require
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 SINGULAR = 1e-9  # |det J|, beside its largest value, of a configuration that is singular
 GROWTH = (50, 150, 600, 2400)  # configurations of the roadmap, one after the other
@@ -64,10 +64,10 @@ class PostureChange(Frozen):
 
 
 def posture_change(
-    robot: Robot,
-    task: Task,
-    q_a: npt.ArrayLike,
-    q_b: npt.ArrayLike,
+    robot: RobotLike,
+    task: TaskLike,
+    q_a: ConfigurationLike,
+    q_b: ConfigurationLike,
     *,
     within_limits: bool = False,
     samples: int = 2400,
@@ -94,7 +94,7 @@ def posture_change(
 
     Source: Wenger, A new general formalism for the kinematic analysis of all nonredundant manipulators, ICRA 1992.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     seed, samples = counting_number("seed", seed), counting_number("samples", samples, least=1)
     within_limits = true_or_false("within_limits", within_limits)
     det = determinant(robot, task)

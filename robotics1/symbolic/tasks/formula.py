@@ -6,7 +6,8 @@ from functools import lru_cache
 from typing import Any
 
 from robotics1.errors import FormulaError, InputError, UnknownNameError
-from robotics1.inputs import a_robot, a_task, text
+from robotics1.inputs import text
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain, chain_to
 from robotics1.symbolic.kinematics.exact import exact_robot
@@ -15,10 +16,11 @@ from robotics1.symbolic.polynomials.trig_polynomial import ROOTS
 from robotics1.symbolic.tasks.symbolic_task import SymbolicTask
 from robotics1.symbolic.tasks.task_formulas import Formulas
 from robotics1.symbolic.tasks.task_map import task_map
+from robotics1.tasks.given import TaskLike, task_from
 from robotics1.tasks.task import FrameMap, Task
 
 
-def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str] | None = None) -> Formulas:
+def formulas(robot: RobotLike, task: TaskLike, *, point: Any = None, rows: Sequence[str] | None = None) -> Formulas:
     """Return the formulas of a task, built from the same file as the robot's numbers.
 
     Every formula is compared with Pinocchio, at random q and parameters, when it is first asked for.
@@ -37,21 +39,20 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
         FormulaError: the task's function cannot be read, the file's numbers depend on the parameters in a way that
             cannot be found, or a formula does not agree with Pinocchio to 1e-9.
     """
-    a_robot(robot)
-    if isinstance(task, type):
-        a_task(task)
-    form, given = _on_a_frame(task), set(robot.parameters)
+    robot = robot_from(robot)
+    asked: Task = task_from(task) if isinstance(task, type | str) else task
+    form, given = _on_a_frame(asked), set(robot.parameters)
     if point is not None:
         robot, frame = with_point(robot, form.frame, point)
-        task = replace(task, frame=frame)  # type: ignore[type-var]  # a task on a frame is a dataclass
-    task.check(robot)
-    places = row_places(task, rows)
-    read: Callable[..., SymbolicTask] = _kept_reading if _is_hashable(task) else _reading
-    reading = read(robot, task, places)
+        asked = replace(asked, frame=frame)  # type: ignore[type-var]  # a task on a frame is a dataclass
+    asked.check(robot)
+    places = row_places(asked, rows)
+    read: Callable[..., SymbolicTask] = _kept_reading if _is_hashable(asked) else _reading
+    reading = read(robot, asked, places)
     return Formulas(
         robot,
-        task,
-        tuple(task.row_names[i] for i in places),
+        asked,
+        tuple(asked.row_names[i] for i in places),
         reading.chain.q,
         exact_robot(robot)[1],
         tuple(name for name in robot.parameters if name not in given),

@@ -1,5 +1,6 @@
 """The formulas of a task, each compared with Pinocchio when it is asked for."""
 
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -7,8 +8,9 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.differentiation import Estimate, derivative
-from robotics1.errors import TaskError
+from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array, one_of
+from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
@@ -23,7 +25,7 @@ from robotics1.symbolic.tasks.verification import (
     numeric_value,
     rounded,
 )
-from robotics1.symbolic.writing.printing import python_function
+from robotics1.symbolic.writing.printing import aligned, latex_text, mathml_text, python_function, unicode_text
 from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import Task
 
@@ -37,7 +39,7 @@ PRINTED = {
 
 
 @dataclass(frozen=True, eq=False)
-class Formulas:
+class Formulas(Frozen):
     """The formulas of a task, in q1, q2, ... and the robot's named parameters.
 
     Each is compared with Pinocchio at random q and parameters when it is first asked for, and a FormulaError is
@@ -58,6 +60,28 @@ class Formulas:
     cleaned: float
     unvalued: tuple[str, ...]
     symbolic_task: SymbolicTask = field(repr=False)
+
+    def _sentences(self) -> str:
+        """Return r, J and det J, each below its name."""
+        named = {"r": self.value, "J": self.jacobian, **self._determinant()}
+        return "\n".join(f"{name} =\n{unicode_text(formula)}" for name, formula in named.items())
+
+    def _repr_latex_(self) -> str:
+        named = {"r": self.value, "J": self.jacobian, **self._determinant()}
+        named = {name.replace("det", r"\det"): formula for name, formula in named.items()}
+        return aligned(f"{name} &= {latex_text(formula)}" for name, formula in named.items())
+
+    def _repr_html_(self) -> str:
+        named = {"r": self.value, "J": self.jacobian, **self._determinant()}
+        return "\n".join(f"<div>{name} = {mathml_text(formula)}</div>" for name, formula in named.items())
+
+    def _determinant(self) -> dict[str, sympy.Expr]:
+        """Return the determinant by its name, where J is square and it is found."""
+        if len(self.row_names) != len(self.q):
+            return {}
+        with suppress(FormulaError):
+            return {"det J": self.determinant}
+        return {}
 
     @cached_property
     def value(self) -> sympy.Matrix:

@@ -35,6 +35,11 @@ def latex_text(formula: Any) -> str:
     return str(_Latex().doprint(formula))
 
 
+def aligned(rows: Iterable[str]) -> str:
+    """Return equations in LaTeX as a notebook shows them, one below the other."""
+    return "$$\\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}$$"
+
+
 def mathml_text(formula: Any) -> str:
     """Return a formula as a MathML element of an HTML page: q̇ with its dot above, and − for a hyphen."""
     text = _MathML().doprint(formula)

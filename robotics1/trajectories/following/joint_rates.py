@@ -7,12 +7,14 @@ from typing import Any, Self
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array, a_robot_and_a_task, real_array
+from robotics1.inputs import Array, real_array
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.results import Frozen, require
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
 from robotics1.singularities.spaces import subspaces
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import (
     Rates,
@@ -121,10 +123,10 @@ class JointAcceleration(Resolved):
 
 
 def joint_velocity(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     rdot: npt.ArrayLike,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     *,
     resolution: Resolution | None = None,
     null_velocity: npt.ArrayLike | None = None,
@@ -145,7 +147,7 @@ def joint_velocity(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.5.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     chosen = resolution_or_default(resolution)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
     rounded = _rounded(robot, task, chosen, q)
@@ -161,10 +163,10 @@ def joint_velocity(
 
 
 def joint_acceleration(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     rddot: npt.ArrayLike,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     qdot: npt.ArrayLike,
     *,
     resolution: Resolution | None = None,
@@ -189,7 +191,7 @@ def joint_acceleration(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     chosen = resolution_or_default(resolution)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
     rounded = _rounded(robot, task, chosen, q)
@@ -205,7 +207,7 @@ def joint_acceleration(
     return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=at(rounded.singular_q))
 
 
-def _rounded(robot: Robot, task: Task, resolution: Resolution, q: npt.ArrayLike) -> RoundedConfiguration:
+def _rounded(robot: Robot, task: Task, resolution: Resolution, q: ConfigurationLike) -> RoundedConfiguration:
     """Return what the digits of q leave open of the rank of A = J G."""
     return rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q)
 

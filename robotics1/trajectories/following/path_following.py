@@ -11,8 +11,10 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot_and_a_task, non_negative_numbers, real_array
-from robotics1.robot.model import Robot
+from robotics1.inputs import Array, non_negative_numbers, real_array
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task, unitless_rows
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, FollowingStatus
 from robotics1.trajectories.following.integration import Segment, integrated
@@ -30,10 +32,10 @@ INSTANTS = 201  # at which the error, the residual and σ are looked at
 
 
 def follow_trajectory(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     trajectory: Any,
-    q0: npt.ArrayLike,
+    q0: ConfigurationLike,
     *,
     resolution: Resolution | None = None,
     gain: npt.ArrayLike = 0.0,
@@ -59,7 +61,7 @@ def follow_trajectory(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.1 (closed-loop inverse kinematics).
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     q0, motion = _start(robot, task, trajectory, q0)
     K = non_negative_numbers("gain", gain, task.rows)
     flow = VelocityFlow(robot, task, motion, resolution_or_default(resolution), K, null_velocity)
@@ -67,8 +69,8 @@ def follow_trajectory(
 
 
 def follow_trajectory_by_acceleration(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     trajectory: Any,
     state: tuple[npt.ArrayLike, npt.ArrayLike],
     *,
@@ -95,7 +97,7 @@ def follow_trajectory_by_acceleration(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     q0, u0 = _pair("state", state)
     q0, motion = _start(robot, task, trajectory, q0)
     resolution = resolution_or_default(resolution)
@@ -193,7 +195,7 @@ def _looked_at(
     )
 
 
-def _start(robot: Robot, task: Task, trajectory: Any, q0: npt.ArrayLike) -> tuple[Array, Curve]:
+def _start(robot: Robot, task: Task, trajectory: Any, q0: ConfigurationLike) -> tuple[Array, Curve]:
     if robot.nq != robot.nv:
         raise InputError(
             f"robot {robot.name!r} has joints with several degrees of freedom; only arms of revolute and prismatic "

@@ -10,13 +10,15 @@ from robotics1.curves.curve import Curve, Side
 from robotics1.curves.given import as_curve
 from robotics1.differentiation import derivative_inside, directional_derivative
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.inputs import Array
 from robotics1.kinematics import velocity_of_joints
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 
-def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLike) -> Array:
+def jacobian_rate(robot: RobotLike, task: TaskLike, q: ConfigurationLike, qdot: npt.ArrayLike) -> Array:
     """Return J̇(q, q̇), (m, nv), of a task's Jacobian: r̈ = J q̈ + J̇ q̇.
 
     J̇ is the derivative of J along q̇, from differences of sixth order: exact to about 1e-11 for frames, and to 1e-9 for
@@ -34,7 +36,7 @@ def jacobian_rate(robot: Robot, task: Task, q: npt.ArrayLike, qdot: npt.ArrayLik
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     q = robot.configuration(q)
     return directional_derivative(lambda x: task.jacobian(robot, x), robot, q, velocity_of_joints(robot, "qdot", qdot))
 
@@ -58,7 +60,7 @@ class TaskTrajectory(Curve):
     def __post_init__(self) -> None:
         """Refuse a motion of other joints, and a task that does not fit."""
         motion = as_curve("trajectory", self.trajectory, derivatives=2)
-        a_robot_and_a_task(self.robot, self.task)
+        self.__dict__["robot"], self.__dict__["task"] = robot_and_task(self.robot, self.task)
         self.task.check(self.robot)
         if motion.shape != (self.robot.nv,):
             raise InputError(

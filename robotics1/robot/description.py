@@ -1,0 +1,88 @@
+"""A robot in tables: its joints and limits, its tips, its lengths."""
+
+from typing import Any
+
+import numpy as np
+
+from robotics1.names import printable
+from robotics1.notation import count, joint_value
+from robotics1.results import Shown
+from robotics1.robot.joints import Joint, tips
+from robotics1.tables import Table, table_of
+
+LETTERS = {"revolute": "R", "prismatic": "P"}
+MOST = 12  # letters of joints
+
+
+class DescribedRobot(Shown):
+    """How a robot is shown."""
+
+    def __repr__(self) -> str:
+        return one_line(self)
+
+    def _sentences(self) -> str:
+        return sentences(self)
+
+    def _tables(self) -> tuple[Table, ...]:
+        table = joint_table(self)
+        return (table,) if table.rows else ()
+
+
+def one_line(robot: Any) -> str:
+    """Return the robot's name, its joints as letters, as in PRR, and its tool."""
+    number = len(robot.moving_joints)
+    shown = f" {letters(robot)}" if 0 < number <= MOST else ""
+    values = "".join(f", {name}={value:g}" for name, value in list(robot.parameters.items())[:4])
+    return printable(f"Robot({robot.name!r}, {count(number, 'joint')}{shown}, tool={robot.tool!r}{values})")
+
+
+def letters(robot: Any) -> str:
+    """Return the moving joints as letters, as in PRR, and others by name; more than a dozen as their number."""
+    kinds = [LETTERS.get(joint.kind, joint.kind) for joint in robot.moving_joints]
+    if len(kinds) > MOST:
+        return f"{len(kinds)} joints"
+    return ("" if all(len(kind) == 1 for kind in kinds) else "-").join(kinds)
+
+
+def sentences(robot: Any) -> str:
+    """Return what the robot is, its tool, tips and lengths, and what is odd about its file."""
+    ends = ", ".join(tips(robot.frame_names, robot.joints))
+    lines = [
+        f"{robot.name}: {count(robot.nv, 'degree')} of freedom",
+        f"tool: {robot.tool or 'open, name it with tool='}; tips: {ends}",
+    ]
+    if robot.parameters:
+        lines.append("lengths: " + ", ".join(f"{name} = {value:g} m" for name, value in robot.parameters.items()))
+    lines += [f"warning: {text}" for text in robot.warnings]
+    return printable("\n".join(lines), keep="\n")
+
+
+def joint_table(robot: Any) -> Table:
+    """Return the moving joints with kind, axis and limits."""
+    rows = []
+    for joint in robot.moving_joints:
+        number = robot.model.getJointId(joint.name)
+        limits, rates = ["", ""], ["", ""]
+        if joint.kind in LETTERS:
+            i, j = robot.model.idx_qs[number], robot.model.idx_vs[number]
+            limits = [limit_text(robot.lower[i], joint), limit_text(robot.upper[i], joint)]
+            rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
+        rows.append((printable(joint.name), kind_text(joint), *limits, *rates))
+    return table_of(("joint", "kind", "lower", "upper", "velocity", "effort"), rows)
+
+
+def kind_text(joint: Joint) -> str:
+    """Return what a joint is, in words."""
+    if joint.kind not in LETTERS:
+        return joint.kind
+    aligned = [name for name, unit in zip("xyz", np.eye(3), strict=True) if np.abs(joint.axis - unit).max() <= 1e-12]
+    if not aligned:
+        return f"{joint.kind}, skew axis"
+    return f"{joint.kind} {'about' if joint.kind == 'revolute' else 'along'} {aligned[0]}"
+
+
+def limit_text(value: float, joint: Joint) -> str:
+    """Return a limit in its unit, or none."""
+    if not np.isfinite(value):
+        return "none"
+    return joint_value(float(value)) if joint.kind == "revolute" else f"{value:g}"

@@ -1,0 +1,152 @@
+"""A robot made of a model of Pinocchio, and of its shapes."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from xml.etree.ElementTree import Element
+
+import numpy as np
+import pinocchio as pin
+
+from robotics1.errors import InputError
+from robotics1.robot.building import build_model
+from robotics1.robot.frames import links_of
+from robotics1.robot.joints import Joint, Triple, placed, tips
+from robotics1.robot.model import Robot
+from robotics1.robot.parameters import Parameters
+from robotics1.robot.urdf import Link, element, urdf_text
+
+USUAL_TOOLS = ("tool0", "tool")
+KINDS = {"R": "revolute", "P": "prismatic"}
+FREE = {"JointModelPlanar": "planar", "JointModelFreeFlyer": "floating"}
+AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
+WORLD = "universe"
+SAME_PLACE = 1e-12  # of a link and its joint
+
+
+def robot_of_model(model: pin.Model, shapes: pin.GeometryModel | None = None, tool: str | None = None) -> Robot:
+    """Return the robot of a `pin.Model`, with the shapes of a `pin.GeometryModel`.
+
+    Its joints and frames keep their names, and inertias are left out. A joint without limits, which Pinocchio may
+    count by (cos, sin), has one angle here, so that q is shorter than the model's.
+
+    Args:
+        model: joints that turn, slide, move in a plane or float.
+        shapes: boxes, balls, cylinders and meshes.
+        tool: the frame that is the tool; by default the only tip, else `tool0` or `tool`.
+
+    Raises:
+        InputError: the model has a joint of another kind, or two links of one name.
+    """
+    if not model.njoints > 1:
+        raise InputError("the pin.Model has no joints")
+    links, joints = _tree(model)
+    if len(set(links)) < len(links):
+        raise InputError("two frames of the pin.Model have one name, so that neither can be asked about")
+    name = model.name or "robot"
+    made = build_model(name, dict.fromkeys(links, pin.Inertia.Zero()), joints)
+    parts = {link: Link(pin.Inertia.Zero()) for link in links} | _with_shapes(model, links, shapes)
+    ends = tips(links_of(made), joints)
+    usual = [name for name in USUAL_TOOLS if name in ends]
+    meant = ends[0] if len(ends) == 1 else next(iter(usual), None)
+    text = urdf_text(name, parts, joints)
+    robot = Robot(name, made, joints, meant, Parameters(None), text, Path(f"{name}.urdf"))
+    if tool is not None:
+        robot.frame_id(tool)
+        robot.__dict__["tool"] = tool
+    return robot
+
+
+def _tree(model: pin.Model) -> tuple[list[str], tuple[Joint, ...]]:
+    """Return the links of a model, and the joints between them: one carries a link, other frames are fixed to that."""
+    carried = [_own_link(model, number) for number in range(model.njoints)]
+    joints = [_joint(model, number, carried) for number in range(1, model.njoints)]
+    fixed = []
+    for frame in model.frames:
+        parent = carried[frame.parentJoint]
+        if frame.type in (pin.FrameType.BODY, pin.FrameType.OP_FRAME) and frame.name != parent:
+            joint = Joint(f"{frame.name} (fixed)", "fixed", parent, frame.name, leader=f"{frame.name} (fixed)")
+            fixed.append(placed(joint, frame.placement))
+    return [*carried, *(joint.child for joint in fixed)], (*joints, *fixed)
+
+
+def _own_link(model: pin.Model, number: int) -> str:
+    """Return the link that a joint carries, which has its place; the root's is that of the world."""
+    for frame in model.frames:
+        own = frame.type == pin.FrameType.BODY and frame.parentJoint == number
+        if own and frame.placement.isIdentity(SAME_PLACE):
+            return str(frame.name)
+    return "world" if number == 0 else f"{model.names[number]}_link"
+
+
+def _joint(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
+    """Return a joint of a model, in its numbers.
+
+    Raises:
+        InputError: it is none that turns, slides, moves in a plane or floats.
+    """
+    name, model_joint = str(model.names[number]), model.joints[number]
+    kind, axis = _motion(name, model_joint)
+    q, v = model_joint.idx_q, model_joint.idx_v
+    limits: dict[str, float] = {}
+    if model_joint.nv == 1:
+        limits = {"max_velocity": float(model.upperVelocityLimit[v]), "max_effort": float(model.upperEffortLimit[v])}
+    if model_joint.nq == 1 and kind in ("revolute", "prismatic"):
+        limits |= {"lower": float(model.lowerPositionLimit[q]), "upper": float(model.upperPositionLimit[q])}
+        limits = {key: _without_placeholder(value) for key, value in limits.items()}
+    parent = carried[model.parents[number]]
+    joint = replace(Joint(name, kind, parent, carried[number], axis=axis, leader=name), **limits)  # type: ignore[arg-type]
+    return placed(joint, model.jointPlacements[number])
+
+
+def _without_placeholder(value: float) -> float:
+    """Return a limit; what Pinocchio writes for none, the largest number there is, is infinite."""
+    return value if abs(value) < np.finfo(float).max / 2 else float(np.copysign(np.inf, value))
+
+
+def _motion(name: str, joint: Any) -> tuple[str, Triple]:
+    """Return how a joint moves, and about or along which axis."""
+    kind = str(joint.shortname())
+    if kind in FREE:
+        return FREE[kind], AXES["X"]
+    letters = kind.removeprefix("JointModel")
+    for motion, word in (("R", "Revolute"), ("P", "Prismatic")):
+        if letters in (f"{motion}X", f"{motion}Y", f"{motion}Z", f"{motion}UBX", f"{motion}UBY", f"{motion}UBZ"):
+            return KINDS[motion], AXES[letters[-1]]
+        if letters in (f"{word}Unaligned", f"{word}UnboundedUnaligned"):
+            x, y, z = map(float, joint.extract().axis)
+            return KINDS[motion], (x, y, z)
+    raise InputError(f"joint {name!r} of the pin.Model is a {kind}; joints that turn, slide or float can be read")
+
+
+def _with_shapes(model: pin.Model, links: Sequence[str], shapes: pin.GeometryModel | None) -> dict[str, Link]:
+    """Return the links that have shapes; each shape hangs on the link that its joint carries."""
+    drawn: dict[str, list[Element]] = {}
+    for shape in [] if shapes is None else shapes.geometryObjects:
+        form = _form(shape)
+        if form is not None:
+            T = shape.placement
+            xyz, rpy = map(_written, (T.translation, pin.rpy.matrixToRpy(np.array(T.rotation))))
+            visual = element("visual", element("origin", xyz=xyz, rpy=rpy), element("geometry", form))
+            drawn.setdefault(links[shape.parentJoint], []).append(visual)
+    return {link: Link(pin.Inertia.Zero(), tuple(parts)) for link, parts in drawn.items()}
+
+
+def _form(shape: Any) -> Element | None:
+    """Return a box, a ball, a cylinder or a mesh as a URDF has it; None of another form."""
+    form, path = shape.geometry, str(shape.meshPath)
+    match type(form).__name__:
+        case "Box":
+            return element("box", size=_written(2 * np.array(form.halfSide)))
+        case "Sphere":
+            return element("sphere", radius=repr(float(form.radius)))
+        case "Cylinder":
+            return element("cylinder", radius=repr(float(form.radius)), length=repr(2 * float(form.halfLength)))
+    if path and Path(path).suffix:
+        return element("mesh", filename=path, scale=_written(np.ravel(shape.meshScale)))
+    return None
+
+
+def _written(values: Any) -> str:
+    return " ".join(repr(float(value) + 0.0) for value in values)

@@ -1,0 +1,188 @@
+"""The mistakes of a user's first hour with the package: a student's, an engineer's, a teacher's. Each gets one sentence
+that says what would be right."""
+
+import warnings
+from math import pi
+
+import numpy as np
+import pytest
+import sympy
+
+import robotics1 as r1
+
+Q, J = [0.1, 0.2], np.eye(2)
+MOTION = r1.cubic([0], [1], 2)
+
+
+def two():
+    return r1.load_robot("planar_2r")
+
+
+def fk(*arguments, **options):
+    return r1.forward_kinematics("planar_2r", *arguments, **options)
+
+
+def dh(*rows, **options):
+    return r1.robot_from_dh(list(rows), **options)
+
+
+def spatial_pose(target):
+    return r1.solve_ik("cylindrical", "pose", target)
+
+
+INPUT, UNKNOWN, FILE, TASK = r1.InputError, r1.UnknownNameError, r1.RobotFileError, r1.TaskError
+MISTAKES = {
+    # loading
+    "a name with a slip": (lambda: r1.load_robot("prrr"), UNKNOWN, "did you mean 'prr'"),
+    "a file that is not there": (lambda: r1.load_robot("arm.urdf"), FILE, "there is no such file"),
+    "a file at home": (lambda: r1.load_robot("~/arm.urdf"), FILE, r"write Path\('~/...'\).expanduser\(\)"),
+    "loaded twice": (lambda: r1.load_robot(two()), INPUT, "it is a Robot already"),
+    "nothing": (lambda: r1.load_robot(None), INPUT, "a name or a path"),
+    "a length in capitals": (lambda: r1.load_robot("prr", parameters={"L2": 1}), UNKNOWN, "did you mean 'l2'"),
+    "a length with its unit": (lambda: r1.load_robot("prr", parameters={"l2": "1 m"}), INPUT, "a finite number"),
+    "lengths in a list": (lambda: r1.load_robot("prr", parameters=[0.5, 0.3]), INPUT, r"such as \{'l2': 0.5\}"),
+    "a tool with a slip": (lambda: r1.load_robot("planar_2r", tool="tol"), UNKNOWN, "did you mean 'tool'"),
+    "half a text": (lambda: r1.load_robot("<robot><link></robot>"), FILE, "not well-formed XML"),
+    "a length of another robot": (lambda: two().with_parameters({"l3": 1}), UNKNOWN, "did you mean"),
+    # configurations
+    "q before the robot": (lambda: r1.forward_kinematics(Q, "planar_2r"), INPUT, "must be a Robot, not a list"),
+    "one joint of two": (lambda: fk(0.1), INPUT, r"shape \(2,\), one number for each of q1, q2"),
+    "three joints of two": (lambda: fk([0.1, 0.2, 0.3]), INPUT, r"shape \(2,\), one number for each of q1, q2"),
+    "degrees": (lambda: fk([0, 90]), r1.RobotWarning, r"write radians\(90\)"),
+    "degrees with a half": (lambda: fk([-22.5, 0]), r1.RobotWarning, r"write radians\(-22.5\)"),
+    "degrees of a start": (
+        lambda: r1.solve_ik("planar_2r", "position:xy", [1, 1], [30, 45]),
+        r1.RobotWarning,
+        "q0 has the angle 30",
+    ),
+    "numbers in a text": (lambda: fk("0.1, 0.2"), UNKNOWN, "numbers stand in a list"),
+    "texts for numbers": (lambda: fk(["0.1", "0.2"]), INPUT, "an array of real numbers"),
+    "a column": (lambda: fk([[0.1], [0.2]]), INPUT, "one row for each configuration of q1, q2"),
+    "symbols": (lambda: fk(sympy.symbols("q1 q2")), INPUT, "an array of real numbers"),
+    "a joint left out": (lambda: fk({"q1": 0.1}), INPUT, "q has no value for q2"),
+    "a joint with a slip": (lambda: fk({"q1": 0.1, "q_2": 0.2}), UNKNOWN, "did you mean 'q2'"),
+    "no number": (lambda: fk([0.1, float("nan")]), INPUT, "must be finite"),
+    "a frame of another robot": (lambda: fk(Q, frame="ee"), UNKNOWN, "there is 'base', 'link1', 'link2', 'tool'"),
+    # tasks
+    "a class for a task": (
+        lambda: r1.find_singularities("planar_2r", r1.PositionTask),
+        INPUT,
+        r"write PositionTask\(...\) with brackets",
+    ),
+    "a class for a robot": (lambda: r1.find_singularities(r1.Robot, "pose"), INPUT, "not the class Robot"),
+    "the task first": (lambda: r1.find_singularities(r1.PositionTask("xy"), two()), INPUT, "the robot comes first"),
+    "the short form first": (lambda: r1.find_singularities("position:xy", "planar_2r"), INPUT, "the robot comes first"),
+    "a short form with a slip": (
+        lambda: r1.find_singularities("planar_2r", "positon:xy"),
+        INPUT,
+        r"there is position\[:xyz\]",
+    ),
+    "coordinates for a task": (
+        lambda: r1.ik_solutions("planar_2r", ["x", "y"], [1, 1]),
+        INPUT,
+        "a short form such as 'position:xy'",
+    ),
+    "the target before the task": (
+        lambda: r1.ik_solutions("planar_2r", [1, 2], "position:xy"),
+        INPUT,
+        "a short form such as 'position:xy'",
+    ),
+    "coordinates in capitals": (lambda: r1.PositionTask("XY"), INPUT, "distinct letters of 'xyz'"),
+    "the robot in the task": (lambda: r1.PoseTask(two()), INPUT, "sequence must be a text, not Robot"),
+    "a plane for a spatial arm": (lambda: r1.find_singularities("cylindrical", "planar"), TASK, "leaves the xy plane"),
+    # targets
+    "three coordinates of two": (
+        lambda: r1.ik_solutions("planar_2r", "position:xy", [1, 2, 3]),
+        INPUT,
+        "the coordinates x, y",
+    ),
+    "a direction in degrees": (
+        lambda: r1.PlanarPoseTask().target([0.3, 0.2, 90]),
+        r1.RobotWarning,
+        r"write radians\(90\)",
+    ),
+    "six numbers for a pose": (lambda: spatial_pose([1, 0, 0, 0, 0, 0]), INPUT, r"\(xyz, rpy\) or \(xyz, quaternion\)"),
+    "a rotation for a pose": (lambda: spatial_pose(np.eye(3)), INPUT, "a homogeneous matrix"),
+    "a quaternion of length 2": (
+        lambda: spatial_pose(([1, 0, 0], [0, 0, 0, 2])),
+        INPUT,
+        "of length 1; its length is 2",
+    ),
+    "roll, pitch and yaw in degrees": (
+        lambda: spatial_pose(([1, 0, 0], [180, 0, 90])),
+        r1.RobotWarning,
+        r"write radians\(180\)",
+    ),
+    "a matrix that is no rotation": (
+        lambda: r1.OrientationTask().target(np.ones((3, 3))),
+        INPUT,
+        "columns must be orthonormal",
+    ),
+    "out of reach": (
+        lambda: r1.ik_solutions("planar_2r", "position:xy", [5, 5]).require(),
+        r1.NotConverged,
+        "no q inside the limits reaches the target",
+    ),
+    # methods
+    "a method in capitals": (
+        lambda: r1.iterate_ik("planar_2r", "position:xy", [1, 1], Q, method="Newton"),
+        INPUT,
+        "one of 'newton'",
+    ),
+    "Newton with too many joints": (
+        lambda: r1.iterate_ik("prr", "position:xy", [1, 1], [0, 0, 0], method="newton"),
+        TASK,
+        "use method='pseudoinverse'",
+    ),
+    "a robot for a Jacobian": (lambda: r1.subspaces(two()), INPUT, "a matrix, not Robot"),
+    "a row for a Jacobian": (lambda: r1.subspaces([1, 2, 3]), INPUT, "a matrix; it has shape"),
+    "a force too long": (lambda: r1.balancing_torque(J, [1, 2, 3]), INPUT, "one number for each row of J"),
+    "a row that is not asked for": (
+        lambda: r1.formulas("planar_2r", "position:xy", rows=["z"]),
+        UNKNOWN,
+        "there is 'x', 'y'",
+    ),
+    # DH tables
+    "a twist in degrees": (lambda: dh(("R", 0, 90, 0.4, 0)), INPUT, r"write radians\(90\)"),
+    "an offset in degrees": (lambda: dh(("R", 0, 0, 0.4, -90)), INPUT, r"write radians\(-90\)"),
+    "a row without its type": (lambda: dh((0, pi / 2, 0.4, 0)), INPUT, r"must be \(type, a, alpha, d, theta\)"),
+    "a type in words": (lambda: dh(("revolute", 0, 0, 1, 0)), INPUT, r"'R' \(revolute\) or 'P' \(prismatic\)"),
+    "a name without its value": (lambda: dh(("R", "a1", 0, 0, 0)), INPUT, r"parameters=\{'a1': 0.5\}"),
+    "one row without its list": (lambda: r1.robot_from_dh(("R", 1, 0, 0, 0)), INPUT, "rows must be a list"),
+    "an angle in a text": (lambda: dh(("R", 0.5, "pi/2", 0, 0)), INPUT, "numbers are not written as text"),
+    "a convention's author": (lambda: dh(("R", 1, 0, 0, 0), convention="craig"), INPUT, "'standard', 'modified'"),
+    # motions and pages
+    "a duration that is negative": (lambda: r1.cubic(0, 1, -2), INPUT, "duration must be a positive number"),
+    "ends of two robots": (lambda: r1.cubic([0, 0], [1], 2), INPUT, "one number for each joint"),
+    "limits as a number": (lambda: r1.minimum_time([0, 0], [1, 1], 2), INPUT, r"MotionLimits\(velocity"),
+    "points before times": (lambda: r1.cubic_spline([[0, 1], [1, 2]], [0, 1]), INPUT, "one for each point, in seconds"),
+    "times that stand still": (lambda: r1.cubic_spline([0, 1, 1], [0, 1, 2]), INPUT, "times must ascend"),
+    "a motion of another robot": (lambda: r1.animate("planar_2r", MOTION), INPUT, "the robot has 2"),
+    "points for a motion": (lambda: r1.animate("planar_2r", [Q, Q]), INPUT, r"such as cubic\(q0, q1, T\)"),
+    "a file for a configuration": (lambda: r1.view("planar_2r", "arm.html"), UNKNOWN, "no posture named 'arm.html'"),
+    "a point for a moving target": (
+        lambda: r1.rendezvous("planar_2r", "position:xy", [1, 1], q0=Q, meet=1.0),
+        INPUT,
+        "use LinearMotion",
+    ),
+    # names of other packages
+    "fk": (lambda: r1.fk, AttributeError, "did you mean forward_kinematics"),
+    "the Jacobian": (lambda: r1.jacobian, AttributeError, "did you mean frame_jacobian"),
+    "a slip in a name": (lambda: r1.forward_kinematic, AttributeError, "did you mean forward_kinematics"),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES.values(), ids=MISTAKES)
+def test_a_mistake_gets_one_sentence_that_mends_it(mistake):
+    call, kind, sentence = mistake
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", r1.RobotWarning)
+        with pytest.raises(kind, match=sentence) as raised:
+            call()
+    text = str(raised.value)
+    assert "\n" not in text
+    assert len(text) < 320
+
+
+def test_there_are_more_than_forty():
+    assert len(MISTAKES) > 40
