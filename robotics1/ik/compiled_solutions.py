@@ -15,7 +15,14 @@ from robotics1.inputs import Array
 from robotics1.kernels.candidates import PLANAR, PLANE, ROWS, SPHERICAL, TURNS
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import is_ready, on_all_cores
-from robotics1.kernels.every_solution import COUNT, ERROR, INSIDE, solutions_of_candidates, solutions_of_few, solutions_of_six
+from robotics1.kernels.every_solution import (
+    COUNT,
+    ERROR,
+    INSIDE,
+    solutions_of_candidates,
+    solutions_of_few,
+    solutions_of_six,
+)
 from robotics1.kernels.real_roots import MANY, UNKNOWN
 
 SINGULAR = 1e-5  # a bound of σ_min/σ_max below which the distance of the singularity is estimated
