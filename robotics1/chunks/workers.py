@@ -65,7 +65,8 @@ def check_executor(executor: Any) -> None:
     Raises:
         InputError: it is none of those that serve.
     """
-    if not (executor is None or isinstance(executor, Executor | str) or _is_dask_client(executor)):
+    address = isinstance(executor, str) and ":" in executor
+    if not (executor is None or address or isinstance(executor, Executor) or _is_dask_client(executor)):
         raise InputError(f"executor must be {SERVES}; it is {executor!r}")
 
 

@@ -24,8 +24,13 @@ class ChunkOfMap(NamedTuple):
 
     def part(self, some: slice) -> "ChunkOfMap":
         """Return what is known of some of the positions."""
-        arrays: Any = [values[some] for values in self]
+        arrays: Any = [values[some] for values in self.arrays]
         return ChunkOfMap(*arrays)
+
+    @property
+    def arrays(self) -> tuple[npt.NDArray[Any], ...]:
+        """The arrays, in the order of their names."""
+        return tuple(self)
 
 
 def positions_in_a_chunk(orientations: int) -> int:

@@ -100,7 +100,7 @@ def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progres
     """Return what is known of all positions."""
     found = empty_chunk(len(asked.positions), len(asked.orientations), len(asked.joint_names))
     for part, answer in _answers(packed, asked, asked.parts, workers, progress):
-        for array, values in zip(found, answer, strict=True):
+        for array, values in zip(found.arrays, answer.arrays, strict=True):
             array[part] = values
     return found
 

@@ -66,10 +66,13 @@ class MapFolder:
 
     def done(self) -> set[int]:
         """Return the numbers of the parts that are done."""
-        with _readable(self.path):
-            kept = [{entry.name for entry in os.scandir(self.path / name / "c")} if (self.path / name / "c").is_dir()
-                    else set() for name in ChunkOfMap._fields]  # fmt: skip
-        return {int(name) for name in set.intersection(*kept) if name.isdecimal()}
+        chunks = [self.path / name / "c" for name in ChunkOfMap._fields]
+        deep = [("0",) * (values.ndim - 1) for values in self._arrays.values()]  # the folders below the first number
+        return {
+            number
+            for number in range(len(self.description.parts))
+            if all(c.joinpath(str(number), *rest).is_file() for c, rest in zip(chunks, deep, strict=True))
+        }
 
     def write(self, part: slice, found: ChunkOfMap) -> None:
         """Write what is known of a part.
@@ -165,6 +168,8 @@ def save_map(known: ReachabilityMap, path: str | Path) -> Path:
 
 def _make(folder: Path, identity: Identity, description: Description, found: ChunkOfMap | None = None) -> None:
     """Make the folder, which takes its name when it is complete: without any part, or with all of them."""
+    if not folder.parent.is_dir():
+        raise InputError(f"there is no folder {folder.parent}, so {folder.name} cannot be made there")
     unfinished = folder.with_name(f".{folder.name}.{secrets.token_hex(8)}.part")
     try:
         _write_description(
@@ -191,7 +196,7 @@ def _write_description(folder: Path, identity: Identity, description: Descriptio
         given = getattr(description, name)
         root.create_array(name, data=given, compressors=_codecs(), chunks=given.shape)
     size = positions_in_a_chunk(len(description.orientations))
-    for name, values in zip(ChunkOfMap._fields, empty_chunk(1, len(description.orientations), nq), strict=True):
+    for name, values in zip(ChunkOfMap._fields, empty_chunk(1, len(description.orientations), nq).arrays, strict=True):
         root.create_array(
             name,
             shape=(len(description.positions), *values.shape[1:]),
