@@ -277,6 +277,7 @@ INSTANCES = {
     "PositionTask": lambda: [r1.PositionTask(), r1.PositionTask("xz", frame="tool", reference="tool")],
     "RankStatus": lambda: list(r1.singularities.RankStatus),
     "RateStatus": lambda: list(r1.trajectories.RateStatus),
+    "Placements": lambda: [r1.workspaces.best_placements(arm("planar_2r"), PLANE, [TARGET], {"x": [0.0, 0.3, 5.0]})],
     "PoseStatus": lambda: list(r1.workspaces.PoseStatus),
     "ReachabilityMap": mapped,
     "RefinedGroup": lambda: list(scan().refined.groups),

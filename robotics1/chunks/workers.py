@@ -117,7 +117,7 @@ def _client(address: str) -> Any:
     except ImportError as error:
         raise MissingExtraError("distributed", "dask") from error
     try:
-        return Client(address, timeout="10s", set_as_default=False)
+        return Client(address, timeout="5s", set_as_default=False)
     except (OSError, ValueError) as error:
         raise InputError(f"no Dask scheduler answers at {address!r}: {error}") from error
 

@@ -4,7 +4,7 @@ import pickle
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,7 @@ from robotics1.ik.compiled_solutions import CompiledSolutions
 from robotics1.ik.pose_problem import PoseProblem, pose_problem
 from robotics1.ik.prepared import prepare
 from robotics1.ik.proof import UnreachableProof
-from robotics1.inputs import Array
+from robotics1.inputs import Array, counting_number, real_number
 from robotics1.kernels.every_solution import COUNT, ERROR, INSIDE
 from robotics1.kernels.inverse import solve_all
 from robotics1.robot.model import Robot
@@ -74,6 +74,23 @@ class PoseQuestion:
     def packed(self) -> bytes:
         """Return the question as bytes, by which a worker knows that it is prepared for it."""
         return pickle.dumps(self)
+
+
+def question_of(robot: Robot, task: Task, starts: Any, seed: Any, tolerance: Any) -> PoseQuestion:
+    """Return the question with its options checked.
+
+    Raises:
+        InputError: one has a wrong value.
+        TaskError: the task does not fit the robot.
+    """
+    task.check_integrable(robot)
+    return PoseQuestion(
+        robot,
+        task,
+        counting_number("starts", starts, least=1, most=1000),
+        counting_number("seed", seed),
+        real_number("tolerance", tolerance, positive=True),
+    )
 
 
 @lru_cache(maxsize=4)

@@ -9,11 +9,11 @@ from typing import Any
 from robotics1.chunks.identity import identity
 from robotics1.chunks.workers import Workers, check_executor, workers_of
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, real_number
+from robotics1.inputs import Array, a_robot_and_a_task
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.workspaces.reachability.chunk import ChunkOfMap, chunk_of_map, empty_chunk
-from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of
+from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of, question_of
 from robotics1.workspaces.reachability.poses import Poses, poses_of, task_of_map
 from robotics1.workspaces.reachability.result import ReachabilityMap
 from robotics1.workspaces.reachability.saved import Description, MapFolder, map_folder
@@ -68,14 +68,7 @@ def reachability_map(
     """
     a_robot_and_a_task(robot, task)
     asked, form, error = task_of_map(task, orientations)
-    asked.check_integrable(robot)
-    question = PoseQuestion(
-        robot,
-        asked,
-        counting_number("starts", starts, least=1, most=1000),
-        counting_number("seed", seed),
-        real_number("tolerance", tolerance, positive=True),
-    )
+    question = question_of(robot, asked, starts, seed, tolerance)
     check_executor(executor)
     if progress is not None and not callable(progress):
         raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
