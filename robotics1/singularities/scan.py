@@ -106,13 +106,9 @@ def scan_singularities(
 
     measurement = measurement_of(robot, task, points.rank, length)
     keep = max(KEPT, refine)
-    file = None
-    if checkpoint is not None:
-        asked = {"measures": list(chosen), "method": method, "samples": count, "seed": seed, "worst": keep}
-        asked |= {"box": [where.lower.tolist(), where.upper.tolist()], "length": length}
-        if method == "grid":
-            asked["grid"] = np.asarray(samples)
-        file = StateFile(checkpoint, identity("a scan for singularities", robot, task, asked))
+    asked = {"measures": chosen, "method": method, "samples": count, "seed": seed, "worst": keep, "length": length}
+    asked |= {"box": [where.lower, where.upper], "grid": np.asarray(samples) if method == "grid" else None}
+    file = None if checkpoint is None else StateFile(checkpoint, identity("a scan", robot, task, asked))
     begun = _begun(file, chosen)
     work = partial(reduced_together, measurement, chosen, keep)
     groups = _in_groups(islice(chunks, _chunks(begun), None), 1 if method == "sobol" else _together(count))
