@@ -14,6 +14,7 @@ from robotics1.cli.fk import fk
 from robotics1.cli.ik import ik
 from robotics1.cli.jacobian import jacobian
 from robotics1.cli.output import PlainConsole
+from robotics1.cli.reach import reach
 from robotics1.cli.robot_page import view
 from robotics1.cli.scan import scan
 from robotics1.cli.singularities import singularities
@@ -29,7 +30,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-for command in (exam, fk, jacobian, singularities, ik, statics, workspace, scan, view, check):
+for command in (exam, fk, jacobian, singularities, ik, statics, workspace, reach, scan, view, check):
     app.command()(command)
 
 

@@ -47,7 +47,8 @@ def reachability_map(
         robot: an arm of revolute and prismatic joints.
         task: of one frame's pose: PoseTask(), PlanarPoseTask(), PositionTask(), ...
         positions: (k, d) the coordinates that the task has [m], d = 3 of a pose; or a grid, letter → values, such as
-            {"x": np.linspace(-1, 1, 41), "y": 0.0, "z": [0.2, 0.4]}.
+            {"x": np.linspace(-1, 1, 41), "y": 0.0, "z": [0.2, 0.4]}; or one number, the step [m] of a grid over all
+            that the lengths of the arm allow.
         orientations: with which each position is tried: how many, spread evenly; or rotations (o, 3, 3) or SciPy's;
             of a planar task angles (o,) [rad]. None asks for the position alone, whatever the orientation.
         starts: how many starts are followed, of 512 each the one nearest to the pose, where there is no formula.

@@ -15,6 +15,7 @@ from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.tasks.position import AXES, PositionTask
 from robotics1.tasks.task import FrameMap, PoseError, Task
+from robotics1.workspaces.reachability.grids import grid_over_reach
 
 PSI = 1.533751168755204288118041  # ψ⁴ = ψ + 4
 GOLDEN = (1 + 5**0.5) / 2
@@ -85,6 +86,10 @@ def poses_of(robot: Robot, form: FrameMap, error: PoseError, positions: Any, ori
     letters = "".join(AXES[row] for row in error.rows if row < 3)
     turns = tuple(row for row in error.rows if row >= 3)
     R = np.eye(3)[None] if not turns else _orientations(robot, error, turns, len(letters), orientations)
+    if isinstance(positions, int | float) and not isinstance(positions, bool):
+        step = real_number("positions", positions, positive=True)
+        refuse_too_many((2 * robot.reach / step) ** len(letters) * len(R))  # before it is made
+        positions = grid_over_reach(robot, form, letters, step)
     if isinstance(positions, Mapping):
         grid = _axes(letters, positions)
         refuse_too_many(np.prod([len(axis) for axis in grid], dtype=float) * len(R))

@@ -10,7 +10,7 @@ from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import vector
 from robotics1.results import Frozen
-from robotics1.workspaces.reachability.evaluation import Codes, PoseStatus
+from robotics1.workspaces.reachability.evaluation import NOT_COUNTED, Codes, PoseStatus
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +62,14 @@ class ReachabilityMap(Frozen):
     def capability(self) -> Array:
         """(k,) the share of the orientations that is reached at each position."""
         return np.asarray(self.reached.mean(axis=1))
+
+    @cached_property
+    def most_solutions(self) -> npt.NDArray[np.int64] | None:
+        """(k,) the largest number of solutions that is known at a position; None where they are not counted."""
+        if self.solutions is None:
+            return None
+        counted = np.where(self.solutions == NOT_COUNTED, 0, self.solutions)
+        return np.asarray(counted.max(axis=1), dtype=np.int64)
 
     def counts(self) -> dict[PoseStatus, int]:
         """Return how many poses have each status."""
@@ -130,7 +138,7 @@ def _sentences(known: ReachabilityMap) -> str:
         unit = ("", "m", "m²", "m³")[sum(len(axis) > 1 for axis in known.grid or ())]
         lines.append(f"The cells of the grid that are reached make up {volume:.4g} {unit}.".replace(" .", "."))
     if known.solutions is not None:
-        counted = known.solutions[known.reached & (known.solutions < 255)]
+        counted = known.solutions[known.reached & (known.solutions != NOT_COUNTED)]
         if counted.size:
             lines.append(
                 f"A pose that is reached has up to {counted.max()} solutions, {counted.mean():.3g} on average."
