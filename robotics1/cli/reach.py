@@ -33,7 +33,7 @@ def reach(
     step: Annotated[str | None, typer.Option(help="The step of a grid over the whole reach, in metres.")] = None,
     grid: Grid = None,
     orientations: Annotated[int, typer.Option(help="How many, spread evenly; 0: whatever the orientation.")] = 20,
-    starts: Annotated[int, typer.Option(help="How many are followed to a pose, where there is no formula.")] = 8,
+    starts: Annotated[int, typer.Option(help="How many are followed to a pose, where there is no formula.")] = 16,
     seed: Annotated[int, typer.Option(help="Of the starts.")] = 0,
     checkpoint: Annotated[Path | None, typer.Option(help="A folder in which the map is kept, and goes on.")] = None,
     workers: Workers = None,

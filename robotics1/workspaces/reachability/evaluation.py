@@ -23,7 +23,8 @@ from robotics1.singularities.points import singular_points
 from robotics1.tasks.task import Task
 
 NOT_COUNTED = 255  # instead of a number of solutions
-GROUP = 512  # starts, of which the one nearest to the pose is taken
+BLOCK = 1024  # poses whose solutions are found at once: they stay in the cache
+GROUP = 128  # starts, of which the one nearest to the pose is taken
 
 Codes = npt.NDArray[np.uint8]
 
@@ -52,6 +53,11 @@ class PoseAnswers(NamedTuple):
     manipulability: Array
     limit_margin: Array
     q: Array
+
+    def part(self, some: slice) -> "PoseAnswers":
+        """Return the same arrays of some of the poses."""
+        arrays: Any = [values[some] for values in self]
+        return PoseAnswers(*arrays)
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,15 +142,20 @@ class PoseEvaluator:
             np.full(n, -1.0),
             np.full((n, nq), np.nan),
         )
-        doubtful = np.arange(n) if self.compiled is None else self._by_formula(self.compiled, goals, answer)
+        for start in range(0, n, BLOCK):
+            some = slice(start, start + BLOCK)
+            self._by_formula(goals[some], answer.part(some))
+        doubtful = np.flatnonzero(answer.status == PoseStatus.NOT_FOUND)
         if doubtful.size:
             self._by_descents(goals, doubtful, answer)
         answer.solutions[answer.status == PoseStatus.UNREACHABLE] = 0
         return answer
 
-    def _by_formula(self, compiled: CompiledSolutions, goals: Array, answer: PoseAnswers) -> npt.NDArray[np.intp]:
-        """Write what the compiled formulas settle, and return which goals they do not."""
-        q, found = compiled.solve_here(goals)
+    def _by_formula(self, goals: Array, answer: PoseAnswers) -> None:
+        """Write what the compiled formulas settle; what they leave in doubt stays NOT_FOUND."""
+        if self.compiled is None:
+            return
+        q, found = self.compiled.solve_here(goals)
         inside = np.where(found[:, COUNT] > 0, found[:, INSIDE], 0).astype(np.int64)
         answer.status[(found[:, COUNT] < 0) & ~np.isnan(found[:, ERROR])] = PoseStatus.UNREACHABLE
         reached = np.flatnonzero(inside)
@@ -152,7 +163,6 @@ class PoseEvaluator:
         if reached.size:
             rows = q[reached][np.arange(q.shape[1]) < inside[reached, None]]
             self._judge(rows, reached, np.append(0, np.cumsum(inside[reached])), answer)
-        return np.flatnonzero(answer.status == PoseStatus.NOT_FOUND)
 
     def _by_descents(self, goals: Array, some: npt.NDArray[np.intp], answer: PoseAnswers) -> None:
         """Write what descents reach, and what is seen to be out of reach without them."""

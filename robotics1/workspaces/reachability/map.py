@@ -27,7 +27,7 @@ def reachability_map(
     positions: Any,
     orientations: Any = None,
     *,
-    starts: int = 8,
+    starts: int = 16,
     seed: int = 0,
     tolerance: float = 1e-6,
     executor: Executor | Any | None = None,
@@ -51,7 +51,7 @@ def reachability_map(
             that the lengths of the arm allow.
         orientations: with which each position is tried: how many, spread evenly; or rotations (o, 3, 3) or SciPy's;
             of a planar task angles (o,) [rad]. None asks for the position alone, whatever the orientation.
-        starts: how many starts are followed, of 512 each the one nearest to the pose, where there is no formula.
+        starts: how many starts are followed, of 128 each the one nearest to the pose, where there is no formula.
         seed: of the starts.
         tolerance: on |e| of a descent [m, rad].
         executor: who works: None for threads on all cores; an executor of concurrent.futures; a Dask client; or the

@@ -30,7 +30,7 @@ from robotics1.workspaces.reachability.evaluation import (
     evaluator_of,
     question_of,
 )
-from robotics1.workspaces.reachability.poses import refuse_too_many
+from robotics1.workspaces.reachability.poses import refuse_no_rotations, refuse_too_many
 
 MOVES = ("base", "poses")
 AXES = ("x", "y", "z", "turn")
@@ -112,7 +112,7 @@ def best_placements(
     places: Any,
     *,
     moves: str = "base",
-    starts: int = 8,
+    starts: int = 16,
     seed: int = 0,
     tolerance: float = 1e-6,
     executor: Executor | Any | None = None,
@@ -197,10 +197,14 @@ def _goals(robot: Robot, error: PoseError, poses: Any) -> Array:
 
 def _places(places: Any) -> Array:
     """Return the transforms (b, 4, 4) of places."""
+    if isinstance(places, np.ndarray) and places.ndim == 3:
+        X = real_array("places", places, (None, 4, 4), "transforms")
+        refuse_no_rotations("the rotations of places", X[:, :3, :3])
+        X[:, 3] = (0, 0, 0, 1)
+        return X
     if not isinstance(places, Mapping):
-        return np.array(
-            [homogeneous(f"places[{i}]", place).homogeneous for i, place in enumerate(list_of_targets(places))]
-        )
+        listed = enumerate(list_of_targets(places))
+        return np.array([homogeneous(f"places[{i}]", place).homogeneous for i, place in listed])
     if not set(places) <= set(AXES) or not places:
         raise InputError(f"a grid of places has some of {', '.join(AXES)}; it has {', '.join(map(str, places))}")
     axes = []

@@ -148,12 +148,17 @@ def _orientations(robot: Robot, error: PoseError, turns: tuple[int, ...], places
         given = orientations.as_matrix() if isinstance(orientations, Rotation) else orientations
         given = np.asarray(given)[None] if dimensions("orientations", given) == 2 else given
         found = real_array("orientations", given, (None, 3, 3), "rotation matrices, or how many")
-        square = np.abs(np.einsum("oij,oik->ojk", found, found) - np.eye(3)).max(initial=0.0)
-        if square > SINGLE or (len(found) and np.linalg.det(found).min() < 0):
-            raise InputError("orientations must be rotation matrices, RᵀR = 1 and det R = 1")
+        refuse_no_rotations("orientations", found)
     if not len(found):
         raise InputError("there is no orientation in orientations")
     return found
+
+
+def refuse_no_rotations(name: str, R: Array) -> None:
+    """Raise InputError if one of R, (o, 3, 3), is no rotation."""
+    square = np.abs(np.einsum("oij,oik->ojk", R, R) - np.eye(3)).max(initial=0.0)
+    if square > SINGLE or (len(R) and np.linalg.det(R).min() < 0):
+        raise InputError(f"{name} must be rotation matrices, RᵀR = 1 and det R = 1")
 
 
 def spread_rotations(count: int) -> Array:
