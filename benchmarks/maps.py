@@ -25,7 +25,7 @@ from robotics1.workspaces import PoseStatus, ReachabilityMap, best_placements, r
 SEED = 20250116
 ORIENTATIONS = 100
 POSITIONS = 10_000
-SAME_POSES = 300  # that the peers are asked, of each kind
+SAME_POSES = 100  # that the peers are asked, of each kind
 CELLS = 0.1  # [m], of a grid
 QUICK = 20  # how many times fewer
 WANTED = {"UR5": 15.0, "Panda": 30.0}  # [s] for 10⁶ poses
