@@ -52,7 +52,7 @@ def plot_reachability(
     axes = [axis for letter, axis in zip(known.coordinates, known.grid, strict=True) if letter in letters]
     panel = new_axes(ax, 2)
     cells = np.ma.masked_invalid(known.on_grid(values)[place]).T
-    mesh = panel.pcolormesh(*axes, cells, shading="nearest", cmap="viridis", vmin=0.0)
+    mesh = panel.pcolormesh(*axes, cells, shading="nearest", cmap="viridis", vmin=0.0, rasterized=True)
     panel.figure.colorbar(mesh, ax=panel, label=VALUES[value])
     where = [f"{letter} = {known.grid[known.coordinates.index(letter)][i]:.4g} m" for letter, i in cut.items()]
     panel.set_aspect("equal")
