@@ -45,6 +45,12 @@ def test_a_checkpoint_is_kept_and_a_figure_written(tmp_path):
     assert len(r1.workspaces.read_map(folder)) > 50
 
 
+def test_a_page_has_the_cells(tmp_path):
+    page = tmp_path / "reach.html"
+    assert run(*REACH, "--page", page).code == 0
+    assert '"voxels":{"cut":1' in page.read_text()
+
+
 def test_a_scan_takes_a_checkpoint_and_workers(tmp_path):
     asked = ["scan", "planar_2r", "--task", "position:xy", "--samples", "2e4", "--json"]
     kept = run(*asked, "--checkpoint", tmp_path / "scan.npz", "--workers", "2")

@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -133,6 +134,21 @@ def test_a_checkpoint_of_another_question_is_refused_and_left_alone(whole):
     with pytest.raises(r1.InputError, match="positions differs"):
         reachability_map(robot, r1.PositionTask("xy"), [[0.1, 0.2]], checkpoint=whole)
     assert files(whole) == before
+
+
+def test_a_process_that_dies_ends_the_call_and_nothing_is_lost(tmp_path, whole):
+    path, killed = tmp_path / "died.zarr", []
+
+    def kill_one(done, of):
+        if not killed:  # a process of the pool that this test has opened
+            killed.append(next(iter(pool._processes)))
+            os.kill(killed[0], signal.SIGKILL)
+
+    with ProcessPoolExecutor(1) as pool:
+        with pytest.raises(r1.InputError, match=r"a worker of the executor has died .* goes on from there"):
+            asked(path, executor=pool, progress=kill_one)
+    asked(path)
+    assert files(path) == files(whole)
 
 
 @pytest.mark.parametrize("name", ["text.zarr", "folder"])

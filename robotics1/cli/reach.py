@@ -43,6 +43,7 @@ def reach(
     tool: Tool = None,
     packages: Packages = None,
     figure: Figure = None,
+    page: Annotated[Path | None, typer.Option(help="A file for a page with the cells, .html.")] = None,
     json: AsJson = False,
 ) -> None:
     """What an arm reaches of many positions, with which share of the orientations, and how well."""
@@ -67,6 +68,10 @@ def reach(
         from robotics1.plots.reachability import plot_reachability
 
         plot_reachability(known, file=figure, title=arm.name)
+    if page is not None:
+        from robotics1.viewer.animation import view
+
+        view(arm, file=page, reach=known, caption=known.explain())
     if json:
         write_json(_as_json(known))
         return
