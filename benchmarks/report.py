@@ -12,7 +12,7 @@ from pathlib import Path
 RESULTS = Path(__file__).parent / "results"
 PACKAGES = (
     "numpy", "scipy", "numba", "pin", "roboticstoolbox-python", "rtb-data", "optik-py", "pytracik", "ssik", "eaik",
-    "ik-geo", "jaik", "pin-pink", "quadprog", "example-robot-data",
+    "ik-geo", "jaik", "pin-pink", "quadprog", "example-robot-data", "pytorch-kinematics", "zarr", "distributed",
 )  # fmt: skip
 
 

@@ -151,6 +151,16 @@ def reach():
 
 
 @cache
+def mapped():
+    """A map of a few positions, and one of a redundant arm."""
+    grid = {"x": [0.3, 0.9], "y": [-0.2, 0.1, 0.4]}
+    return [
+        r1.reachability_map(arm("planar_2r"), PLANE, grid),
+        r1.reachability_map(arm("redundant"), r1.PositionTask(), [[0.3, 0.2, 0.1], [9, 9, 9]]),
+    ]
+
+
+@cache
 def inverse():
     return r1.ik.ik_formulas(arm("planar_2r"), PLANE)
 
@@ -267,6 +277,9 @@ INSTANCES = {
     "PositionTask": lambda: [r1.PositionTask(), r1.PositionTask("xz", frame="tool", reference="tool")],
     "RankStatus": lambda: list(r1.singularities.RankStatus),
     "RateStatus": lambda: list(r1.trajectories.RateStatus),
+    "Placements": lambda: [r1.workspaces.best_placements(arm("planar_2r"), PLANE, [TARGET], {"x": [0.0, 0.3, 5.0]})],
+    "PoseStatus": lambda: list(r1.workspaces.PoseStatus),
+    "ReachabilityMap": mapped,
     "RefinedGroup": lambda: list(scan().refined.groups),
     "Refinement": lambda: [scan().refined],
     "Rendezvous": lambda: [meeting()],

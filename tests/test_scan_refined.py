@@ -198,7 +198,7 @@ def test_the_answer_in_sentences():
         ({"refine": -1}, "refine must be an integer of at least 0"),
         ({"refine": 1.5}, "refine must be an integer"),
         ({"length": 0}, "length must be a positive number"),
-        ({"executor": "processes"}, "executor must be one of concurrent.futures"),
+        ({"executor": "processes"}, "executor must be an executor of concurrent.futures, a Dask client"),
         ({"progress": 3}, "progress must be a function"),
         ({"box": {"q2": (1, 0)}}, "the interval of 'q2' must lie in its limits"),
         ({"box": 3}, "box must be a mapping"),

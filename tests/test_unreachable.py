@@ -184,7 +184,7 @@ def test_no_configuration_is_beyond_the_bound(name):
     for q in rng.uniform(np.maximum(some.lower, -7), np.minimum(some.upper, 7), (500, some.nq)):
         T = forward_kinematics(some, q)
         assert np.linalg.norm(T.translation - bound.o) <= bound.length + 1e-12
-        assert bound.excess(T.homogeneous, np.ones(6)) <= 1e-12
+        assert bound.excess(T.homogeneous[None], np.ones(6)) <= 1e-12
         if bound.hand is not None:
             assert np.linalg.norm(T.act(bound.hand) - bound.o) <= bound.length_to_hand + 1e-12
 

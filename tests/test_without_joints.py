@@ -161,6 +161,8 @@ def nothing_moves(still, task, folder):
         "limit_violations": lambda: r1.trajectories.limit_violations(still, joints),
         "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
         "workspace": lambda: r1.workspaces.workspace(still, task),
+        "reachability_map": lambda: r1.reachability_map(still, task, [value]),
+        "best_placements": lambda: r1.workspaces.best_placements(still, task, [value], {"x": 0.0}),
         "view": lambda: r1.view(still, [], folder / "still.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
@@ -180,6 +182,8 @@ RESULTS = {
     "SingularityScan",
     "IKSolutions",
     "IKSolutionsBatch",
+    "ReachabilityMap",
+    "Placements",
 }
 CALLS = sorted(
     name

@@ -14,6 +14,7 @@ from robotics1.cli.exam import exam
 from robotics1.cli.fk import fk
 from robotics1.cli.ik import ik
 from robotics1.cli.jacobian import jacobian
+from robotics1.cli.reach import reach
 from robotics1.cli.robot_page import view
 from robotics1.cli.robots import robots
 from robotics1.cli.scan import scan
@@ -38,7 +39,7 @@ def examples_of(command: Callable[..., None]) -> str | None:
     return "\n".join(["\b", "Examples:", *(f"  robotics1 {example}" for example in examples)]) if examples else None
 
 
-for command in (exam, fk, jacobian, singularities, ik, statics, workspace, scan, view, check, robots):
+for command in (exam, fk, jacobian, singularities, ik, statics, workspace, reach, scan, view, check, robots):
     app.command(epilog=examples_of(command))(command)
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import radians
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from robotics1.cli import arguments
 from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.workers import Scheduler, Workers, opened_executor
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
@@ -37,7 +39,9 @@ def scan(
     refine: Annotated[int, typer.Option(help="How many of the worst are moved to singular configurations.")] = 0,
     box: Annotated[list[str] | None, typer.Option(help="An interval of a joint, as in q1=-1:pi/2.")] = None,
     length: Annotated[str, typer.Option(help="The length in metres that counts as one, or reach.")] = "1",
-    workers: Annotated[int, typer.Option(help="In how many threads.")] = 1,
+    checkpoint: Annotated[Path | None, typer.Option(help="A file in which the scan is kept, and goes on.")] = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
@@ -51,7 +55,7 @@ def scan(
 
     arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
     done = _run(
-        workers,
+        (workers, scheduler),
         arm,
         arguments.task_for(arm, task, frame),
         samples=arguments.parse_number(samples),
@@ -61,6 +65,7 @@ def scan(
         refine=refine,
         box=_parse_box(arm, box or [], degrees),
         length=arm.reach if length == "reach" else arguments.parse_number(length),
+        checkpoint=checkpoint,
     )
     if json:
         write_json(_as_json(done))
@@ -87,24 +92,17 @@ def _parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, t
     return box
 
 
-def _run(workers: int, *asked: Any, **options: Any) -> SingularityScan:
-    """Scan with a progress bar, in so many threads.
+def _run(by: tuple[int | None, str | None], *asked: Any, **options: Any) -> SingularityScan:
+    """Scan with a progress bar, in so many threads or by a scheduler.
 
     Raises:
         Robotics1Error: what `scan_singularities` raises.
     """
-    from concurrent.futures import ThreadPoolExecutor
-
     from robotics1.cli.output import progress_bar
-    from robotics1.inputs import counting_number
     from robotics1.singularities.scan import scan_singularities
 
-    counting_number("--workers", workers, least=1)
-    with progress_bar("scanning", "summing up") as progress:
-        if workers == 1:
-            return scan_singularities(*asked, progress=progress, **options)
-        with ThreadPoolExecutor(workers) as executor:  # the kernels leave the interpreter free; processes start slowly
-            return scan_singularities(*asked, progress=progress, executor=executor, **options)
+    with progress_bar("scanning", "summing up") as progress, opened_executor(*by) as executor:
+        return scan_singularities(*asked, progress=progress, executor=executor, **options)
 
 
 def _print(scan: SingularityScan, degrees: bool) -> None:

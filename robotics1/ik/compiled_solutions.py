@@ -16,7 +16,14 @@ from robotics1.inputs import Array
 from robotics1.kernels.candidates import PLANAR, PLANE, ROWS, SPHERICAL, TURNS
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import is_ready, on_all_cores
-from robotics1.kernels.every_solution import COUNT, solutions_of_candidates, solutions_of_few, solutions_of_six
+from robotics1.kernels.every_solution import (
+    COUNT,
+    ERROR,
+    INSIDE,
+    solutions_of_candidates,
+    solutions_of_few,
+    solutions_of_six,
+)
 from robotics1.kernels.real_roots import MANY, UNKNOWN
 
 SINGULAR = 1e-5  # a bound of σ_min/σ_max below which the distance of the singularity is estimated
@@ -78,6 +85,13 @@ class CompiledSolutions:
         on_all_cores(solve_some, k)
         return q, answers
 
+    def solve_here(self, goals: Array) -> tuple[Array, Array]:
+        """Return what `solve_many` does, by this thread alone."""
+        q, answers = np.empty((len(goals), *self.blank.shape)), np.empty((len(goals), 4))
+        q[:] = self.blank
+        self.kernel(goals, q, answers)
+        return q, answers
+
     def answer(self, q: Array, inside: float, count: float, error: float, edge: float) -> IKSolutions | None:
         """Return the solutions that a kernel has left in the rows of q; None where it has left the target.
 
@@ -115,6 +129,10 @@ class EliminatedSolutions(CompiledSolutions):
 
     def solve_many(self, goals: Array) -> tuple[Array, Array]:
         """Return what `CompiledSolutions.solve_many` does."""
+        return self.solve_here(goals)
+
+    def solve_here(self, goals: Array) -> tuple[Array, Array]:
+        """Return what `CompiledSolutions.solve_here` does."""
         q, answers = np.empty((len(goals), *self.blank.shape)), np.empty((len(goals), 4))
         q[:] = self.blank
         for goal, rows, answer in zip(goals, q, answers, strict=True):
@@ -123,11 +141,11 @@ class EliminatedSolutions(CompiledSolutions):
 
     def _solve(self, goal: Array, q: Array, answer: Array) -> None:
         roots = self.roots(goal) if np.isfinite(goal).all() else None
-        answer[COUNT] = UNKNOWN
+        answer[INSIDE], answer[COUNT], answer[ERROR] = 0.0, UNKNOWN, np.nan
         if roots is not None and roots.proven:
             self.kernel(goal, np.ascontiguousarray(roots.x), q, answer)
             if answer[COUNT] < np.count_nonzero(roots.real):  # a root that is no solution
-                answer[COUNT] = UNKNOWN
+                answer[COUNT], answer[ERROR] = UNKNOWN, np.nan
 
 
 def compiled_solutions(exact: ExactSolver) -> CompiledSolutions:

@@ -126,7 +126,7 @@ class KernelDescent:
 
     def unreachable(self, goals: Array, seconds: float) -> npt.NDArray[np.bool_]:
         """Return which goals are seen to be out of reach, or have every joint box excluded in that time."""
-        proven = np.array([self.proof.at_once(goal, self.tolerance, self.tolerance) for goal in goals], dtype=bool)
+        proven = self.proof.all_at_once(goals, self.tolerance, self.tolerance)
         exclude = self.proof.by_exclusion
 
         def prove(some: slice) -> None:

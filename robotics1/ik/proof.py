@@ -5,6 +5,7 @@ from math import hypot
 from time import perf_counter
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.ik.descent import REACHED
@@ -39,16 +40,16 @@ class Motionless:
     R: Array
     normals: Array
 
-    def excess(self, goal: Array, counted: Array, axis: Array) -> tuple[float, float]:
-        """Return how far a goal, (4, 4), is from what is constant: [m] and, at least, [rad]."""
+    def excess(self, goals: Array, counted: Array, axis: Array) -> tuple[Array, Array]:
+        """Return how far goals, (k, 4, 4), are from what is constant: (k,) [m] and, at least, (k,) [rad]."""
         with np.errstate(over="ignore"):
-            linear = float(np.hypot.reduce((goal[:3, 3] - self.p) * (self.rows * counted[:3])))
+            linear = np.hypot.reduce((goals[:, :3, 3] - self.p) * (self.rows * counted[:3]), axis=1)
         if not counted[3:].all() or not self.normals.size:
-            return linear, 0.0
+            return linear, np.zeros(len(goals))
         if axis.any():  # n·r is constant
-            return linear, float(np.abs(self.normals.T @ (goal[:3, :3] - self.R) @ axis).max())
-        turned = goal[:3, :3] @ self.R.T @ self.normals - self.normals  # of a turn about n alone, n itself is left
-        return linear, float(np.linalg.norm(turned, axis=0).max())
+            return linear, np.abs((goals[:, :3, :3] - self.R) @ axis @ self.normals).max(axis=1)
+        turned = goals[:, :3, :3] @ (self.R.T @ self.normals) - self.normals  # a turn about n alone leaves n
+        return linear, np.linalg.norm(turned, axis=1).max(axis=1)
 
 
 def motionless(robot: Robot, form: FrameMap) -> Motionless:
@@ -90,17 +91,21 @@ class ReachBound:
     least: float
     arms: Array
 
-    def excess(self, goal: Array, counted: Array) -> float:
-        """Return by how much a goal, (4, 4) [m], is farther or nearer than the chain reaches; negative proves nothing.
+    def excess(self, goals: Array, counted: Array) -> Array:
+        """Return by how much goals, (k, 4, 4) [m], are farther or nearer than the chain reaches: (k,).
 
-        Of coordinates that do not count nothing is known, so just the others, counted (6,), enter |p_d − o|.
+        A negative one proves nothing. Of coordinates that do not count nothing is known, so just the others,
+        counted (6,), enter |p_d − o|.
         """
         with np.errstate(over="ignore"):  # ∞ is far too
-            away = np.linalg.norm((goal[:3, 3] - self.o) * counted[:3])
-            far = [away - self.length, self.least - away if counted[:3].all() else -np.inf]
+            away = np.linalg.norm((goals[:, :3, 3] - self.o) * counted[:3], axis=1)
+            far = away - self.length
+            if counted[:3].all():
+                far = np.maximum(far, self.least - away)
             if self.hand is not None and counted.all():
-                far.append(np.linalg.norm(goal[:3, :3] @ self.hand + goal[:3, 3] - self.o) - self.length_to_hand)
-        return float(max(far))
+                hand = goals[:, :3, :3] @ self.hand + goals[:, :3, 3]
+                far = np.maximum(far, np.linalg.norm(hand - self.o, axis=1) - self.length_to_hand)
+        return np.asarray(far)
 
 
 def reach_bound(problem: PoseProblem) -> ReachBound:
@@ -176,11 +181,14 @@ class UnreachableProof:
 
     def at_once(self, goal: Array, linear: float, angular: float) -> bool:
         """Whether a goal, (4, 4), is farther from every q than the tolerances [m] and [rad], seen without a search."""
-        off, turned = self.still.excess(goal, self.counted, self.problem.pose_error.axis)
+        return bool(self.all_at_once(goal[None], linear, angular)[0])
+
+    def all_at_once(self, goals: Array, linear: float, angular: float) -> npt.NDArray[np.bool_]:
+        """Return what `at_once` does, of goals (k, 4, 4): (k,)."""
+        off, turned = self.still.excess(goals, self.counted, self.problem.pose_error.axis)
         size = self.problem.robot.reach + float(np.abs(self.still.p).max())
-        if off > linear + 1e-12 * size or turned > angular + 1e-9:
-            return True
-        return self.reach.excess(goal, self.counted) > linear + 1e-13 * size
+        still = (off > linear + 1e-12 * size) | (turned > angular + 1e-9)
+        return np.asarray(still | (self.reach.excess(goals, self.counted) > linear + 1e-13 * size))
 
     @cached_property
     def _speeds(self) -> Array:

@@ -175,6 +175,8 @@ def settled(
     answer[INSIDE], answer[COUNT], answer[ERROR], answer[EDGE] = 0.0, UNKNOWN, np.nan, np.inf
     if count > 0:
         count = polished_once(links, goal, rows, unit, least, count, x, errors, partner, near)
+    if count == 0:
+        answer[ERROR] = np.inf
     if count > 0:
         inside, error, edge = in_order(joints, unit, count, x, errors, partner, near, q)
         answer[INSIDE], answer[COUNT] = inside, (count if inside > 0 else UNKNOWN)
@@ -197,7 +199,8 @@ def solutions_of_six(
         targets: (k, 4, 4), in the axes of the links.
         q: (k, MANY, nq) the result; each row holds the other joints' values.
         answers: (k, 4) the result: how many are INSIDE the limits; the COUNT of all, UNKNOWN where the target is left
-            to others, or none; the ERROR of the first; how far the target is from the EDGE, ∞ if that is not near.
+            to others, or none; the ERROR of the first, whether inside or not, ∞ if there is no solution at all, NaN in
+            doubt; how far the target is from the EDGE, ∞ if that is not near.
     """
     scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
     for i in range(len(targets)):

@@ -5,7 +5,7 @@ The distribution is a histogram whose bins are of equal relative width. Two chun
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -139,9 +139,43 @@ class Reduction:
             values[chosen],
         )
 
+    def as_arrays(self) -> dict[str, npt.NDArray[Any]]:
+        """Return what `reduction_from` takes."""
+        arrays = {
+            "counts": np.array([self.count, self.undefined]),
+            "worst": self.worst,
+            "worst_values": self.worst_values,
+        }
+        for name, known in self.distributions.items():
+            arrays[f"{name}_count"] = np.array(known.count)
+            arrays[f"{name}_extremes"] = np.array([known.minimum, known.maximum])
+            arrays[f"{name}_bins"] = known.bins
+        return arrays
+
+
+def reduction_from(arrays: Mapping[str, npt.NDArray[Any]], measures: tuple[str, ...]) -> Reduction:
+    """Return the reduction whose `as_arrays` these are."""
+    count, undefined = arrays["counts"].tolist()
+    distributions = {}
+    for name in measures:
+        least, largest = arrays[f"{name}_extremes"].tolist()
+        bins = arrays[f"{name}_bins"]
+        distributions[name] = MeasureDistribution(int(arrays[f"{name}_count"]), least, largest, bins)
+    return Reduction(count, undefined, distributions, arrays["worst"], arrays["worst_values"])
+
+
+def reduced_together(
+    measurement: "Measurement", measures: tuple[str, ...], keep: int, chunks: tuple[Chunk, ...]
+) -> Reduction:
+    """Return what is kept of some chunks, joined where they were measured: this runs in the workers."""
+    total = reduced(measurement, measures, keep, chunks[0])
+    for chunk in chunks[1:]:
+        total = total.joined(reduced(measurement, measures, keep, chunk), keep)
+    return total
+
 
 def reduced(measurement: "Measurement", measures: tuple[str, ...], keep: int, chunk: Chunk) -> Reduction:
-    """Return what is kept of a chunk: this runs in the worker processes."""
+    """Return what is kept of a chunk."""
     q = chunk()
     values = measurement.measures(q, measures)
     defined = ~np.isnan(values[measures[0]])

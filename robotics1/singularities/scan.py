@@ -1,27 +1,35 @@
 """How near to singular a task is, over all configurations of a robot."""
 
-from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, Future
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from functools import partial
+from itertools import islice
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.chunks.identity import identity
+from robotics1.chunks.state import StateFile
+from robotics1.chunks.workers import check_executor, workers_of
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
 from robotics1.robot.given import RobotLike
 from robotics1.singularities.points import MOVES, SingularPoints, singular_points
-from robotics1.singularities.reduction import MEASURES, Reduction, reduced
+from robotics1.singularities.reduction import MEASURES, Reduction, reduced_together, reduction_from
 from robotics1.singularities.refinement import refine as refine_worst
-from robotics1.singularities.samples import METHODS, Chunk, samples_of
+from robotics1.singularities.samples import CHUNK, METHODS, Chunk, samples_of
 from robotics1.singularities.scan_result import SingularityScan
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import turns_of
 
 KEPT = 10  # worst configurations, or as many as are refined
-WAITING = 32  # chunks handed to an executor at a time: of Sobol's sequence 30 MB for seven joints
+TOGETHER = 256  # chunks at most that a worker joins before it answers: some seconds of work
+AT_LEAST = 64  # answers, so that all workers have something to do and the progress is seen
+OF_SOBOL = 32  # chunks of Sobol's sequence handed out at a time: they are made here, 30 MB for seven joints
+Progress = Callable[[int, int], None]
 
 
 def scan_singularities(
@@ -33,10 +41,11 @@ def scan_singularities(
     method: str = "random",
     seed: int = 0,
     refine: int = 0,
-    executor: Executor | None = None,
+    executor: Executor | Any | None = None,
+    checkpoint: str | Path | None = None,
     box: Mapping[str, tuple[float, float]] | None = None,
     length: float = 1.0,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> SingularityScan:
     """Measure how near J(q) is to losing rank, at many configurations of the joint box.
 
@@ -66,8 +75,9 @@ def scan_singularities(
         seed: of the random numbers.
         refine: how many of the worst configurations are moved to singular ones, σ_ρ ≤ 1e-10 σ₁ with lengths divided
             by the reach, and compared with the branches of `find_singularities`.
-        executor: of concurrent.futures, to measure chunks in parallel: threads serve, since the kernels leave the
-            interpreter free; so do processes, to which arrays only are sent.
+        executor: who measures: None for threads on all cores, since the kernels leave the interpreter free; an
+            executor of concurrent.futures; a Dask client; or the address of a Dask scheduler. Arrays only are sent.
+        checkpoint: a file (.npz) in which what is known is kept, every five seconds: the same call goes on from there.
         box: joint name → (lower, upper), narrower than the limits; a prismatic joint without limits needs it. A
             revolute joint that can make a whole turn is a circle, (−π, π]; as many turns as bring the joints that
             follow it back, if these are more.
@@ -75,7 +85,8 @@ def scan_singularities(
         progress: called after each chunk with the configurations done and their number.
 
     Raises:
-        InputError: a bad option, an unlimited prismatic joint without a box, or a joint of several degrees of freedom.
+        InputError: a bad option, an unlimited prismatic joint without a box, or a joint of several degrees of freedom;
+            or the checkpoint is of another question, damaged, or cannot be written.
         UnknownNameError: no such joint in the box, or no such frame.
         TaskError: the task does not fit the robot, or no joint moves it.
 
@@ -96,10 +107,15 @@ def scan_singularities(
 
     measurement = measurement_of(robot, task, points.rank, length)
     keep = max(KEPT, refine)
-    work = partial(reduced, measurement, chosen, keep)
-    parallel = executor if measurement.sendable else None
-    answers = map(work, chunks) if parallel is None else _in_order(parallel, work, chunks)
-    total = _joined(answers, keep, count, progress)
+    asked = {"measures": chosen, "method": method, "samples": count, "seed": seed, "worst": keep, "length": length}
+    asked |= {"box": [where.lower, where.upper], "grid": np.asarray(samples) if method == "grid" else None}
+    file = None if checkpoint is None else StateFile(checkpoint, identity("a scan", robot, task, asked))
+    begun = _begun(file, chosen)
+    work = partial(reduced_together, measurement, chosen, keep)
+    groups = _in_groups(islice(chunks, _chunks(begun), None), 1 if method == "sobol" else _together(count))
+    with workers_of(executor, sendable=measurement.sendable) as workers:
+        answers = workers.in_order(work, groups, OF_SOBOL if method == "sobol" else workers.ahead)
+        total = _joined(begun, answers, keep, count, file, progress)
     return SingularityScan(
         robot,
         task,
@@ -126,8 +142,7 @@ def _measures(measures: Sequence[str]) -> tuple[str, ...]:
 
 
 def _check_callables(executor: object, progress: object) -> None:
-    if executor is not None and not isinstance(executor, Executor):
-        raise InputError(f"executor must be one of concurrent.futures, such as a ThreadPoolExecutor, not {executor!r}")
+    check_executor(executor)
     if progress is not None and not callable(progress):
         raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
 
@@ -138,30 +153,44 @@ def _moving(points: SingularPoints) -> npt.NDArray[np.bool_]:
     return np.asarray(np.any([np.abs(points.jacobian(x)).max(axis=0) > MOVES for x in q], axis=0))
 
 
+def _begun(file: StateFile | None, measures: tuple[str, ...]) -> Reduction | None:
+    """Return what a checkpoint holds; None if there is none."""
+    state = None if file is None else file.read()
+    return None if state is None else reduction_from(state, measures)
+
+
+def _chunks(begun: Reduction | None) -> int:
+    """Return how many chunks are done; the last one of all may be smaller than the others."""
+    return 0 if begun is None else -(-begun.count // CHUNK)
+
+
+def _together(count: int) -> int:
+    """Return how many chunks a worker joins: the answer does not depend on it."""
+    return min(max(1, count // CHUNK // AT_LEAST), TOGETHER)
+
+
+def _in_groups(chunks: Iterator[Chunk], size: int) -> Iterator[tuple[Chunk, ...]]:
+    while group := tuple(islice(chunks, size)):
+        yield group
+
+
 def _joined(
-    answers: Iterable[Reduction], keep: int, count: int, progress: Callable[[int, int], None] | None
+    total: Reduction | None,
+    answers: Iterator[Reduction],
+    keep: int,
+    count: int,
+    file: StateFile | None,
+    progress: Progress | None,
 ) -> Reduction:
-    """Return what is kept of all chunks."""
-    total: Reduction | None = None
+    """Return what is kept of all chunks, those before included, and write it down now and then, and at the end."""
     for answer in answers:
         total = answer if total is None else total.joined(answer, keep)
+        if file is not None:
+            file.write_now_and_then(total.as_arrays())
         if progress is not None:
             progress(total.count, count)
     if total is None or total.undefined == total.count:
         raise TaskError("the task has no Jacobian at any of the configurations")
+    if file is not None:
+        file.write(total.as_arrays())
     return total
-
-
-def _in_order(executor: Executor, work: Callable[[Chunk], Reduction], chunks: Iterator[Chunk]) -> Iterator[Reduction]:
-    """Return the answers in the order of the chunks, with a bounded number of them on their way."""
-    waiting: deque[Future[Reduction]] = deque()
-    try:
-        for chunk in chunks:
-            waiting.append(executor.submit(work, chunk))
-            if len(waiting) >= WAITING:
-                yield waiting.popleft().result()
-        while waiting:
-            yield waiting.popleft().result()
-    finally:
-        for future in waiting:
-            future.cancel()

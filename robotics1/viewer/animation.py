@@ -20,6 +20,8 @@ from robotics1.viewer.arm_data import arm_data, is_planar
 from robotics1.viewer.page import Page, page_of
 from robotics1.viewer.samples import recorded, samples_of, target_samples
 from robotics1.viewer.shapes import Shapes
+from robotics1.viewer.voxels import voxels_of
+from robotics1.workspaces.reachability.result import ReachabilityMap
 
 APART = 0.2  # between two robots side by side, of the reach
 TINTS = (
@@ -97,6 +99,7 @@ def view(
     *,
     task: TaskLike | None = None,
     solutions: IKSolutions | Sequence[npt.ArrayLike] | Mapping[str, npt.ArrayLike] = (),
+    reach: ReachabilityMap | None = None,
     title: str | None = None,
     caption: str = "",
 ) -> Page:
@@ -111,12 +114,15 @@ def view(
         file: the file to write.
         task: the task whose Jacobian the page shows; by default the position or the pose of the tool.
         solutions: what `ik_solutions` has found, or configurations (n,), to leaf through; or label → configuration.
+        reach: a map of a grid that `reachability_map` returns, in the axes of the world: the cells that are reached are
+            drawn as boxes, with a colour scale, and a slider that cuts them open.
         title: by default the robot's name.
         caption: lines under the title.
 
     Raises:
         MissingExtraError: Meshcat or trimesh is not installed.
-        InputError: q or a solution has the wrong shape or is not finite, or the file cannot be written there.
+        InputError: q or a solution has the wrong shape or is not finite, the map is none of a grid, or the file cannot
+            be written there.
 
     Warns:
         RobotWarning: a mesh was not found or cannot be read, and is not drawn.
@@ -126,7 +132,9 @@ def view(
     start = robot.configuration(q) if q is not None else states[0][1] if states else _resting(robot)
     shapes = Shapes()
     arms = [_arm(robot, start, task, shapes, robot.name)]
-    return _page([robot], arms, [_actor(0, start)], shapes, states, title=title, caption=caption, file=file)
+    voxels = None if reach is None else voxels_of(reach)
+    actors = [_actor(0, start)]
+    return _page([robot], arms, actors, shapes, states, voxels, title=title, caption=caption, file=file)
 
 
 def _labelled(robot: Robot, solutions: Any) -> list[tuple[str, Array]]:
@@ -182,6 +190,7 @@ def _page(
     actors: Sequence[dict[str, Any]],
     shapes: Shapes,
     solutions: Sequence[tuple[str, Array]],
+    voxels: dict[str, Any] | None = None,
     *,
     title: str | None,
     caption: str,
@@ -195,5 +204,6 @@ def _page(
         "actors": actors,
         "meshes": shapes.meshes,
         "solutions": [{"label": label, "q": q.tolist()} for label, q in solutions],
+        "voxels": voxels,
     }
     return page_of(data, title=name, caption=caption, notes="\n".join(shapes.notes), file=file)

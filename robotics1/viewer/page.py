@@ -14,7 +14,7 @@ from robotics1.names import printable
 
 SCRIPTS = (
     *("linear", "kinematics", "inverse", "stage", "drawing", "motion"),
-    *("panel", "gizmo", "drags", "handle", "abilities", "solutions", "plots", "main"),
+    *("panel", "gizmo", "drags", "handle", "abilities", "solutions", "voxels", "plots", "main"),
 )
 HEIGHT = 620  # of a page in a notebook [px]
 

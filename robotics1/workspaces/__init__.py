@@ -1,4 +1,4 @@
-"""What an arm reaches: the exact boundary, its regions, and the number of solutions in each."""
+"""What an arm reaches: the exact boundary with its regions, and maps of many poses."""
 
 import lazy_loader
 

@@ -55,7 +55,8 @@ class App {
     this.handle = this.arm.task ? new Handle(this) : null;
     this.abilities = this.arm.task ? new Abilities(this) : null;
     this.tools();
-    const { solutions } = this.data;
+    const { solutions, voxels } = this.data;
+    if (voxels) this.voxels = new Voxels(this, voxels);
     if (solutions.length) this.solutions = new Solutions(this, solutions, ghost => this.ghost(ghost));
     const duration = Math.max(0, ...this.actors.map(actor => actor.motion?.duration ?? 0));
     if (duration > 0) {
@@ -64,6 +65,7 @@ class App {
       this.showPlots(false);
     }
     this.change(this.q);
+    if (this.voxels) this.frame();
     this.stage.fit();
     if (duration > 0) this.bar.play(true);
   }
@@ -107,6 +109,7 @@ class App {
       box.union(this.drawing.box());
     }
     this.drawing.show(this.q);
+    if (this.voxels) box.union(this.voxels.box);
     this.stage.floor(Math.min(0, box.min.z) - 1e-3 * this.arm.length);
   }
 

@@ -1,0 +1,155 @@
+"""How maps and scans scale: one process, two, and the overhead of a chunk: `python -m benchmarks.scaling`.
+
+Writes benchmarks/results/scaling.md. Each worker takes one thread. The clock of the wall counts, so the machine should
+have nothing else to do.
+"""
+
+from benchmarks.one_thread import one_thread
+
+if __name__ == "__main__":
+    one_thread()
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+from time import perf_counter, process_time
+from typing import Any
+
+import numpy as np
+
+from benchmarks.arms import ur5
+from benchmarks.report import absence, at_least, conditions, table, target_table, tell, write
+from robotics1 import PoseTask, scan_singularities
+from robotics1.chunks.workers import workers_of
+from robotics1.workspaces import reachability_map
+
+SEED = 20250117
+POSITIONS, ORIENTATIONS = 6_000, 100
+SAMPLES = 20_000_000
+REPEATS = 3
+EMPTY = 300  # chunks without work
+CHUNK = 2**14  # poses
+RULES = """\
+The same map ({poses} poses of a UR5, position by position with {orientations} orientations) and the same scan
+({samples} configurations) by one worker and by two, in turn, {repeats} times; the least time on the wall counts.
+Workers are started and prepared before. All answers are compared bit by bit. Threads share one interpreter: what is not
+compiled waits for its turn."""
+OVERHEAD_RULES = """\
+What handing out a chunk costs the one process that hands out: {empty} chunks with the arrays of a chunk of a map of 164
+positions and 100 orientations, and an answer of that size, but no work. A chunk of {chunk} poses takes a worker
+{seconds:.2f} s here; so the largest number of workers that one client keeps 90 % busy is 0.9 times the quotient."""
+
+
+@contextmanager
+def threads(count: int) -> Iterator[Executor]:
+    """Open so many threads."""
+    with ThreadPoolExecutor(count) as executor:
+        yield executor
+
+
+@contextmanager
+def processes(count: int) -> Iterator[Executor]:
+    """Open so many processes."""
+    with ProcessPoolExecutor(count) as executor:
+        yield executor
+
+
+@contextmanager
+def dask(count: int) -> Iterator[Any]:
+    """Open a cluster of so many processes on this machine."""
+    from distributed import Client, LocalCluster
+
+    with (
+        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster,
+        Client(cluster, set_as_default=False) as client,
+    ):
+        yield client
+
+
+KINDS: dict[str, Callable[[int], Any]] = {"threads": threads, "processes": processes, "Dask": dask}
+
+
+def the_map(executor: Any) -> Any:
+    """Return the status of a map."""
+    arm = ur5()
+    positions = np.random.default_rng(SEED).uniform(-1, 1, (POSITIONS, 3)) * arm.robot.reach
+    return reachability_map(arm.robot, PoseTask(), positions, ORIENTATIONS, executor=executor).status
+
+
+def the_scan(executor: Any) -> Any:
+    """Return the worst values of a scan."""
+    return scan_singularities(ur5().robot, PoseTask(), samples=SAMPLES, executor=executor).worst_values
+
+
+def answer_of_a_chunk(positions: Any) -> tuple[Any, ...]:
+    """Return as much as a chunk of a map does."""
+    k = len(positions)
+    return np.zeros((k, 100), dtype=np.uint8), np.zeros((k, 100), dtype=np.uint8), np.zeros(k), np.zeros((k, 8))
+
+
+def overhead(executor: Any) -> float:
+    """Return the seconds that a chunk without work takes."""
+    chunks = [np.zeros((CHUNK // 100, 3)) for _ in range(EMPTY)]
+    with workers_of(executor) as workers:
+        list(workers.in_order(answer_of_a_chunk, iter(chunks[:20])))
+        begin = perf_counter()
+        list(workers.in_order(answer_of_a_chunk, iter(chunks)))
+        return (perf_counter() - begin) / EMPTY
+
+
+def best_times(work: Callable[[Any], Any], executors: dict[int, Any]) -> dict[int, float]:
+    """Return workers → the least seconds; the answers are compared."""
+    answers = [work(executor) for executor in executors.values()]  # which prepares the workers
+    if not all(np.array_equal(answer, answers[0]) for answer in answers):
+        raise RuntimeError("the answers differ")
+    times: dict[int, list[float]] = {count: [] for count in executors}
+    for _ in range(REPEATS):
+        for count, executor in executors.items():
+            begin = perf_counter()
+            work(executor)
+            times[count].append(perf_counter() - begin)
+    return {count: min(seconds) for count, seconds in times.items()}
+
+
+def main() -> None:
+    """Measure, and write the tables."""
+    begin, alone = process_time(), ThreadPoolExecutor(1)
+    the_map(alone)
+    begin = process_time()
+    the_map(alone)
+    chunk_seconds = (process_time() - begin) * CHUNK / (POSITIONS * ORIENTATIONS)
+    rows, costs, speedups = [], [], {}
+    for name, opened in KINDS.items():
+        try:
+            with opened(1) as one, opened(2) as two:
+                for what, work in (("map", the_map), ("scan", the_scan)):
+                    times = best_times(work, {1: one, 2: two})
+                    speedups[name, what] = times[1] / times[2]
+                    rows.append([what, name, f"{times[1]:.2f}", f"{times[2]:.2f}", f"{times[1] / times[2]:.2f}"])
+                    tell(" | ".join(rows[-1]))
+                cost = overhead(two)
+        except ImportError as error:
+            rows.append(["–", name, f"**{absence(error)}**", "–", "–"])
+            continue
+        costs.append([name, f"{1000 * cost:.2f}", f"{0.9 * chunk_seconds / cost:,.0f}"])
+    target = at_least("two processes beside one, map", 1.8, speedups["processes", "map"])
+    parts = [
+        "# Scaling",
+        conditions("python -m benchmarks.scaling", SEED) + f" Load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores.",
+        "## Targets\n\n" + target_table([target, at_least("the same, scan", 1.8, speedups["processes", "scan"])]),
+        "## Two workers beside one\n\n"
+        + RULES.format(
+            poses=f"{POSITIONS * ORIENTATIONS:,}", orientations=ORIENTATIONS, samples=f"{SAMPLES:,}", repeats=REPEATS
+        ),
+        table(["work", "workers", "s with one", "s with two", "ratio"], rows),
+        "## The overhead of a chunk\n\n"
+        + OVERHEAD_RULES.format(empty=EMPTY, chunk=f"{CHUNK:,}", seconds=chunk_seconds),
+        table(["workers", "ms a chunk", "workers that stay 90 % busy"], costs),
+    ]
+    tell(f"written: {write('scaling', *parts)}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

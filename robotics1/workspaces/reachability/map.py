@@ -1,0 +1,137 @@
+"""The map of what an arm reaches: millions of poses in chunks, on as many cores as there are."""
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from robotics1.chunks.identity import identity
+from robotics1.chunks.workers import Workers, check_executor, workers_of
+from robotics1.errors import InputError
+from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+from robotics1.workspaces.reachability.chunk import ChunkOfMap, chunk_of_map, empty_chunk
+from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of, question_of
+from robotics1.workspaces.reachability.poses import Poses, poses_of, task_of_map
+from robotics1.workspaces.reachability.result import ReachabilityMap
+from robotics1.workspaces.reachability.saved import Description, MapFolder, map_folder
+
+Progress = Callable[[int, int], None]
+
+
+def reachability_map(
+    robot: Robot,
+    task: Task,
+    positions: Any,
+    orientations: Any = None,
+    *,
+    starts: int = 16,
+    seed: int = 0,
+    tolerance: float = 1e-6,
+    executor: Executor | Any | None = None,
+    checkpoint: str | Path | None = None,
+    progress: Progress | None = None,
+) -> ReachabilityMap:
+    """Return which of many poses an arm reaches inside its joint limits, by how many configurations, and how well.
+
+    Each pose is a target f(q) = r_d of the task. Where all solutions follow from formulas, these are compiled, and a
+    pose is either reached or proven to be out of reach; their number is told too. Elsewhere, as for redundant arms, a
+    pose is reached when a descent from one of a number of starts arrives; else it is proven to be out of reach by the
+    lengths of the arm, or it is not found. What is reached is verified by forward kinematics: |e| ≤ tolerance.
+
+    The answer depends on the arguments only: not on the clock, the executor, or its number of workers.
+
+    Args:
+        robot: an arm of revolute and prismatic joints.
+        task: of one frame's pose: PoseTask(), PlanarPoseTask(), PositionTask(), ...
+        positions: (k, d) the coordinates that the task has [m], d = 3 of a pose; or a grid, letter → values, such as
+            {"x": np.linspace(-1, 1, 41), "y": 0.0, "z": [0.2, 0.4]}; or one number, the step [m] of a grid over all
+            that the lengths of the arm allow.
+        orientations: with which each position is tried: how many, spread evenly; or rotations (o, 3, 3) or SciPy's;
+            of a planar task angles (o,) [rad]. None asks for the position alone, whatever the orientation.
+        starts: how many starts are followed, of 128 each the one nearest to the pose, where there is no formula.
+        seed: of the starts.
+        tolerance: on |e| of a descent [m, rad].
+        executor: who works: None for threads on all cores; an executor of concurrent.futures; a Dask client; or the
+            address of a Dask scheduler.
+        checkpoint: a folder in which what is done is kept, as Zarr arrays: the same call goes on where it was.
+        progress: called after each chunk with the poses done and their number.
+
+    Raises:
+        InputError: no positions, too many, or of the wrong form; an option has a wrong value; a prismatic joint that
+            moves the task has no limits; or the checkpoint is of another question, damaged, or cannot be written.
+        TaskError: the task does not fit the robot, has no position, or is none of one frame's pose.
+
+    Source: Zacharias, Borst, Hirzinger, Capturing robot workspace structure: representing robot capabilities, IROS
+    2007; Vahrenkamp, Asfour, Dillmann, Robot placement based on reachability inversion, ICRA 2013.
+    """
+    a_robot_and_a_task(robot, task)
+    asked, form, error = task_of_map(task, orientations)
+    question = question_of(robot, asked, starts, seed, tolerance)
+    check_executor(executor)
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
+    poses = poses_of(robot, form, error, positions, orientations)
+    evaluator = evaluator_of(question.packed())  # before the threads want it
+    description = Description(robot.name, robot.joint_names, asked.row_names, *_fields(poses), counts=evaluator.counts)
+    done = (
+        _done_in_memory
+        if checkpoint is None
+        else partial(_done_in_a_folder, _folder(checkpoint, question, description))
+    )
+    sendable = evaluator.measurement.sendable
+    with workers_of(executor, sendable=sendable) as workers:
+        return description.finished(done(question.packed(), description, workers, progress))
+
+
+def _fields(poses: Poses) -> tuple[str, Array, Array, tuple[Array, ...] | None]:
+    return poses.coordinates, poses.positions, poses.orientations, poses.grid
+
+
+def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progress: Progress | None) -> ChunkOfMap:
+    """Return what is known of all positions."""
+    found = empty_chunk(len(asked.positions), len(asked.orientations), len(asked.joint_names))
+    for part, answer in _answers(packed, asked, asked.parts, workers, progress):
+        for array, values in zip(found.arrays, answer.arrays, strict=True):
+            array[part] = values
+    return found
+
+
+def _done_in_a_folder(
+    folder: MapFolder, packed: bytes, asked: Description, workers: Workers, progress: Progress | None
+) -> ChunkOfMap:
+    """Return the same, after what is missing in a folder has been written to it."""
+    done = folder.done()
+    left = [part for number, part in enumerate(asked.parts) if number not in done]
+    for part, answer in _answers(packed, asked, left, workers, progress):
+        folder.write(part, answer)
+    return folder.read()
+
+
+def _answers(
+    packed: bytes, asked: Description, parts: list[slice], workers: Workers, progress: Progress | None
+) -> Iterator[tuple[slice, ChunkOfMap]]:
+    """Yield parts of the positions, and what is known of them, in their order."""
+    o, k = len(asked.orientations), len(asked.positions)
+    done = k - sum(part.stop - part.start for part in parts)
+    work = partial(chunk_of_map, packed, asked.coordinates, asked.orientations)
+    answers = workers.in_order(work, (asked.positions[part] for part in parts))
+    for part, answer in zip(parts, answers, strict=True):
+        yield part, answer
+        done += part.stop - part.start
+        if progress is not None:
+            progress(done * o, k * o)
+
+
+def _folder(path: str | Path, question: PoseQuestion, asked: Description) -> MapFolder:
+    """Return the folder of a checkpoint, if it is of this question."""
+    options = {
+        "positions": asked.positions,
+        "orientations": asked.orientations,
+        "starts": question.starts,
+        "seed": question.seed,
+        "tolerance": question.tolerance,
+    }
+    return map_folder(path, identity("a reachability map", question.robot, question.task, options), asked)
