@@ -159,6 +159,7 @@ def nothing_moves(still, task, folder):
         "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
         "workspace": lambda: r1.workspaces.workspace(still, task),
         "view": lambda: r1.view(still, [], folder / "still.html"),
+        "report": lambda: r1.report(still, folder / "sheet.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
         "plot_ellipses": lambda: r1.plots.plot_ellipses(still, task, [], file=folder / "e.svg"),

@@ -17,11 +17,11 @@ from robotics1.errors import InputError
 from robotics1.kinematics import forward_kinematics
 from robotics1.names import printable
 from robotics1.notation import count, joint_value
-from robotics1.report.tables import table
+from robotics1.robot.findings import AGREES, RobotReport, random_configurations, relative_difference
 from robotics1.robot.joints import Joint, tips
 from robotics1.robot.loading import check_robot
 from robotics1.robot.model import Robot
-from robotics1.robot.report import AGREES, RobotReport, random_configurations, relative_difference
+from robotics1.tables import table
 
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
 

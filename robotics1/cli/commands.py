@@ -16,6 +16,7 @@ from robotics1.cli.jacobian import jacobian
 from robotics1.cli.output import PlainConsole
 from robotics1.cli.robot_page import view
 from robotics1.cli.scan import scan
+from robotics1.cli.sheet_page import report
 from robotics1.cli.singularities import singularities
 from robotics1.cli.statics import statics
 from robotics1.cli.streams import streams_ready
@@ -29,7 +30,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-for command in (exam, fk, jacobian, singularities, ik, statics, workspace, scan, view, check):
+for command in (exam, fk, jacobian, singularities, ik, statics, workspace, scan, view, report, check):
     app.command()(command)
 
 

@@ -19,7 +19,7 @@ def fk(
 ) -> None:
     """Forward kinematics: where a frame is."""
     from robotics1.kinematics import forward_kinematics
-    from robotics1.report.tables import matrix_table
+    from robotics1.tables import matrix_table
 
     arm = arguments.parse_robot(robot, param, tool, packages)
     values = arguments.configuration(arm, q, degrees)

@@ -18,8 +18,8 @@ from robotics1.ik.solutions import ik_solutions
 from robotics1.ik.solver import IKSolver
 from robotics1.inputs import Array
 from robotics1.notation import count, number, vector
-from robotics1.report.tables import iteration_table, matrix_table, table
 from robotics1.robot.model import Robot
+from robotics1.tables import iteration_table, matrix_table, table
 from robotics1.tasks.task import FrameTask
 from robotics1.viewer.animation import view
 

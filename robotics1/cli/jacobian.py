@@ -11,10 +11,10 @@ from robotics1.cli.options import AsJson, Degrees, Frame, Packages, Parameters, 
 from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, write_json
 from robotics1.errors import FormulaError, InputError
 from robotics1.notation import enumeration, number, vector
-from robotics1.report.tables import matrix_table
 from robotics1.singularities.explain import directions
 from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
 from robotics1.singularities.spaces import Subspaces
+from robotics1.tables import matrix_table
 
 if TYPE_CHECKING:
     import sympy

@@ -14,8 +14,8 @@ from robotics1.cli.output import PlainConsole, in_degrees, progress_bar, write_j
 from robotics1.errors import InputError
 from robotics1.inputs import counting_number
 from robotics1.notation import vector
-from robotics1.report.tables import table
 from robotics1.robot.model import Robot
+from robotics1.tables import table
 
 if TYPE_CHECKING:
     from robotics1.singularities.scan_result import SingularityScan

@@ -16,9 +16,9 @@ from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, one_of, real_array, real_number
 from robotics1.notation import joint_value, number, vector
 from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.findings import LARGEST
 from robotics1.robot.parameters import Parameters
 from robotics1.robot.placements import homogeneous
-from robotics1.robot.report import LARGEST
 
 CONVENTIONS = ("standard", "modified")
 Limits = Sequence[float | None] | Array | None
@@ -139,21 +139,27 @@ class DHTable:
             T = T * along_z * along_x if self.convention == "standard" else T * along_x * along_z
         return T * self.tool_placement
 
-    def __str__(self) -> str:
-        """The table as on paper, angles as multiples of π where they are."""
+    def written_rows(self) -> tuple[list[str], list[list[str]]]:
+        """Return the headings and the rows as on paper, angles as multiples of π where they are."""
         shift = "" if self.convention == "standard" else "ᵢ₋₁"
-        lines = [["i", "type", f"a{shift}", f"α{shift}", "d", "θ"]]
+        rows = []
         for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
             turn, slide = _written(theta, joint_value), _written(d, number)
             if kind == "R":
                 turn = _with_offset(f"q{i}", turn)
             else:
                 slide = _with_offset(f"q{i}", slide)
-            lines.append([str(i), kind, _written(a, number), _written(alpha, joint_value), slide, turn])
+            rows.append([str(i), kind, _written(a, number), _written(alpha, joint_value), slide, turn])
+        return ["i", "type", f"a{shift}", f"α{shift}", "d", "θ"], rows
+
+    def __str__(self) -> str:
+        """The table as on paper."""
+        headings, rows = self.written_rows()
+        lines = [headings, *rows]
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         table = ["  ".join(map(str.ljust, line, widths)).rstrip() for line in lines]
         placements = [("base", self.base_placement), ("tool", self.tool_placement)]
-        constants = [f"{name}: {_placement(T)}" for name, T in placements if not T.isIdentity(1e-12)]
+        constants = [f"{name}: {placement_text(T)}" for name, T in placements if not T.isIdentity(1e-12)]
         values = [f"{name} = {value:g}" for name, value in self.parameters.items()]
         return "\n".join([f"{self.convention} DH table", *table, *constants, *values])
 
@@ -181,7 +187,8 @@ def _with_offset(joint: str, offset: str) -> str:
     return f"{joint} − {offset[1:]}" if offset[0] in "-−" else f"{joint} + {offset}"
 
 
-def _placement(T: pin.SE3) -> str:
+def placement_text(T: pin.SE3) -> str:
+    """Return the position [m] and the roll, pitch and yaw [rad] of a placement."""
     turn = ", ".join(joint_value(float(angle)) for angle in pin.rpy.matrixToRpy(T.rotation))
     return f"p = {vector(T.translation)}, rpy = ({turn})"
 
