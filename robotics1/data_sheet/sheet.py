@@ -2,15 +2,14 @@
 
 import time
 from collections.abc import Callable
-from importlib.resources import files
 from pathlib import Path
-from string import Template
 
 import numpy.typing as npt
 
 from robotics1.data_sheet.asked import Answer, Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS, WRITTEN, Section
-from robotics1.data_sheet.markup import escaped, note
+from robotics1.data_sheet.layout import Part, laid_out
+from robotics1.data_sheet.markup import note
 from robotics1.data_sheet.worker import NoAnswer, Worker
 from robotics1.errors import InputError
 from robotics1.files import check_file
@@ -102,29 +101,18 @@ def _answer(worker: Worker, section: Section, left: float, limit: float) -> Answ
 
 
 def _page(robot: Robot, task: Task | None, q: Array, title: str, answers: dict[str, Answer | str]) -> str:
-    folder = files("robotics1.data_sheet") / "page"
     pairs = [(section, answers[section.name]) for section in SECTIONS]
-    rows = "" if task is None else f"r = ({', '.join(task.row_names)})"
-    return Template((folder / "sheet.html").read_text(encoding="utf-8")).substitute(
-        title=escaped(title),
-        style=(folder / "sheet.css").read_text(encoding="utf-8"),
-        subtitle=escaped(
-            f"Data sheet of a robot arm. Task {rows}, posture q = {vector(q)}." if rows else "Data sheet."
-        ),
-        links="".join(f'<li><a href="#{section.name}">{escaped(section.title)}</a></li>' for section in SECTIONS),
-        facts="".join(_fact(section, answer) for section, answer in pairs),
-        sections="\n".join(_section(section, answer) for section, answer in pairs),
+    rows = "" if task is None else f" Task r = ({', '.join(task.row_names)}), posture q = {vector(q)}."
+    return laid_out(
+        title,
+        f"Data sheet of a robot arm.{rows}",
+        [Part(section.name, section.title, _content(answer), _fact(answer)) for section, answer in pairs],
     )
 
 
-def _fact(section: Section, answer: Answer | str) -> str:
-    fact = answer.fact if isinstance(answer, Answer) else f"no answer: {answer}"
-    if not fact:
-        return ""
-    link = f'<a href="#{section.name}">{escaped(section.title)}</a>'
-    return f'<tr><th scope="row">{link}</th><td>{escaped(fact)}</td></tr>'
+def _content(answer: Answer | str) -> str:
+    return answer.html if isinstance(answer, Answer) else note(f"This section has no answer: {answer}.")
 
 
-def _section(section: Section, answer: Answer | str) -> str:
-    content = answer.html if isinstance(answer, Answer) else note(f"This section has no answer: {answer}.")
-    return f'<section id="{section.name}"><h2>{escaped(section.title)}</h2>{content}</section>'
+def _fact(answer: Answer | str) -> str:
+    return answer.fact if isinstance(answer, Answer) else f"no answer: {answer}"

@@ -42,8 +42,7 @@ def mathml_text(formula: Any, *, short: bool = False) -> str:
 
     Args:
         formula: an expression, a matrix or a relation.
-        short: whether to write c₂₃ for cos(q2 + q3), s₂₃ for its sine, decimals for fractions that no one reads, and
-            matrices as tables of the class "matrix".
+        short: whether to write c₂₃ for cos(q2 + q3), s₂₃ for its sine, and decimals for fractions that no one reads.
     """
     text = _ShortMathML().doprint(_with_decimals(formula)) if short else _MathML().doprint(formula)
     text = re.sub(r"<mi>(\w)dot</mi>", r"<mover><mi>\1</mi><mo>˙</mo></mover>", text)
@@ -81,16 +80,6 @@ class _ShortMathML(_MathML):
         row = self._print_Function(formula)
         row.getElementsByTagName("mi")[0].firstChild.data = "atan2"
         return row
-
-    def _print_MatrixBase(self, matrix: sympy.MatrixBase) -> Any:
-        """Write a table that the page draws between brackets: not every font has brackets of any height."""
-        table = self.dom.createElement("mtable")
-        table.setAttribute("class", "matrix")
-        for i in range(matrix.rows):
-            row = table.appendChild(self.dom.createElement("mtr"))
-            for j in range(matrix.cols):
-                row.appendChild(self.dom.createElement("mtd")).appendChild(self._print(matrix[i, j]))
-        return table
 
     def _short(self, letter: str, formula: sympy.Function) -> Any:
         joints = [JOINT.fullmatch(str(angle)) for angle in sympy.Add.make_args(formula.args[0])]
