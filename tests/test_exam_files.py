@@ -113,7 +113,7 @@ BAD = {
     "a length that it has not": (QUESTION.replace("l1", "l7"), ":2: "),
     "a robot and a table": (QUESTION.replace("lengths", 'dh = [["R", 1, 0, 0, 0]]\nlengths'), ":3: give a robot or"),
     "a wrong table": (QUESTION.replace('robot = "planar_2r"', "dh = [[1, 2]]"), ":2: "),
-    "no robot": (QUESTION.replace('robot = "planar_2r"\n', ""), ":4: question 1.1 (jacobian) needs a robot in its exercise"),
+    "no robot": (QUESTION.replace('robot = "planar_2r"\n', ""), ":4: question 1.1 (jacobian) needs a robot"),
     "no kind": (QUESTION.replace('ask = "jacobian"\n', ""), ":5: question 1.1 needs a kind"),
     "another kind": (QUESTION.replace('"jacobian"', '"jakobian"'), ":6: question 1.1 asks 'jakobian'; known are"),
     "no task": (QUESTION.replace('task = "position:xy"\n', ""), ":5: question 1.1 needs a task"),
