@@ -13,7 +13,7 @@ from . import (
     trajectories,
     workspaces,
 )
-from .control import simulate_tracking
+from .data_sheet.sheet import report
 from .dh.to_robot import robot_from_dh
 from .errors import (
     FormulaError,
@@ -32,9 +32,9 @@ from .ik.solutions import ik_solutions
 from .ik.solver import IKSolver, solve_ik
 from .kinematics import forward_kinematics, frame_jacobian, frame_jacobian_rate
 from .least_squares import RANK_TOLERANCE
+from .robot.findings import RobotReport
 from .robot.loading import check_robot, load_robot
 from .robot.model import Robot
-from .robot.report import RobotReport
 from .singularities.find import find_singularities
 from .singularities.scan import scan_singularities
 from .singularities.spaces import subspaces
@@ -109,10 +109,10 @@ __all__ = [
     "plots",
     "quintic",
     "rendezvous",
+    "report",
     "rigid_motions",
     "robot_from_dh",
     "scan_singularities",
-    "simulate_tracking",
     "singularities",
     "solve_ik",
     "subspaces",

@@ -34,6 +34,21 @@ def write_file(path: str | Path, content: str | bytes) -> Path:
     return path
 
 
+def check_file(path: str | Path) -> None:
+    """Refuse a path to which no file can be written, before long work for it begins.
+
+    Raises:
+        InputError: as `write_file` has them.
+    """
+    path = _as_path(path)
+    try:
+        _refuse_unless_a_file_fits(path, Path(os.path.realpath(path)))
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{str(path)!r} cannot be written: {getattr(error, 'strerror', None) or error}") from error
+
+
 def make_folder(path: Path) -> None:
     """Make a folder, and those above it, where there is none.
 

@@ -15,7 +15,7 @@ WINDOWS = ((1280, 800), (900, 700), (390, 844), (1600, 500))
 class OpenPage:
     """A page in a window: its faults, and the numbers behind what it shows."""
 
-    def __init__(self, browser, path, width=900, height=700, **options):
+    def __init__(self, browser, path, width=900, height=700, *, sheet=False, **options):
         self.faults = []
         self.held = None  # where a hand last held the handle
         self.tab = browser.new_page(viewport={"width": width, "height": height}, **options)
@@ -23,7 +23,8 @@ class OpenPage:
         self.tab.on("console", lambda message: self.faults.append(message.text) if message.type == "error" else None)
         self.tab.on("request", lambda request: self.faults.append(request.url) if "file:" not in request.url else None)
         self.tab.goto(path.as_uri(), wait_until="commit", timeout=90_000)
-        self.wait("window.robotics1?.ready")
+        if not sheet:  # whose arm is in a frame
+            self.wait("window.robotics1?.ready")
 
     def wait(self, condition, seconds=90):
         """Wait until a JavaScript expression is true; the page itself must not evaluate text."""
@@ -37,6 +38,12 @@ class OpenPage:
         return self.tab.evaluate(f"([a, b]) => {{ const app = window.robotics1.app; return {expression}; }}", [
             *arguments, *[None] * (2 - len(arguments)),
         ])  # fmt: skip
+
+    def keep(self, name):
+        """Save what is seen of a page without a scene of its own in the folder of the pictures, if one is named."""
+        if PICTURES:
+            PICTURES.mkdir(parents=True, exist_ok=True)
+            self.tab.screenshot(path=PICTURES / f"{name}.png")
 
     def picture(self, name, width=1280, height=800):
         """Save what is seen in the folder of the pictures, if one is named."""

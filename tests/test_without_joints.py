@@ -164,6 +164,7 @@ def nothing_moves(still, task, folder):
         "reachability_map": lambda: r1.reachability_map(still, task, [value]),
         "best_placements": lambda: r1.workspaces.best_placements(still, task, [value], {"x": 0.0}),
         "view": lambda: r1.view(still, [], folder / "still.html"),
+        "report": lambda: r1.report(still, folder / "sheet.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
         "plot_ellipses": lambda: r1.plots.plot_ellipses(still, task, [], file=folder / "e.svg"),

@@ -61,8 +61,12 @@ class Comparison:
 
     def formula(self, exercise: str, name: str, printed: str, computed: Any) -> None:
         """Compare a printed formula, in SymPy's spelling, with the computed one, by symbolic equality."""
-        found = "formula" if are_equal(formula_of(printed), computed) else None
-        self._add(Check(exercise, name, printed, " ".join(str(computed).split()), found))
+        agree = are_equal(formula_of(printed), computed)
+        self.compared(exercise, name, printed, " ".join(str(computed).split()), agree)
+
+    def compared(self, exercise: str, name: str, printed: str, computed: str, agree: bool) -> None:
+        """Add a formula that was compared already."""
+        self._add(Check(exercise, name, printed, computed, "formula" if agree else None))
 
     def failures(self) -> list[Check]:
         """Return the checks that do not hold."""

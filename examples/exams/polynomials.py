@@ -6,7 +6,7 @@ from rich.table import Table
 
 from robotics1 import Robot
 from robotics1.curves import PiecewisePolynomial
-from robotics1.report.tables import table
+from robotics1.terminal_tables import table
 
 
 def polynomial_table(robot: Robot, trajectory: PiecewisePolynomial) -> Table:

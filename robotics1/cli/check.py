@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from rich.tree import Tree
 
     from robotics1.cli.output import PlainConsole
+    from robotics1.robot.findings import RobotReport
     from robotics1.robot.model import Robot
-    from robotics1.robot.report import RobotReport
 
 EXAMPLES = (
     "check arm.urdf",
@@ -43,8 +43,8 @@ def check(
     """The verdict on a robot file, and what was understood of it."""
     from robotics1.cli.output import PlainConsole, write_json
     from robotics1.dh.to_robot import robot_from_dh
+    from robotics1.robot.findings import AGREES
     from robotics1.robot.loading import check_robot
-    from robotics1.robot.report import AGREES
 
     values = parse_parameters(param)
     given: dict[str, Any] = {"parameters": values, "packages": packages or (), "locked": parse_lock(lock)}
@@ -85,7 +85,7 @@ def _difference_from(robot: Robot, other: Robot) -> float:
     import numpy as np
 
     from robotics1.kinematics import forward_kinematics
-    from robotics1.robot.report import random_configurations, relative_difference
+    from robotics1.robot.findings import random_configurations, relative_difference
 
     if robot.nq != other.nq:
         raise InputError(f"the DH table has {other.nq} joints, and the tool of the robot hangs on {robot.nq}")
@@ -129,9 +129,9 @@ def _print(out: PlainConsole, found: RobotReport, dh_difference: float | None) -
     from rich.text import Text
 
     from robotics1.notation import count
-    from robotics1.report.tables import table
     from robotics1.robot.description import joint_table
     from robotics1.robot.joints import tips
+    from robotics1.terminal_tables import table
 
     for finding in found.errors:
         out.print(Text.assemble(("error", "red"), f" {printable(str(finding))}"), soft_wrap=True)
@@ -175,7 +175,7 @@ def _link_tree(robot: Robot) -> Tree:
 def _agreement(other: str, difference: float | None) -> Text:
     from rich.text import Text
 
-    from robotics1.robot.report import AGREES
+    from robotics1.robot.findings import AGREES
 
     if difference is None:
         return Text(f"forward kinematics was not compared with {other}")

@@ -18,6 +18,7 @@ from robotics1.cli.reach import reach
 from robotics1.cli.robot_page import view
 from robotics1.cli.robots import robots
 from robotics1.cli.scan import scan
+from robotics1.cli.sheet_page import report
 from robotics1.cli.singularities import singularities
 from robotics1.cli.statics import statics
 from robotics1.cli.streams import streams_ready
@@ -39,7 +40,7 @@ def examples_of(command: Callable[..., None]) -> str | None:
     return "\n".join(["\b", "Examples:", *(f"  robotics1 {example}" for example in examples)]) if examples else None
 
 
-for command in (exam, fk, jacobian, singularities, ik, statics, workspace, reach, scan, view, check, robots):
+for command in (exam, fk, jacobian, singularities, ik, statics, workspace, reach, scan, view, report, check, robots):
     app.command(epilog=examples_of(command))(command)
 
 

@@ -30,7 +30,7 @@ def fk(
         known = {"q": units(arm), "position": "m"}
         write_json({"q": values, "position": T.translation, "rotation": T.rotation, "units": known})
         return
-    from robotics1.report.tables import matrix_table
+    from robotics1.terminal_tables import matrix_table
 
     out = PlainConsole()
     say_outside_limits(out, arm, values)

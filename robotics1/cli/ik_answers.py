@@ -23,9 +23,9 @@ from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import Array
 from robotics1.notation import count, number, vector
-from robotics1.report.tables import iteration_table, matrix_table, table
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameTask
+from robotics1.terminal_tables import iteration_table, matrix_table, table
 
 OF_A_FAMILY = 16  # solutions that are printed, where there are infinitely many
 IN_COLUMNS = 4  # joints, up to which the table has a column for the posture

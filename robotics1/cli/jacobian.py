@@ -60,8 +60,8 @@ def jacobian(
 
     from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
     from robotics1.notation import enumeration, vector
-    from robotics1.report.tables import matrix_table
     from robotics1.singularities.rounding import rounded_configuration
+    from robotics1.terminal_tables import matrix_table
 
     values = arguments.configuration(arm, q, degrees)
     if at is not None:

@@ -109,7 +109,7 @@ def _positions(grid: Sequence[str] | None, step: str | None, reach: float) -> An
 
 def _shares(known: ReachabilityMap) -> Table:
     """Return how many positions are reached with which share of the orientations."""
-    from robotics1.report.tables import table
+    from robotics1.terminal_tables import table
 
     share = known.capability
     rows, counts = [("none", "")], [int((share == 0).sum())]

@@ -32,7 +32,7 @@ def robots(json: AsJson = False) -> None:
         keys = ("name", "from", "joints", "tool")
         write_json({"robots": [dict(zip(keys, row, strict=True)) for row in found], "extras": extras})
         return
-    from robotics1.report.tables import table
+    from robotics1.terminal_tables import table
 
     out = PlainConsole()
     out.print(table(("name", "from", "joints", "tool"), found, left=("name", "from", "joints", "tool")))

@@ -126,9 +126,9 @@ def _histogram(scan: SingularityScan) -> Table:
     """Return the histogram of the first measure, with a row from x to 2x; rare worst values share one row."""
     import numpy as np
 
-    from robotics1.report.tables import table
     from robotics1.singularities.reduction import WORST_IS_LARGEST
     from robotics1.singularities.scan_result import symbols
+    from robotics1.terminal_tables import table
 
     edges, counts = scan.histogram()
     largest = WORST_IS_LARGEST[scan.measures[0]]

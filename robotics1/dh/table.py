@@ -17,9 +17,9 @@ from robotics1.inputs import Array, by_name, one_of, real_array, real_number
 from robotics1.notation import joint_value, number, vector
 from robotics1.results import Frozen
 from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.findings import LARGEST
 from robotics1.robot.parameters import Parameters
 from robotics1.robot.placements import homogeneous
-from robotics1.robot.report import LARGEST
 from robotics1.tables import in_html, table_of
 
 CONVENTIONS = ("standard", "modified")
@@ -141,35 +141,36 @@ class DHTable(Frozen):
             T = T * along_z * along_x if self.convention == "standard" else T * along_x * along_z
         return T * self.tool_placement
 
-    def _lines(self) -> list[list[str]]:
-        """Return the headings and the rows as texts."""
+    def written_rows(self) -> tuple[list[str], list[list[str]]]:
+        """Return the headings and the rows as on paper, angles as multiples of π where they are."""
         shift = "" if self.convention == "standard" else "ᵢ₋₁"
-        lines = [["i", "type", f"a{shift}", f"α{shift}", "d", "θ"]]
+        rows = []
         for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
             turn, slide = _written(theta, joint_value), _written(d, number)
             if kind == "R":
                 turn = _with_offset(f"q{i}", turn)
             else:
                 slide = _with_offset(f"q{i}", slide)
-            lines.append([str(i), kind, _written(a, number), _written(alpha, joint_value), slide, turn])
-        return lines
+            rows.append([str(i), kind, _written(a, number), _written(alpha, joint_value), slide, turn])
+        return ["i", "type", f"a{shift}", f"α{shift}", "d", "θ"], rows
 
     def _repr_html_(self) -> str:
         """The table for a notebook, with the placements and lengths below it."""
-        head, *rows = self._lines()
+        head, rows = self.written_rows()
         return in_html("\n".join(self._constants()), [table_of(head, rows, f"{self.convention} DH table")])
 
     def _repr_latex_(self) -> str:
         """The table in LaTeX."""
-        _, *rows = self._lines()
+        _, rows = self.written_rows()
         shift = "" if self.convention == "standard" else "_{i-1}"
         head = rf"i & & a{shift} & \alpha{shift} & d & \theta"
         body = [" & ".join(map(_latex, row)) for row in rows]
         return rf"$$\begin{{array}}{{cccccc}} {head} \\ \hline " + r" \\ ".join(body) + r" \end{array}$$"
 
     def __str__(self) -> str:
-        """The table as on paper, angles as multiples of π where they are."""
-        lines = self._lines()
+        """The table as on paper."""
+        headings, rows = self.written_rows()
+        lines = [headings, *rows]
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         table = ["  ".join(map(str.ljust, line, widths)).rstrip() for line in lines]
         return "\n".join([f"{self.convention} DH table", *table, *self._constants()])
@@ -177,7 +178,7 @@ class DHTable(Frozen):
     def _constants(self) -> list[str]:
         """Return the placements that are not the identity, and the values of the names."""
         placements = [("base", self.base_placement), ("tool", self.tool_placement)]
-        constants = [f"{name}: {_placement(T)}" for name, T in placements if not T.isIdentity(1e-12)]
+        constants = [f"{name}: {placement_text(T)}" for name, T in placements if not T.isIdentity(1e-12)]
         return [*constants, *(f"{name} = {value:g}" for name, value in self.parameters.items())]
 
 
@@ -209,7 +210,8 @@ def _with_offset(joint: str, offset: str) -> str:
     return f"{joint} − {offset[1:]}" if offset[0] in "-−" else f"{joint} + {offset}"
 
 
-def _placement(T: pin.SE3) -> str:
+def placement_text(T: pin.SE3) -> str:
+    """Return the position [m] and the roll, pitch and yaw [rad] of a placement."""
     turn = ", ".join(joint_value(float(angle)) for angle in pin.rpy.matrixToRpy(T.rotation))
     return f"p = {vector(T.translation)}, rpy = ({turn})"
 

@@ -71,16 +71,21 @@ def drawn(axes: Any, file: str | Path | None) -> Any:
         InputError: the file has another suffix, or cannot be written there.
     """
     if file is not None:
-        from matplotlib import rc_context
-
         suffix = Path(str(file)).suffix.lower() or ".svg"
         if suffix not in METADATA:
             raise InputError(f"a figure is written as {', '.join(METADATA)}; the file is {str(file)!r}")
-        picture = BytesIO()
-        with rc_context({"svg.hashsalt": "robotics1"}):  # the same figure gives the same bytes
-            np.ravel(axes)[0].figure.savefig(picture, format=suffix[1:], dpi=150, metadata=METADATA[suffix])
-        write_file(file, picture.getvalue())
+        write_file(file, picture(axes, suffix))
     return axes
+
+
+def picture(axes: Any, suffix: str) -> bytes:
+    """Return the figure of axes as it is written in the format of a suffix; the same figure gives the same bytes."""
+    from matplotlib import rc_context
+
+    written = BytesIO()
+    with rc_context({"svg.hashsalt": "robotics1"}):
+        np.ravel(axes)[0].figure.savefig(written, format=suffix[1:], dpi=150, metadata=METADATA[suffix])
+    return written.getvalue()
 
 
 def _figure(size: tuple[float, float]) -> "Figure":

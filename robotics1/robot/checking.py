@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 from typing import cast
 
 from robotics1.robot.checking_parts import check_joint, check_link
+from robotics1.robot.findings import LARGEST, Findings
 from robotics1.robot.markup import Element, child, children, linked
-from robotics1.robot.report import LARGEST, Findings
 
 MOST_LINKS = 1000  # Pinocchio's parser recurses: 5000 links in a row crash it
 MOST_DEGREES = 128  # its memory grows with the cube: 200 degrees of freedom take 513 MB

@@ -6,8 +6,8 @@ from typing import cast
 
 import numpy as np
 
+from robotics1.robot.findings import Findings
 from robotics1.robot.markup import Element, child, children
-from robotics1.robot.report import Findings
 
 JOINT_TYPES = ("revolute", "prismatic", "continuous", "fixed", "floating", "planar")
 ON_AN_AXIS = ("revolute", "prismatic", "continuous", "planar")

@@ -20,6 +20,7 @@ from robotics1.errors import (
 from robotics1.inputs import by_name
 from robotics1.robot.building import build_model
 from robotics1.robot.checking import check_urdf
+from robotics1.robot.findings import Finding, NotComparable, RobotReport, difference_from_yourdfpy
 from robotics1.robot.frames import frame_number, links_of
 from robotics1.robot.from_pinocchio import robot_of_model
 from robotics1.robot.joints import Joint, tips
@@ -29,7 +30,6 @@ from robotics1.robot.meshes import find_meshes
 from robotics1.robot.mimic import follow_leaders, narrow_leaders
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Parameters, Placements, agree, fitted_placements
-from robotics1.robot.report import Finding, NotComparable, RobotReport, difference_from_yourdfpy
 from robotics1.robot.sources import robot_file, robot_text
 from robotics1.robot.urdf import Link, read_joints, read_links, urdf_text
 from robotics1.robot.xacro.expansion import Expanded, expand_xacro

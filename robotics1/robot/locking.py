@@ -8,9 +8,9 @@ import pinocchio as pin
 
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_array, real_number
+from robotics1.robot.findings import LARGEST
 from robotics1.robot.joints import Joint, placed
 from robotics1.robot.placements import homogeneous
-from robotics1.robot.report import LARGEST
 from robotics1.robot.urdf import Link
 
 

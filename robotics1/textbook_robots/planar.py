@@ -10,11 +10,11 @@ from robotics1.dh.table import Limits, joint_limits, named_values, number_or_nam
 from robotics1.errors import InputError
 from robotics1.inputs import by_name, true_or_false
 from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.findings import LARGEST
 from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Parameters, Placements, constant_placements
-from robotics1.robot.report import LARGEST
 
 Entry = float | str
 UP = (0.0, 0.0, 1.0)

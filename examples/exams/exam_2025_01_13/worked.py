@@ -11,8 +11,8 @@ from robotics1 import PositionTask, animate
 from robotics1.files import make_folder
 from robotics1.notation import count, vector
 from robotics1.plots import plot_path, plot_trajectory
-from robotics1.report.tables import iteration_table, table
 from robotics1.singularities.explain import directions
+from robotics1.terminal_tables import iteration_table, table
 from robotics1.trajectories import TaskTrajectory
 
 from ..comparison import Comparison

@@ -20,6 +20,8 @@ LONGEST_NUMBER = 8  # characters of a number that is read as it is
 USED = {"np", "float", "__debug__"}  # a written function needs the first two; Python assigns the last to nothing
 LATEX = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}"}
 LATEX |= {">": r"\textgreater{}"} | {c: rf"\{c}" for c in "{}$&#%_"}
+JOINT = re.compile(r"q(\d+)")  # the symbol of a joint
+LARGEST_DENOMINATOR = 9  # of a fraction that is read as one
 WORD = re.compile(r"[^\W_]+(_[^\W_]+)*")  # a name such as l2 or l_2
 
 Formula = Any  # a sympy.Expr, a sympy.Matrix, or a list of expressions that is a vector
@@ -40,9 +42,14 @@ def aligned(rows: Iterable[str]) -> str:
     return "$$\\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}$$"
 
 
-def mathml_text(formula: Any) -> str:
-    """Return a formula as a MathML element of an HTML page: q̇ with its dot above, and − for a hyphen."""
-    text = _MathML().doprint(formula)
+def mathml_text(formula: Any, *, short: bool = False) -> str:
+    """Return a formula as a MathML element of an HTML page: q̇ with its dot above, and − for a hyphen.
+
+    Args:
+        formula: an expression, a matrix or a relation.
+        short: whether to write c₂₃ for cos(q2 + q3), s₂₃ for its sine, and decimals for fractions that no one reads.
+    """
+    text = _ShortMathML().doprint(_with_decimals(formula)) if short else _MathML().doprint(formula)
     text = re.sub(r"<mi>(\w)dot</mi>", r"<mover><mi>\1</mi><mo>˙</mo></mover>", text)
     text = re.sub("<(mo|mn|mi)>-", r"<\1>−", text)
     return f'<math display="block">{text}</math>'
@@ -62,6 +69,34 @@ class _MathML(MathMLPresentationPrinter):  # type: ignore[misc]
 
     def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> Any:
         return super()._print_Symbol(sympy.Symbol(html.escape(printable(symbol.name))), style=style)
+
+
+class _ShortMathML(_MathML):
+    """The printer with textbooks' short names of cosines and sines of joint angles and of their sums."""
+
+    def _print_cos(self, formula: sympy.cos) -> Any:
+        return self._short("c", formula)
+
+    def _print_sin(self, formula: sympy.sin) -> Any:
+        return self._short("s", formula)
+
+    def _print_atan2(self, formula: sympy.atan2) -> Any:
+        """Write atan2, which has two arguments, where SymPy writes arctan."""
+        row = self._print_Function(formula)
+        row.getElementsByTagName("mi")[0].firstChild.data = "atan2"
+        return row
+
+    def _short(self, letter: str, formula: sympy.Function) -> Any:
+        joints = [JOINT.fullmatch(str(angle)) for angle in sympy.Add.make_args(formula.args[0])]
+        numbers = sorted(int(joint[1]) for joint in joints if joint)
+        if len(numbers) < len(joints):
+            return self._print_Function(formula)
+        name = self.dom.createElement("msub")
+        for tag, text in (("mi", letter), ("mn", ("," if numbers[-1] > 9 else "").join(map(str, numbers)))):
+            part = self.dom.createElement(tag)
+            part.appendChild(self.dom.createTextNode(text))
+            name.appendChild(part)
+        return name
 
 
 def numpy_function(symbols: Sequence[sympy.Symbol], formula: Any) -> Callable[..., Any]:
@@ -172,3 +207,10 @@ def _with_short_numbers(formula: Any) -> Any:
     """Return an expression whose long fractions are decimals with six digits."""
     long = {x for x in sympy.sympify(formula).atoms(sympy.Rational, sympy.Float) if len(str(x)) > LONGEST_NUMBER}
     return formula.xreplace({x: sympy.Float(x, 6) for x in long}) if long else formula
+
+
+def _with_decimals(formula: Any) -> Any:
+    """Return a formula with 0.425 for 17/40: only fractions such as 1/2 and 2/3 stay."""
+    numbers = formula.atoms(sympy.Rational, sympy.Float)
+    long = {x for x in numbers if not x.is_Rational or x.q > LARGEST_DENOMINATOR or x.p > 999 * x.q}
+    return formula.xreplace({x: sympy.Float(x, 5) for x in long if not x.is_Integer}) if long else formula

@@ -1,17 +1,14 @@
 """Tables of the terminal: of texts, of a matrix, of an iteration as on paper."""
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 import pinocchio as pin
 from rich.table import Table
 
+from robotics1.ik.iterate import IKIteration
 from robotics1.inputs import Array
 from robotics1.notation import number, vector
-
-if TYPE_CHECKING:
-    from robotics1.ik.iterate import IKIteration
 
 
 def table(
@@ -35,7 +32,7 @@ def matrix_table(values: Array, rows: tuple[str, ...] = (), columns: tuple[str, 
     return table(("", *headings), [(name, *row) for name, row in zip(rows, numbers, strict=True)], title)
 
 
-def iteration_table(run: "IKIteration", title: str = "") -> Table:
+def iteration_table(run: IKIteration, title: str = "") -> Table:
     """Return the iterates as the exam prints them: k, q, r, |e|, and det J or σ_min."""
     square = not np.isnan(run.table[0].det)
     rows = []

@@ -1,0 +1,79 @@
+"""Pieces of a page: paragraphs, tables, formulas, figures. Texts come from files, so that each is escaped here."""
+
+import base64
+import html
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from robotics1.names import printable
+
+READABLE = 400  # operations of a formula that is shown at once; a longer one is folded
+LONGEST = 6000  # operations of a formula that is shown at all
+
+
+def escaped(text: object) -> str:
+    """Return a text that a page only shows, whatever it holds."""
+    return html.escape(printable(str(text), keep="\n"))
+
+
+def paragraphs(*lines: str) -> str:
+    """Return a paragraph for each line that is not empty."""
+    return "\n".join(f"<p>{escaped(line)}</p>" for line in lines if line)
+
+
+def sentences(text: str) -> str:
+    """Return what an `explain()` says, its lines and indents kept."""
+    return f'<pre class="sentences">{escaped(text)}</pre>'
+
+
+def note(text: str) -> str:
+    """Return a remark about how sure an answer is, or what could not be done."""
+    return f'<p class="note">{escaped(text)}</p>'
+
+
+def table(headings: Sequence[str], rows: Iterable[Sequence[object]], caption: str = "") -> str:
+    """Return a table of texts, which scrolls on a narrow screen; its first column names the row."""
+    head = "".join(f'<th scope="col">{escaped(heading)}</th>' for heading in headings)
+    body = "\n".join(_row(row) for row in rows)
+    title = f"<caption>{escaped(caption)}</caption>" if caption else ""
+    return f'<div class="wide"><table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
+
+
+def _row(cells: Sequence[object]) -> str:
+    first, *others = (escaped(cell) for cell in cells)
+    return f'<tr><th scope="row">{first}</th>' + "".join(f"<td>{cell}</td>" for cell in others) + "</tr>"
+
+
+def equation(symbol: str, formula: Any) -> str:
+    """Return symbol = formula as MathML, with cᵢ and sᵢ for cos qᵢ and sin qᵢ; a longer formula is folded."""
+    import sympy
+
+    from robotics1.symbolic.writing.printing import mathml_text
+
+    length = int(sympy.count_ops(formula))
+    if length > LONGEST:
+        return note(f"{symbol} has {length} operations: too long to be read.")
+    left = f'<p class="symbol">{_subscripted(symbol)} =</p>' if symbol else ""
+    shown = f'<div class="equation">{left}<div class="wide">{mathml_text(formula, short=True)}</div></div>'
+    return shown if length <= READABLE else folded(f"{symbol}, {length} operations", shown)
+
+
+def _subscripted(symbol: str) -> str:
+    """Return q1 as q with the index 1."""
+    return re.sub(r"^([A-Za-z])(\d+)", r"\1<sub>\2</sub>", escaped(symbol))
+
+
+def folded(summary: str, content: str) -> str:
+    """Return content that opens with a click on its summary."""
+    return f"<details><summary>{escaped(summary)}</summary>{content}</details>"
+
+
+def figure(axes: Any, caption: str) -> str:
+    """Return a figure of Matplotlib as a picture that is part of the page."""
+    from robotics1.plots.figures import picture
+
+    data = base64.b64encode(picture(axes, ".svg")).decode("ascii")
+    text = escaped(caption)
+    image = f'<div class="wide"><img alt="{text}" src="data:image/svg+xml;base64,{data}"></div>'
+    return f"<figure>{image}<figcaption>{text}</figcaption></figure>"

@@ -1,1 +1,0 @@
-"""Answers as a person reads them."""

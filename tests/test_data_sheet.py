@@ -1,0 +1,186 @@
+"""The data sheet of an arm: what its sections say, what happens to one that fails, and how it looks in a browser."""
+
+import re
+from html import unescape
+from math import pi
+
+import numpy as np
+import pytest
+from arms import arm
+from command import answer, run
+from hostile_names import NAMES, arm_file
+from pages import OpenPage
+
+import robotics1 as r1
+from robotics1.data_sheet.asked import Asked, good_posture
+from robotics1.data_sheet.contents import SECTIONS
+from robotics1.data_sheet.worker import NoAnswer, Worker
+from robotics1.names import printable
+
+PLANE = r1.PositionTask("xy")
+Q = [0.4, 0.9]
+
+
+def sweep_too(name):
+    return pytest.param(name, marks=pytest.mark.sweep)
+
+
+@pytest.fixture(scope="module")
+def sheet(tmp_path_factory):
+    """The sheet of the 2R arm at Q, and how its progress was told."""
+    told = []
+    file = tmp_path_factory.mktemp("sheet") / "sheet.html"
+    page = r1.report(arm("planar_2r"), file, q=Q, progress=lambda done, count: told.append((done, count)))
+    assert page.file == file
+    assert file.read_text(encoding="utf-8") == page.html
+    return page, told
+
+
+def section(page, name):
+    """What a section says, without the picture's own page."""
+    text = re.search(rf'<section id="{name}">(.*?)</section>', page.html, flags=re.DOTALL)[1]
+    return re.sub(r'srcdoc="[^"]*"', "", text)
+
+
+def words(html):
+    return re.sub(r"\s+", " ", unescape(re.sub("<[^>]*>", " ", html))).strip()
+
+
+def test_every_section_has_an_answer_and_progress_goes_from_none_to_all(sheet):
+    page, told = sheet
+    assert re.findall(r'<section id="(\w+)">', page.html) == [section.name for section in SECTIONS]
+    assert "no answer" not in page.html
+    assert told == [(k, len(SECTIONS)) for k in range(len(SECTIONS) + 1)]
+
+
+def test_the_sheet_needs_nothing_from_elsewhere(sheet):
+    page, _ = sheet
+    outer = re.sub(r'srcdoc="[^"]*"', "", page.html)
+    assert set(re.findall(r'(?:src|href)="(\w*[:#])', outer)) == {"data:", "#"}
+    assert "default-src 'none'" in outer
+    assert "<script" not in outer
+
+
+def test_the_jacobian_and_its_determinant_are_those_of_the_textbook(sheet):
+    page, _ = sheet
+    assert "l 2 c 12" in words(section(page, "jacobian")).replace("⁢", "").replace("  ", " ")
+    determinant = words(section(page, "determinant")).replace("⁢", "").replace("  ", " ")
+    assert determinant.startswith("Determinant det J = l 1 l 2 s 2")
+
+
+def test_numbers_at_the_posture_are_those_of_forward_kinematics_and_of_the_singular_values(sheet):
+    page, _ = sheet
+    robot = arm("planar_2r")
+    x, y, _ = r1.forward_kinematics(robot, Q).translation
+    assert f"p = ({x:.4f}, {y:.4f}, 0) m" in words(section(page, "direct_kinematics"))
+    J = PLANE.jacobian(robot, Q)
+    for row in J:
+        assert " ".join(f"{value:.4f}" for value in row) in words(section(page, "jacobian"))
+    sigma = np.linalg.svd(J / robot.reach, compute_uv=False)
+    assert f"σ1 {sigma[0]:.4f} σ2 {sigma[1]:.4f}" in words(section(page, "ellipsoids"))
+
+
+def test_the_singular_set_and_the_inverse_kinematics_say_how_sure_they_are(sheet):
+    page, _ = sheet
+    singular = words(section(page, "singular_set"))
+    assert "1 q2 = 0 1 1 exact 2 q2 = π 1 1 exact" in singular
+    assert "Proven" in singular
+    inverse = words(section(page, "inverse_kinematics"))
+    assert "Proven" in inverse
+    assert "Verified" in words(section(page, "inverse_formulas"))
+    found = r1.ik_solutions(arm("planar_2r"), PLANE, PLANE.value(arm("planar_2r"), Q))
+    for q in found.q:
+        assert " ".join(f"{value:.4f}" for value in q) in inverse
+
+
+def test_the_workspace_of_the_2r_arm_is_its_ring(sheet):
+    page, _ = sheet
+    l1, l2 = (arm("planar_2r").parameters[name] for name in ("l1", "l2"))
+    area = pi * ((l1 + l2) ** 2 - (l1 - l2) ** 2)
+    assert f"area {area:.4g} m²" in words(page.html[: page.html.index("<section")])
+
+
+def test_an_arm_without_joints_has_a_sheet_that_says_why_sections_are_missing(tmp_path):
+    (tmp_path / "still.urdf").write_text('<robot name="still"><link name="base"/></robot>')
+    page = r1.report(r1.load_robot(tmp_path / "still.urdf"))
+    assert "This section has no answer: no joint" in words(section(page, "jacobian"))
+    assert "No joint moves" in words(section(page, "joints"))
+
+
+def test_what_has_no_time_left_says_so():
+    page = r1.report(arm("planar_2r"), time_limit=0.01)
+    assert page.html.count("the sections before took all of the time (0.01 s)") == 2 * len(SECTIONS)
+
+
+def test_a_section_that_takes_too_long_or_dies_is_ended_and_the_next_has_its_answer():
+    robot = arm("planar_2r")
+    with Worker(Asked(robot, PLANE, np.array(Q))) as worker:
+        with pytest.raises(NoAnswer, match="not ready after 0 s"):
+            worker.answer("scan", 0.001)
+        assert worker.answer("joints", 60).fact.startswith("2 revolute joints")
+        worker._process.kill()
+        with pytest.raises(NoAnswer, match="ended without an answer"):
+            worker.answer("joints", 60)
+        assert worker.answer("dh_tables", 60).html
+
+
+def test_a_task_that_no_other_process_can_read_is_answered_in_this_one():
+    task = r1.FunctionTask(lambda p, R, q: [p[0], p[1]], 2)
+    with Worker(Asked(arm("planar_2r"), task, np.array(Q))) as worker:
+        assert "det J = " in worker.answer("determinant", 60).fact
+
+
+def test_the_posture_is_far_from_singular_and_inside_the_limits():
+    robot = arm("elbow_limited")
+    q = good_posture(robot, PLANE)
+    assert robot.within_limits(q)
+    assert np.linalg.cond(PLANE.jacobian(robot, q)) < 10
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        ({"q": [1]}, r"q must have shape \(2,\)"),
+        ({"task": r1.PositionTask("xy", frame="nowhere")}, "nowhere"),
+        ({"time_limit": 0}, "time_limit must be"),
+        ({"file": "nowhere/sheet.html"}, "there is no folder nowhere"),
+        ({"title": 3}, "title must be"),
+        ({"progress": 3}, "progress must be a function"),
+    ],
+)
+def test_misuse_is_refused_before_the_work_begins(options, sentence):
+    with pytest.raises(r1.Robotics1Error, match=sentence):
+        r1.report(arm("planar_2r"), **options)
+
+
+@pytest.mark.parametrize("name", ["script", sweep_too("image"), sweep_too("template"), sweep_too("bidi")])
+def test_names_from_a_file_are_only_shown(browser, name, tmp_path):
+    robot = r1.load_robot(arm_file(tmp_path, NAMES[name]))
+    page = r1.report(robot, tmp_path / "sheet.html")
+    seen = OpenPage(browser, page.file, sheet=True)
+    assert seen.tab.inner_text("h1") == seen.tab.title() == printable(robot.name)
+    assert printable(robot.joint_names[0]) in seen.tab.inner_text("#joints")
+    assert seen.tab.locator("main script, main img[src=x]").count() == 0
+    assert seen.faults == []
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_a_browser_shows_the_sheet_and_the_arm_and_nothing_sticks_out(browser, sheet, width):
+    page = OpenPage(browser, sheet[0].file, width, 844, sheet=True)
+    assert page.tab.evaluate("document.documentElement.scrollWidth") <= width
+    page.tab.locator("iframe").scroll_into_view_if_needed()
+    frame = page.tab.frames[1]
+    frame.wait_for_function("() => window.robotics1 && window.robotics1.ready", timeout=60_000)
+    assert frame.evaluate("window.robotics1.app.actors[0].q") == pytest.approx(Q)
+    tall = page.tab.evaluate("[...document.querySelectorAll('math')].map(m => m.getBoundingClientRect().height)")
+    assert max(tall) > 20
+    assert page.faults == []
+    page.keep(f"sheet-{width}")
+
+
+def test_the_command_writes_the_sheet(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    words = ["report", "planar_2r", "--q", "0.5,60", "--degrees", "--task", "position:xy", "-p", "l1=0.7"]
+    assert answer(*words)["files"] == ["planar_2r-sheet.html"]
+    assert "posture q = (0.0087, 1.0472)" in (tmp_path / "planar_2r-sheet.html").read_text(encoding="utf-8")
+    assert "there is no folder" in run("report", "planar_2r", "-o", "nowhere/a.html").refusal
