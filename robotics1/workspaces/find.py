@@ -5,15 +5,20 @@ from math import pi, tau
 
 import numpy as np
 
+from robotics1.errors import TaskError
 from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, regions
+from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, outline_of, regions
+from robotics1.workspaces.axes import axes_to
 from robotics1.workspaces.critical_curves import CriticalCurve
+from robotics1.workspaces.curved_workspace import curved_workspace
 from robotics1.workspaces.distances import extreme_positions
+from robotics1.workspaces.flat_section import FlatSection
 from robotics1.workspaces.naming import boundary_curve, configuration_in_units, coordinates, names_of_coordinates
-from robotics1.workspaces.reading import ReadArm, read_arm
-from robotics1.workspaces.result import Workspace, WorkspaceRegion, outline_of
+from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
+from robotics1.workspaces.result import Workspace, WorkspaceRegion
 from robotics1.workspaces.revolution import ON_AXIS, HalfPlane, angles_of_sides, half_plane, moment_within
 from robotics1.workspaces.section import Section, section_of
 
@@ -48,7 +53,18 @@ def workspace(robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]
     plane geometry.
     """
     a_robot_and_a_task(robot, task)
-    arm = read_arm(robot, task, box)
+    robot.require_single_coordinates("have a workspace")
+    rows, frame = position_rows(task)
+    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
+    axes = axes_to(robot, frame, tip, box)
+    if not axes:
+        raise TaskError(f"no joint moves the tip of robot {robot.name!r}, so that its workspace is a point")
+    arm = read_arm(robot, axes, tip, rows)
+    return curved_workspace(robot, axes, tip, rows) if arm is None else flat_workspace(robot, arm)
+
+
+def flat_workspace(robot: Robot, arm: ReadArm) -> Workspace:
+    """Return the workspace of a planar chain."""
     plane = section_of(arm.joints, arm.tip, arm.neutral)
     full_turn = arm.base is not None and arm.base.circular
     section = half_plane(plane, (1, -1), arm.base.number) if arm.base is not None and full_turn else plane
@@ -69,11 +85,10 @@ def workspace(robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]
         regions=reached,
         voids=tuple(region for region in found if not region.solutions),
         cusps=np.zeros((0, 2)),
+        nodes=np.zeros((0, 2)),
         coordinates=names_of_coordinates(arm),
         redundant=len(arm.joints) > 2,
-        arm=arm,
-        section=section,
-        edges=tuple(divider.piece.curve for divider in edges),
+        section=FlatSection(arm, section, tuple(divider.piece.curve for divider in edges)),
     )
 
 
