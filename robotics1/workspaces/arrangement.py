@@ -8,7 +8,7 @@ from math import tau
 import numpy as np
 
 from robotics1.workspaces.critical_curves import CriticalCurve
-from robotics1.workspaces.crossings import Piece, meeting_points
+from robotics1.workspaces.pieces import Piece, meeting_points
 
 BESIDE = 1e-6  # how far from a piece its sides are looked at, when the arm is one long
 PARALLEL = 1e-5  # rad between tangents that count as one

@@ -179,6 +179,12 @@ class CurvedSection:
             )
         return self.size * self.distance_in_section(self.place(p)[0])
 
+    def depth(self, place: Array) -> float:
+        """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""
+        z = place / self.size
+        far = self.size * self.distance_in_section(z)
+        return far if self.counts(z[None])[0] else -far
+
     def distance_in_section(self, z: Array) -> float:
         """Return the distance of a point (2,) of the section from its boundary."""
         return min((part.distance(z) for part in self.boundary), default=np.inf)

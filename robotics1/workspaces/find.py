@@ -1,25 +1,26 @@
 """The workspace of an arm, exactly: the plane, cut along the critical curves of the task."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import pi, tau
 
 import numpy as np
 
-from robotics1.errors import TaskError
 from robotics1.inputs import Array, a_robot_and_a_task
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, outline_of, regions
-from robotics1.workspaces.axes import axes_to
+from robotics1.workspaces.axes import STRAIGHT, Axis, axes_to, require_moving
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.curved_workspace import curved_workspace
 from robotics1.workspaces.distances import extreme_positions
 from robotics1.workspaces.flat_section import FlatSection
 from robotics1.workspaces.naming import boundary_curve, configuration_in_units, coordinates, names_of_coordinates
 from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
+from robotics1.workspaces.reading_in_space import without_held
 from robotics1.workspaces.result import Workspace, WorkspaceRegion
 from robotics1.workspaces.revolution import ON_AXIS, HalfPlane, angles_of_sides, half_plane, moment_within
+from robotics1.workspaces.sampled_workspace import sampled_workspace
 from robotics1.workspaces.section import Section, section_of
 
 SAME = 1e-9  # of distances that are alike, by the arm's size
@@ -57,10 +58,19 @@ def workspace(robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]
     rows, frame = position_rows(task)
     tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
     axes = axes_to(robot, frame, tip, box)
-    if not axes:
-        raise TaskError(f"no joint moves the tip of robot {robot.name!r}, so that its workspace is a point")
+    require_moving(axes, robot)
+    return workspace_of(robot, axes, tip, rows)
+
+
+def workspace_of(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> Workspace:
+    """Return the workspace of a tip (3,) that joints move: exact if it can be, else sampled."""
     arm = read_arm(robot, axes, tip, rows)
-    return curved_workspace(robot, axes, tip, rows) if arm is None else flat_workspace(robot, arm)
+    if arm is not None:
+        return flat_workspace(robot, arm)
+    moving, at_tip = without_held(axes, tip, STRAIGHT * robot.reach)
+    if len(moving) <= len(rows):
+        return curved_workspace(robot, axes, tip, rows)
+    return sampled_workspace(robot, moving, at_tip, rows)
 
 
 def flat_workspace(robot: Robot, arm: ReadArm) -> Workspace:

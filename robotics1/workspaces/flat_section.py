@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import TaskError
-from robotics1.inputs import real_array
+from robotics1.inputs import Array, real_array
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.distances import distance_to_curve
 from robotics1.workspaces.reading import ReadArm
@@ -60,6 +60,16 @@ class FlatSection:
         if inside:
             return min(flat, -beyond) if beyond < 0 else beyond
         return float(np.hypot(flat, max(beyond, 0.0)))
+
+    def depth(self, place: Array) -> float:
+        """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""
+        arm = self.arm
+        if arm.base is not None:
+            z = complex(place[0], place[1] - arm.origin @ arm.second) / arm.size
+        else:
+            z = complex(place[0] - arm.origin @ arm.first, place[1] - arm.origin @ arm.second) / arm.size
+        far = arm.size * min(distance_to_curve(curve, z) for curve in self.edges)
+        return far if self.section.count(z) else -far
 
     def _height(self, p: npt.ArrayLike) -> float:
         """Return the value of the slide at which the tip is as high as a point."""

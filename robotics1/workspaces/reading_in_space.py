@@ -55,7 +55,7 @@ def read_in_space(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -
         )
     base = moving[0] if len(rows) == 3 else None
     pair = (moving[-2], moving[-1])
-    frame, origin = _frame(base, rows)
+    frame, origin = section_frame(base, rows)
     size = _size(moving, tip)
     about = base is not None and base.revolute
     mapped = plane_map(pair, tip, frame, origin, size, about)
@@ -69,13 +69,14 @@ def read_in_space(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -
     return SpatialArm(mapped, domain, pair, base, rows, origin, frame, size, neutral)
 
 
-def _frame(base: Axis | None, rows: Array) -> tuple[Array, Array]:
+def section_frame(base: Axis | None, rows: Array) -> tuple[Array, Array]:
     """Return the axes (3, 3) of the section and its origin: the base's axis is the last; of a slide it starts at 0."""
     if base is None:
         return np.vstack([rows, np.cross(rows[0], rows[1])]), np.zeros(3)
     first = across(base.direction)
     frame = np.array([first, np.cross(base.direction, first), base.direction])
-    return frame, base.point if base.revolute else np.zeros(3)
+    across_axis = base.point - (base.point @ base.direction) * base.direction  # so that h is a coordinate of the world
+    return frame, across_axis if base.revolute else np.zeros(3)
 
 
 def _size(axes: Sequence[Axis], tip: Array) -> float:

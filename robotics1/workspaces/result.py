@@ -18,6 +18,9 @@ class PlacedSection(Protocol):
     def distance(self, p: npt.ArrayLike) -> float:
         """Return the distance of a point (m,) from the boundary [m]."""
 
+    def depth(self, place: Array) -> float:
+        """Return the distance of a place (2,) of the section from its boundary [m]; negative where it is outside."""
+
 
 @dataclass(frozen=True, eq=False)
 class BoundaryCurve(Frozen):
@@ -104,6 +107,9 @@ class Workspace(Frozen):
         coordinates: the names of the section's two coordinates.
         volume_error: about how wrong the volume may be [m³]; 0 where it is exact. It is sampled where the first joint
             has limits and several solutions reach a point.
+        resolution: the side of the cells [m] where the workspace is sampled; 0 where it is exact. A cell is reached if
+            a configuration was found that reaches its middle; that there is none is not proven. Then `boundary` is
+            empty, and `nearest` and `farthest` are one configuration each, found by optimization.
         redundant: whether more joints move the point than it has coordinates, so that solutions are not counted.
     """
 
@@ -123,6 +129,7 @@ class Workspace(Frozen):
     redundant: bool
     section: PlacedSection = field(repr=False)
     volume_error: float = 0.0
+    resolution: float = 0.0
 
     def __repr__(self) -> str:
         size = f"area={self.area:.6g}" + ("" if self.volume is None else f", volume={self.volume:.6g}")
@@ -159,16 +166,22 @@ class Workspace(Frozen):
             else (f"volume {self.volume:.9g} m³; its section has the area {self.area:.9g} m²")
         )
         lines = [f"The workspace of {self.robot_name} has the {size}."]
+        if self.resolution:
+            lines.append(
+                f"It is sampled in cells of {self.resolution:.3g} m. Each reached cell has a configuration that "
+                "reaches its middle; that the others have none is not proven."
+            )
         if self.volume_error:
             lines.append(f"The volume is sampled, to about {self.volume_error:.1g} m³.")
         lines.append(f"Distances from the axis of the first joint go from {self.r_min:.9g} m to {self.r_max:.9g} m.")
         for region in self.regions:
             many = "reached" if self.redundant else f"{region.solutions} solution{'s' * (region.solutions != 1)}"
             lines.append(f"A region of area {region.area:.6g} m²: {many}.")
-        lines += [f"A void of area {void.area:.6g} m²: no solution." for void in self.voids]
+        none = "none found" if self.resolution else "no solution"
+        lines += [f"A void of area {void.area:.6g} m²: {none}." for void in self.voids]
         if len(self.cusps):
             where = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in self.cusps)
             lines.append(f"Three solutions meet at {len(self.cusps)} cusps, ({', '.join(self.coordinates)}) = {where}.")
         reasons = dict.fromkeys(curve.reason for curve in self.boundary)
-        lines += [f"The boundary is where {'; where '.join(reasons)}."]
+        lines += [f"The boundary is where {'; where '.join(reasons)}."] if reasons else []
         return "\n".join(lines)

@@ -117,7 +117,7 @@ def _region(
         for i, sign in ((s.right, 1), (s.left, -1)):
             if i is not None and (i, s.level) in integrals:
                 total += sign * integrals[i, s.level]
-    outline = tuple(_loops(list(_edges(whole, group))))
+    outline = tuple(closed_loops(list(_edges(whole, group))))
     area, moment = map(float, total)
     return StripRegion(tuple(group), int(group[0].count), area, moment, _inside(whole, group), outline)
 
@@ -153,7 +153,7 @@ def _edges(whole: Strips, group: Sequence[Strip]) -> Iterator[Array]:
         yield points if sign > 0 else points[::-1]
 
 
-def _loops(edges: list[Array]) -> Iterator[Array]:
+def closed_loops(edges: list[Array]) -> Iterator[Array]:
     """Yield closed curves made of edges that follow each other."""
     left = dict(enumerate(edges))
     starts = np.array([edge[0] for edge in edges]).reshape(-1, 2)
