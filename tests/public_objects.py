@@ -150,6 +150,13 @@ def reach():
     return r1.workspaces.workspace(r1.robot_from_dh(rows, lower=[-2, -2, 0], upper=[2, 2, 0.2]), r1.PositionTask())
 
 
+def wrist():
+    """An arm with a spherical wrist and a tool."""
+    rows = [("R", 0, np.pi / 2, 0.4, 0), ("R", 0.9, 0, 0.1, 0), ("R", 0, np.pi / 2, 0, 0)]
+    turns = [("R", 0, -np.pi / 2, 0.7, 0), ("R", 0, np.pi / 2, 0, 0), ("R", 0, 0, 0.15, 0)]
+    return r1.robot_from_dh(rows + turns)
+
+
 @cache
 def mapped():
     """A map of a few positions, and one of a redundant arm."""
@@ -192,6 +199,11 @@ INSTANCES = {
     ],
     "DHRow": lambda: [r1.dh.DHRow("R", 1.0, 0.0, "l", 0.0)],
     "DHTable": lambda: [r1.dh.urdf_to_dh(arm("six_r")), r1.dh.urdf_to_dh(arm("prr"), convention="modified")],
+    "DexterousWorkspace": lambda: [
+        r1.workspaces.dexterous_workspace(
+            r1.robot_from_dh([("R", a, 0, 0, 0) for a in (1, 0.5, 0.25)]), r1.PositionTask("xy")
+        )
+    ],
     "Ellipsoid": lambda: [found.force_ellipsoid for found in manipulabilities()],
     "EulerFormulas": lambda: [r1.orientation.euler_formulas("ZYZ")],
     "EulerRates": lambda: [r1.orientation.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
@@ -200,6 +212,8 @@ INSTANCES = {
     "RobotReport": lambda: [r1.check_robot("prr")],
     "Extreme": lambda: [laws()[0].peak(1), r1.trajectories.peak_norm(cubic())],
     "FollowedTrajectory": followed,
+    "ExtremeReach": lambda: [r1.workspaces.extreme_reach(arm("planar_2r"), r1.PositionTask("xy"))],
+    "FittingCircle": lambda: [r1.workspaces.largest_circle(reach())],
     "FollowingStatus": lambda: list(r1.trajectories.FollowingStatus),
     "FormulaPath": lambda: [r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
     "Formulas": formulas,
@@ -242,6 +256,9 @@ INSTANCES = {
     "Intersections": lambda: [r1.singularities.find_intersections(found) for found in singular_sets()],
     "Join": lambda: list(r1.curves.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),
     "JointAcceleration": lambda: [r1.joint_acceleration(arm("planar_2r"), PLANE, [1, 0], Q, [0.1, 0.2])],
+    "JointRanges": lambda: [
+        r1.workspaces.joint_ranges(arm("planar_2r"), r1.PositionTask("xy"), [[1, 0.2], [0.9, 0.3]])
+    ],
     "JointTrajectory": lambda: [laws()[0], *laws()[3:]],
     "JointVelocity": lambda: [r1.joint_velocity(arm("planar_2r"), PLANE, [1, 0], Q)],
     "LimitUse": lambda: [
@@ -258,6 +275,7 @@ INSTANCES = {
     "NearestRotation": lambda: [r1.orientation.nearest_rotation(np.eye(3))],
     "NormLimits": lambda: [r1.trajectories.NormLimits(velocity=1.0, rows=slice(0, 2))],
     "OrientationTask": lambda: [r1.OrientationTask(), r1.OrientationTask("ZYZ", fixed=True)],
+    "Passages": lambda: [r1.workspaces.crossings(reach(), [[-1, 0.1, 0.1], [1, 0.1, 0.1]])],
     "PathTiming": lambda: [
         r1.trajectories.time_optimal(r1.line_path([0, 0], [1, 1]), r1.MotionLimits(1.0, 3.0), grid=50)
     ],
@@ -317,6 +335,7 @@ INSTANCES = {
         laws()[0].laws[0],
         r1.trajectories.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0),
     ],
-    "Workspace": lambda: [reach()],
+    "Workspace": lambda: [reach(), r1.workspaces.workspace(wrist(), r1.PositionTask())],
     "WorkspaceRegion": lambda: list(reach().regions),
+    "WristDexterity": lambda: [r1.workspaces.dexterous_workspace(wrist(), r1.PositionTask())],
 }

@@ -88,7 +88,7 @@ def test_an_arm_in_the_plane_xz_has_the_workspace_of_the_same_arm_in_xy():
     one = workspace(r1.robot_from_dh(rows, **limits), XY)
     other = workspace(r1.robot_from_dh(rows, **limits, base_placement=upright), r1.PositionTask("xz"))
     assert other.area == pytest.approx(one.area, rel=1e-12)
-    with pytest.raises(r1.TaskError, match="leaves the plane"):
+    with pytest.raises(r1.TaskError, match="surface or a curve"):
         workspace(r1.robot_from_dh(rows, **limits, base_placement=upright), XY)
 
 
@@ -268,7 +268,7 @@ def test_joints_beside_the_arm_and_at_the_tip_do_not_matter():
         (r1.PositionTask("xy", reference="tool"), "world axes"),
         (r1.FunctionTask(lambda p, R, q: [p[0], p[1]], 2), "PositionTask"),
         (r1.OrientationTask(), "PositionTask"),
-        (XYZ, "slide across the plane"),
+        (XYZ, "2 joints"),
     ],
 )
 def test_tasks_of_another_kind_are_refused(task, words):
@@ -277,9 +277,6 @@ def test_tasks_of_another_kind_are_refused(task, words):
 
 
 def test_arms_of_another_kind_are_refused():
-    offset = r1.robot_from_dh([("R", 0.1, pi / 2, 0, 0), ("R", 0.5, pi / 4, 0.3, 0), ("R", 0.4, 0, 0, 0)])
-    with pytest.raises(r1.TaskError, match="not made of arcs"):
-        workspace(offset, XYZ)
     with pytest.raises(r1.TaskError, match="two joints"):
         workspace(chain("R", [0.4], [-1.0], [1.0]), XY)
     with pytest.raises(r1.TaskError, match="move the tip alike"):

@@ -9,11 +9,10 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.plots.figures import drawn, legend_text, line_style, new_axes
-from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
+from robotics1.workspaces.result import Workspace, WorkspaceRegion
 
 HATCHES = {0: "", 1: "//", 2: "", 3: "..", 4: "xx"}  # so that regions differ without colour
 COLORS = {1: "#fdd49e", 2: "#9ecae1", 3: "#c7e9c0", 4: "#bcbddc"}  # of the number of solutions
-STEP = 0.03  # rad along a drawn arc
 
 
 def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = None, title: str = "") -> Any:
@@ -40,7 +39,7 @@ def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = N
         _fill(panel, region, ws.redundant)
     reasons = list(dict.fromkeys(curve.reason for curve in ws.boundary))
     for i, reason in enumerate(reasons):
-        lines = [np.vstack([_points(curve), [[np.nan, np.nan]]]) for curve in ws.boundary if curve.reason == reason]
+        lines = [np.vstack([curve.points, [[np.nan, np.nan]]]) for curve in ws.boundary if curve.reason == reason]
         panel.plot(*np.vstack(lines).T, label=legend_text(reason), color=f"C{i}", linewidth=1.8, **line_style(i))
     x, y = ws.coordinates
     panel.set_aspect("equal", adjustable="datalim")
@@ -65,14 +64,3 @@ def _fill(panel: Any, region: WorkspaceRegion, redundant: bool) -> None:
 
 def _closed(lines: Sequence[Array]) -> list[Array]:
     return [np.vstack([line, line[:1]]) for line in lines]
-
-
-def _points(curve: BoundaryCurve) -> Array:
-    """Return points (k, 2) along a curve."""
-    if curve.center is None:
-        return np.array([curve.start, curve.end])
-    a, b = curve.start - curve.center
-    t = np.linspace(0, curve.angle, 2 + int(curve.angle / STEP))
-    return np.column_stack(
-        [curve.center[0] + a * np.cos(t) - b * np.sin(t), curve.center[1] + a * np.sin(t) + b * np.cos(t)]
-    )

@@ -5,8 +5,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from math import tau
 
+import numpy as np
+
 from robotics1.workspaces.critical_curves import CriticalCurve
-from robotics1.workspaces.crossings import Piece, meeting_points
+from robotics1.workspaces.pieces import Piece, meeting_points
 
 BESIDE = 1e-6  # how far from a piece its sides are looked at, when the arm is one long
 PARALLEL = 1e-5  # rad between tangents that count as one
@@ -175,3 +177,14 @@ def inner_point(outer: Loop, holes: list[Loop], divided: list[Divider]) -> compl
 def _crossed(middle: complex, across: complex, start: float, end: float, divided: list[Divider]) -> bool:
     way = CriticalCurve(None, middle + start * across, across, end - start, (0.0,), 0, 1)
     return any(meeting_points(way, divider.piece.curve) for divider in divided)
+
+
+def outline_of(loop: Loop) -> list[complex]:
+    """Return points on a loop, to draw it."""
+    points: list[complex] = []
+    for edge in loop:
+        curve = edge.curve
+        count = 2 if curve.centre is None else 2 + int(curve.length / 0.03)
+        t = np.linspace(0, curve.length, count)
+        points += [curve.point(float(s)) for s in (t if edge.forward else t[::-1])]
+    return points

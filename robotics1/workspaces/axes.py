@@ -42,6 +42,18 @@ class Axis:
 
 def axes_to(robot: Robot, frame: str | None, tip: Array, box: Mapping[str, tuple[float, float]] | None) -> list[Axis]:
     """Return the joints on the way to the tip, without the last ones if they turn about the tip."""
+    axes = all_axes_to(robot, frame, box)
+    while axes and axes[-1].revolute and _distance_to(axes[-1], tip) < STRAIGHT * robot.reach:
+        axes.pop()
+    return axes
+
+
+def all_axes_to(robot: Robot, frame: str | None, box: Mapping[str, tuple[float, float]] | None) -> list[Axis]:
+    """Return the joints on the way to a frame.
+
+    Raises:
+        TaskError: one of them mimics another one.
+    """
     way = [joint for joint in robot.joints_to(frame) if joint.kind != "fixed"]
     followers = [joint.name for joint in way if joint.follows]
     if followers:
@@ -62,9 +74,13 @@ def axes_to(robot: Robot, frame: str | None, tip: Array, box: Mapping[str, tuple
         axes.append(
             Axis(i, joint.name, turns, direction, np.array(placements[joint.name].translation), lower[i], upper[i])
         )
-    while axes and axes[-1].revolute and _distance_to(axes[-1], tip) < STRAIGHT * robot.reach:
-        axes.pop()
     return [_with_one_turn(axis) for axis in axes]
+
+
+def require_moving(axes: Sequence[Axis], robot: Robot) -> None:
+    """Raise TaskError if there is no joint."""
+    if not axes:
+        raise TaskError(f"no joint moves the tip of robot {robot.name!r}, so that its workspace is a point")
 
 
 def _with_one_turn(axis: Axis) -> Axis:

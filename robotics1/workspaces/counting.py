@@ -8,7 +8,7 @@ workspace: if it begins inside, or crosses the boundary.
 from collections.abc import Iterator, Sequence
 
 from robotics1.workspaces.critical_curves import TOLERANCE, CriticalCurve, drawn_by
-from robotics1.workspaces.crossings import meeting_points
+from robotics1.workspaces.pieces import meeting_points
 from robotics1.workspaces.planar_joints import PlanarJoint
 
 Curves = Sequence[CriticalCurve]

@@ -1,20 +1,27 @@
 """The workspace of an arm, exactly: the plane, cut along the critical curves of the task."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import pi, tau
 
 import numpy as np
 
 from robotics1.inputs import Array
+from robotics1.kinematics import forward_kinematics
 from robotics1.robot.given import RobotLike
+from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, regions
+from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, outline_of, regions
+from robotics1.workspaces.axes import STRAIGHT, Axis, axes_to, require_moving
 from robotics1.workspaces.critical_curves import CriticalCurve
+from robotics1.workspaces.curved_workspace import curved_workspace
 from robotics1.workspaces.distances import extreme_positions
+from robotics1.workspaces.flat_section import FlatSection
 from robotics1.workspaces.naming import boundary_curve, configuration_in_units, coordinates, names_of_coordinates
-from robotics1.workspaces.reading import ReadArm, read_arm
-from robotics1.workspaces.result import Workspace, WorkspaceRegion, outline_of
+from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
+from robotics1.workspaces.reading_in_space import without_held
+from robotics1.workspaces.result import Workspace, WorkspaceRegion
 from robotics1.workspaces.revolution import ON_AXIS, HalfPlane, angles_of_sides, half_plane, moment_within
+from robotics1.workspaces.sampled_workspace import sampled_workspace
 from robotics1.workspaces.section import Section, section_of
 
 SAME = 1e-9  # of distances that are alike, by the arm's size
@@ -48,7 +55,27 @@ def workspace(robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float
     plane geometry.
     """
     robot, task = robot_and_task(robot, task)
-    arm = read_arm(robot, task, box)
+    robot.require_single_coordinates("have a workspace")
+    rows, frame = position_rows(task)
+    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
+    axes = axes_to(robot, frame, tip, box)
+    require_moving(axes, robot)
+    return workspace_of(robot, axes, tip, rows)
+
+
+def workspace_of(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> Workspace:
+    """Return the workspace of a tip (3,) that joints move: exact if it can be, else sampled."""
+    arm = read_arm(robot, axes, tip, rows)
+    if arm is not None:
+        return flat_workspace(robot, arm)
+    moving, at_tip = without_held(axes, tip, STRAIGHT * robot.reach)
+    if len(moving) <= len(rows):
+        return curved_workspace(robot, axes, tip, rows)
+    return sampled_workspace(robot, moving, at_tip, rows)
+
+
+def flat_workspace(robot: Robot, arm: ReadArm) -> Workspace:
+    """Return the workspace of a planar chain."""
     plane = section_of(arm.joints, arm.tip, arm.neutral)
     full_turn = arm.base is not None and arm.base.circular
     section = half_plane(plane, (1, -1), arm.base.number) if arm.base is not None and full_turn else plane
@@ -69,11 +96,10 @@ def workspace(robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float
         regions=reached,
         voids=tuple(region for region in found if not region.solutions),
         cusps=np.zeros((0, 2)),
+        nodes=np.zeros((0, 2)),
         coordinates=names_of_coordinates(arm),
         redundant=len(arm.joints) > 2,
-        arm=arm,
-        section=section,
-        edges=tuple(divider.piece.curve for divider in edges),
+        section=FlatSection(arm, section, tuple(divider.piece.curve for divider in edges)),
     )
 
 

@@ -8,6 +8,8 @@ from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.reading import ReadArm
 from robotics1.workspaces.result import BoundaryCurve
 
+STEP = 0.03  # rad between drawn points of an arc
+
 
 def coordinates(arm: ReadArm, z: complex) -> Array:
     """Return the coordinates (2,) of a point of the section [m]; see `Workspace`."""
@@ -41,7 +43,9 @@ def boundary_curve(robot: Robot, arm: ReadArm, curve: CriticalCurve) -> Boundary
     free = [joint.name for joint in arm.joints if joint.name not in limits]
     singular = tuple(free) if len(free) > 1 else ()
     end = curve.point(curve.length)
+    count = 2 if curve.centre is None else 2 + int(curve.length / STEP)
     return BoundaryCurve(
+        points=np.array([coordinates(arm, curve.point(float(t))) for t in np.linspace(0, curve.length, count)]),
         start=coordinates(arm, curve.start),
         end=coordinates(arm, end),
         center=None if curve.centre is None else coordinates(arm, curve.centre),
@@ -52,11 +56,12 @@ def boundary_curve(robot: Robot, arm: ReadArm, curve: CriticalCurve) -> Boundary
         joint=names[curve.joint],
         limits=limits,
         singular=singular,
-        reason=_reason(limits, singular),
+        reason=reason_of(limits, singular),
     )
 
 
-def _reason(limits: dict[str, str], singular: tuple[str, ...]) -> str:
+def reason_of(limits: dict[str, str], singular: tuple[str, ...]) -> str:
+    """Return in words which joints are at a limit, and which are singular together."""
     parts = [f"{name} is at its {limit} limit" for name, limit in limits.items()]
     if singular:
         parts.append(f"{', '.join(singular[:-1])} and {singular[-1]} are singular together")

@@ -1,6 +1,6 @@
 """A robot and a task, read as a planar chain: in the task's plane, times a slide across it, or turned about an axis."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -8,11 +8,10 @@ import numpy as np
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
-from robotics1.kinematics import forward_kinematics
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.workspaces.axes import STRAIGHT, Axis, across, are_planar, axes_to
+from robotics1.workspaces.axes import STRAIGHT, Axis, across, are_planar
 from robotics1.workspaces.planar_joints import CLOSED, PlanarJoint
 
 
@@ -62,31 +61,19 @@ class ReadArm:
         return self.origin + self.size * (z.real * self.first + z.imag * self.second)
 
 
-def read_arm(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None) -> ReadArm:
-    """Return the planar chain that a robot is for a task.
+def read_arm(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> ReadArm | None:
+    """Return the planar chain that joints are for the rows (m, 3) of a task; None if they are none.
 
     Raises:
-        TaskError: the task is no position, or the arm is no planar chain for it.
+        TaskError: the chain has no area or volume, or two of its joints move the tip alike.
         InputError: a prismatic joint has no limits.
     """
-    robot.require_single_coordinates("have a workspace")
-    rows, frame = _position_rows(task)
-    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
-    axes = axes_to(robot, frame, tip, box)
-    if not axes:
-        raise TaskError(f"no joint moves the tip of robot {robot.name!r}, so that its workspace is a point")
     if len(rows) == 2:
         return _in_plane(axes, tip, rows, robot)
-    arm = _across_a_slide(axes, tip, rows, robot) or _about_an_axis(axes, tip, rows, robot)
-    if arm is None:
-        raise TaskError(
-            f"the workspace of robot {robot.name!r} is not made of arcs and segments: an arm with a position in space "
-            "must slide across the plane in which its other joints move, or turn its plane about an axis in this plane"
-        )
-    return arm
+    return _across_a_slide(axes, tip, rows, robot) or _about_an_axis(axes, tip, rows, robot)
 
 
-def _position_rows(task: Task) -> tuple[Array, str | None]:
+def position_rows(task: Task) -> tuple[Array, str | None]:
     """Return the directions whose coordinates the task is, (m, 3), and its frame."""
     form = task.frame_map()
     if form is not None and form.S is not None and form.constant_rows and form.reference == "world":
@@ -99,14 +86,11 @@ def _position_rows(task: Task) -> tuple[Array, str | None]:
     )
 
 
-def _in_plane(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot) -> ReadArm:
+def _in_plane(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot) -> ReadArm | None:
     normal = np.cross(rows[0], rows[1])
     moving = [axis for axis in axes if axis.revolute or abs(axis.direction @ normal) < 1 - STRAIGHT]
     if not are_planar(moving, normal):
-        raise TaskError(
-            f"robot {robot.name!r} leaves the plane of these two coordinates; use PositionTask() "
-            "for its workspace in space"
-        )
+        return None
     return _chain(moving, tip, rows, robot, rows[0], rows[1])
 
 

@@ -1,42 +1,48 @@
 """The workspace of an arm: its regions, its boundary, and what can be asked of a point."""
 
 from dataclasses import dataclass, field
+from typing import Protocol
 
-import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import TaskError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import vector
 from robotics1.results import Frozen
 from robotics1.tables import Table, table_of
-from robotics1.workspaces.arrangement import Loop
-from robotics1.workspaces.critical_curves import CriticalCurve
-from robotics1.workspaces.distances import distance_to_curve
-from robotics1.workspaces.reading import ReadArm
-from robotics1.workspaces.revolution import HalfPlane
-from robotics1.workspaces.section import Section
 
-ON_BOUNDARY = 1e-9  # of the arm's size: a point that near belongs to the workspace
+
+class PlacedSection(Protocol):
+    """What answers questions about a point."""
+
+    def contains(self, p: npt.ArrayLike) -> bool:
+        """Return whether a point (m,) is reached."""
+
+    def distance(self, p: npt.ArrayLike) -> float:
+        """Return the distance of a point (m,) from the boundary [m]."""
+
+    def depth(self, place: Array) -> float:
+        """Return the distance of a place (2,) of the section from its boundary [m]; negative where it is outside."""
 
 
 @dataclass(frozen=True, eq=False)
 class BoundaryCurve(Frozen):
-    """An arc or a segment of the boundary, drawn by one joint while the others stand still.
+    """A part of the boundary: an arc or a segment, drawn by one joint while the others stand still; or another curve.
 
     Attributes:
+        points: (k, 2) from its start to its end, to draw it [m].
         start, end: (2,) its ends [m]; an arc goes counter-clockwise.
-        center: (2,) of an arc [m]; None of a segment.
-        radius: of an arc [m]; infinite of a segment.
-        angle: that an arc turns by [rad]; 0 of a segment.
+        center: (2,) of an arc [m]; else None.
+        radius: of an arc [m]; else infinite.
+        angle: that an arc turns by [rad]; else 0.
         q_start, q_end: (nq,) a configuration at its ends [rad or m].
-        joint: the joint that draws it.
+        joint: the joint that draws it; empty where several move along it.
         limits: joint → "lower" or "upper": the joints that are at a limit.
         singular: the joints that are singular together; empty where all joints but one are at a limit.
         reason: the same in words.
     """
 
+    points: Array = field(repr=False)
     start: Array
     end: Array
     center: Array | None
@@ -49,8 +55,15 @@ class BoundaryCurve(Frozen):
     singular: tuple[str, ...]
     reason: str
 
+    @property
+    def kind(self) -> str:
+        """What it is: "arc", "segment" or "curve"."""
+        if self.center is not None:
+            return "arc"
+        return "segment" if len(self.points) == 2 else "curve"
+
     def __repr__(self) -> str:
-        kind = "segment" if self.center is None else f"arc of radius {self.radius:.6g}"
+        kind = f"arc of radius {self.radius:.6g}" if self.kind == "arc" else self.kind
         return f"BoundaryCurve({kind}, {self.reason})"
 
 
@@ -91,8 +104,15 @@ class Workspace(Frozen):
         boundary: the arcs and segments between what is reached and what is not.
         regions: the reached regions.
         voids: the regions around which there is a reached one, and which are not reached.
-        cusps: (0, 2): arcs and segments have none.
+        cusps: (k, 2) points of the section [m] in which three solutions meet: critical curves turn back there. A 3R arm
+            with cusps changes its posture without a singularity. Arcs and segments have none.
+        nodes: (k, 2) points inside [m] in which critical curves cross that have no end there; of arms in space.
         coordinates: the names of the section's two coordinates.
+        volume_error: about how wrong the volume may be [m³]; 0 where it is exact. It is sampled where the first joint
+            has limits and several solutions reach a point.
+        resolution: the side of the cells [m] where the workspace is sampled; 0 where it is exact. A cell is reached if
+            a configuration was found that reaches its middle; that there is none is not proven. Then `boundary` is
+            empty, and `nearest` and `farthest` are one configuration each, found by optimization.
         redundant: whether more joints move the point than it has coordinates, so that solutions are not counted.
     """
 
@@ -107,11 +127,12 @@ class Workspace(Frozen):
     regions: tuple[WorkspaceRegion, ...]
     voids: tuple[WorkspaceRegion, ...]
     cusps: Array
+    nodes: Array
     coordinates: tuple[str, str]
     redundant: bool
-    arm: ReadArm = field(repr=False)
-    section: Section | HalfPlane = field(repr=False)
-    edges: tuple[CriticalCurve, ...] = field(repr=False)
+    section: PlacedSection = field(repr=False)
+    volume_error: float = 0.0
+    resolution: float = 0.0
 
     def __repr__(self) -> str:
         size = f"area={self.area:.6g}" + ("" if self.volume is None else f", volume={self.volume:.6g}")
@@ -135,18 +156,7 @@ class Workspace(Frozen):
         Raises:
             InputError: p has another shape or is not finite.
         """
-        z, height, sides = self._place(p)
-        if not height:
-            return False
-        whole = self.section.section if isinstance(self.section, HalfPlane) else self.section
-        mirrored = [z if side > 0 else -z.conjugate() for side in sides]
-        return any(whole.count(w) > 0 for w in mirrored) or (
-            any(distance_to_curve(curve, w) < ON_BOUNDARY for curve in self.edges for w in self._drawn(mirrored))
-        )
-
-    def _drawn(self, places: list[complex]) -> list[complex]:
-        """Return places of a point in the section as its boundary is drawn: mirrored to ρ ≥ 0 in a half plane."""
-        return [complex(abs(w.real), w.imag) for w in places] if isinstance(self.section, HalfPlane) else places
+        return self.section.contains(p)
 
     def distance(self, p: npt.ArrayLike) -> float:
         """Return the distance of a point from the boundary [m], whether it is inside or outside.
@@ -156,47 +166,9 @@ class Workspace(Frozen):
 
         Raises:
             InputError: p has another shape or is not finite.
-            TaskError: the arm turns its plane between limits; the distance from the ends of the turn is not known.
+            TaskError: the first joint moves the section between limits; the distance from the ends is not known.
         """
-        arm = self.arm
-        if arm.base is not None and not arm.base.circular:
-            raise TaskError(
-                f"the distance is known for a full turn of joint {arm.base.name!r}, and its turn has limits"
-            )
-        z, _, _ = self._place(p)
-        flat = arm.size * min(distance_to_curve(curve, z) for curve in self.edges)
-        if arm.slide is None:
-            return flat
-        h = self._height(p)
-        beyond = max(arm.slide.lower - h, h - arm.slide.upper)
-        inside = self.section.count(z) > 0
-        if inside:
-            return min(flat, -beyond) if beyond < 0 else beyond
-        return float(np.hypot(flat, max(beyond, 0.0)))
-
-    def _height(self, p: npt.ArrayLike) -> float:
-        """Return the value of the slide at which the tip is as high as a point."""
-        arm = self.arm
-        if arm.slide is None:
-            return 0.0
-        point = arm.rows.T @ real_array("p", p, (len(arm.rows),))
-        h = float((point - arm.origin) @ arm.normal) - arm.height
-        return h * float(np.sign(arm.slide.direction @ arm.normal))
-
-    def _place(self, p: npt.ArrayLike) -> tuple[complex, bool, tuple[int, ...]]:
-        """Return where a point is in the section, whether the slide is long enough, and the sides that come there."""
-        arm = self.arm
-        point = arm.rows.T @ real_array("p", p, (len(arm.rows),), "the task's coordinates [m]")
-        if arm.slide is not None:
-            h, near = self._height(p), ON_BOUNDARY * arm.size
-            return arm.in_plane(point), arm.slide.lower - near <= h <= arm.slide.upper + near, (1,)
-        if arm.base is None:
-            return arm.in_plane(point), True, (1,)
-        offset = (point - arm.origin) / arm.size
-        x, y = offset @ arm.first, offset @ np.cross(arm.second, arm.first)
-        around = float(np.arctan2(y, x))
-        sides = tuple(side for side in (1, -1) if arm.base.turns_to(around + (0.0 if side > 0 else np.pi)))
-        return complex(np.hypot(x, y), offset @ arm.second), True, sides
+        return self.section.distance(p)
 
     def explain(self) -> str:
         """Return size, reach, regions and boundary, in sentences."""
@@ -206,22 +178,22 @@ class Workspace(Frozen):
             else (f"volume {self.volume:.9g} m³; its section has the area {self.area:.9g} m²")
         )
         lines = [f"The workspace of {self.robot_name} has the {size}."]
+        if self.resolution:
+            lines.append(
+                f"It is sampled in cells of {self.resolution:.3g} m. Each reached cell has a configuration that "
+                "reaches its middle; that the others have none is not proven."
+            )
+        if self.volume_error:
+            lines.append(f"The volume is sampled, to about {self.volume_error:.1g} m³.")
         lines.append(f"Distances from the axis of the first joint go from {self.r_min:.9g} m to {self.r_max:.9g} m.")
         for region in self.regions:
             many = "reached" if self.redundant else f"{region.solutions} solution{'s' * (region.solutions != 1)}"
             lines.append(f"A region of area {region.area:.6g} m²: {many}.")
-        lines += [f"A void of area {void.area:.6g} m²: no solution." for void in self.voids]
+        none = "none found" if self.resolution else "no solution"
+        lines += [f"A void of area {void.area:.6g} m²: {none}." for void in self.voids]
+        if len(self.cusps):
+            where = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in self.cusps)
+            lines.append(f"Three solutions meet at {len(self.cusps)} cusps, ({', '.join(self.coordinates)}) = {where}.")
         reasons = dict.fromkeys(curve.reason for curve in self.boundary)
-        lines += [f"The boundary is where {'; where '.join(reasons)}."]
+        lines += [f"The boundary is where {'; where '.join(reasons)}."] if reasons else []
         return "\n".join(lines)
-
-
-def outline_of(loop: Loop) -> list[complex]:
-    """Return points on a loop, to draw it."""
-    points: list[complex] = []
-    for edge in loop:
-        curve = edge.curve
-        count = 2 if curve.centre is None else 2 + int(curve.length / 0.03)
-        t = np.linspace(0, curve.length, count)
-        points += [curve.point(float(s)) for s in (t if edge.forward else t[::-1])]
-    return points

@@ -7,7 +7,7 @@ from math import cos, pi, sin, tau
 
 from robotics1.workspaces.arrangement import Divider, Loop, dividers
 from robotics1.workspaces.critical_curves import CriticalCurve
-from robotics1.workspaces.crossings import cut
+from robotics1.workspaces.pieces import cut
 from robotics1.workspaces.section import Section
 
 ON_AXIS = -1  # in place of the joint that draws the axis

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from robotics1.workspaces.arrangement import Divider, dividers
 from robotics1.workspaces.counting import configurations_at, solution_count
 from robotics1.workspaces.critical_curves import CriticalCurve, drawn_by, swept
-from robotics1.workspaces.crossings import cut
+from robotics1.workspaces.pieces import cut
 from robotics1.workspaces.planar_joints import PlanarJoint
 
 

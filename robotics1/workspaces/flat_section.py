@@ -1,0 +1,96 @@
+"""The section of a planar chain: where a point is in it, whether it is reached, and how far the boundary is."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import TaskError
+from robotics1.inputs import Array, real_array
+from robotics1.workspaces.critical_curves import CriticalCurve
+from robotics1.workspaces.distances import distance_to_curve
+from robotics1.workspaces.reading import ReadArm
+from robotics1.workspaces.revolution import HalfPlane
+from robotics1.workspaces.section import Section
+
+ON_BOUNDARY = 1e-9  # of the arm's size: a point that near belongs to the workspace
+
+
+@dataclass(frozen=True, eq=False)
+class FlatSection:
+    """A planar chain, its section, and the curves of its boundary."""
+
+    arm: ReadArm
+    section: Section | HalfPlane
+    edges: tuple[CriticalCurve, ...]
+
+    def contains(self, p: npt.ArrayLike) -> bool:
+        """Return whether a point (m,) is reached."""
+        z, height, sides = self._place(p)
+        if not height:
+            return False
+        whole = self.section.section if isinstance(self.section, HalfPlane) else self.section
+        mirrored = [z if side > 0 else -z.conjugate() for side in sides]
+        return any(whole.count(w) > 0 for w in mirrored) or (
+            any(distance_to_curve(curve, w) < ON_BOUNDARY for curve in self.edges for w in self._drawn(mirrored))
+        )
+
+    def _drawn(self, places: list[complex]) -> list[complex]:
+        """Return places of a point in the section as its boundary is drawn: mirrored to ρ ≥ 0 in a half plane."""
+        return [complex(abs(w.real), w.imag) for w in places] if isinstance(self.section, HalfPlane) else places
+
+    def distance(self, p: npt.ArrayLike) -> float:
+        """Return the distance of a point (m,) from the boundary [m].
+
+        Raises:
+            TaskError: the arm turns its plane between limits; the distance from the ends of the turn is not known.
+        """
+        arm = self.arm
+        if arm.base is not None and not arm.base.circular:
+            raise TaskError(
+                f"the distance is known for a full turn of joint {arm.base.name!r}, and its turn has limits"
+            )
+        z, _, _ = self._place(p)
+        flat = arm.size * min(distance_to_curve(curve, z) for curve in self.edges)
+        if arm.slide is None:
+            return flat
+        h = self._height(p)
+        beyond = max(arm.slide.lower - h, h - arm.slide.upper)
+        inside = self.section.count(z) > 0
+        if inside:
+            return min(flat, -beyond) if beyond < 0 else beyond
+        return float(np.hypot(flat, max(beyond, 0.0)))
+
+    def depth(self, place: Array) -> float:
+        """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""
+        arm = self.arm
+        if arm.base is not None:
+            z = complex(place[0], place[1] - arm.origin @ arm.second) / arm.size
+        else:
+            z = complex(place[0] - arm.origin @ arm.first, place[1] - arm.origin @ arm.second) / arm.size
+        far = arm.size * min(distance_to_curve(curve, z) for curve in self.edges)
+        return far if self.section.count(z) else -far
+
+    def _height(self, p: npt.ArrayLike) -> float:
+        """Return the value of the slide at which the tip is as high as a point."""
+        arm = self.arm
+        if arm.slide is None:
+            return 0.0
+        point = arm.rows.T @ real_array("p", p, (len(arm.rows),))
+        h = float((point - arm.origin) @ arm.normal) - arm.height
+        return h * float(np.sign(arm.slide.direction @ arm.normal))
+
+    def _place(self, p: npt.ArrayLike) -> tuple[complex, bool, tuple[int, ...]]:
+        """Return where a point is in the section, whether the slide is long enough, and the sides that come there."""
+        arm = self.arm
+        point = arm.rows.T @ real_array("p", p, (len(arm.rows),), "the task's coordinates [m]")
+        if arm.slide is not None:
+            h, near = self._height(p), ON_BOUNDARY * arm.size
+            return arm.in_plane(point), arm.slide.lower - near <= h <= arm.slide.upper + near, (1,)
+        if arm.base is None:
+            return arm.in_plane(point), True, (1,)
+        offset = (point - arm.origin) / arm.size
+        x, y = offset @ arm.first, offset @ np.cross(arm.second, arm.first)
+        around = float(np.arctan2(y, x))
+        sides = tuple(side for side in (1, -1) if arm.base.turns_to(around + (0.0 if side > 0 else np.pi)))
+        return complex(np.hypot(x, y), offset @ arm.second), True, sides

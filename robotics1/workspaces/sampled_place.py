@@ -1,0 +1,112 @@
+"""Questions about a point, answered by samples: a point is reached where a configuration is found that reaches it."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.caching import cached_property
+from robotics1.errors import TaskError
+from robotics1.inputs import Array, real_array
+from robotics1.workspaces.axes import Axis
+from robotics1.workspaces.chain_map import ChainMap
+from robotics1.workspaces.sampled_section import SampledSection, descend, shown
+
+DRAWN = 40_000  # random configurations from which a point is looked for
+WIDER = 2  # cells around reached ones in which a point is looked for
+NEAREST = 12  # of them, those whose points are nearest
+
+
+@dataclass(frozen=True, eq=False)
+class SampledPlace:
+    """A sampled section and where it is in the world.
+
+    Attributes:
+        section: the cells.
+        whole: all joints that move the point, in the section's frame.
+        base: the joint that moves the section, or None.
+        rows: (m, 3) the rows of the task.
+        origin, frame: (3,) and (3, 3): the section's coordinates are those of frame (P − origin).
+        seed: of the random configurations.
+    """
+
+    section: SampledSection
+    whole: ChainMap
+    base: Axis | None
+    rows: Array
+    origin: Array
+    frame: Array
+    seed: int
+
+    def local(self, p: npt.ArrayLike) -> Array:
+        """Return a point (m,) in the section's frame (3,)."""
+        point = self.rows.T @ real_array("p", p, (len(self.rows),), "the task's coordinates [m]")
+        return np.asarray(self.frame @ (point - self.rows.T @ self.rows @ self.origin))
+
+    def contains(self, p: npt.ArrayLike) -> bool:
+        """Return whether a configuration was found that reaches a point (m,)."""
+        return bool(self.reaches(self.local(p)[None])[0])
+
+    def reaches(self, points: Array) -> npt.NDArray[np.bool_]:
+        """Return at which points (k, 3) of the section's frame a configuration was found."""
+        tree, q = self._nearest
+        wanted = points[:, : len(self.rows)]
+        near = np.reshape(tree.query(wanted, NEAREST)[1], (len(points), NEAREST))
+        found, possible = np.zeros(len(points), dtype=bool), self._near_reached_cells(points)
+        for column in near.T:
+            left = np.flatnonzero(~found & possible)
+            if not len(left):
+                break
+            found[left] = descend(self.whole, False, q[column[left]], wanted[left], self.section.side)[1]
+        return found
+
+    def _near_reached_cells(self, points: Array) -> npt.NDArray[np.bool_]:
+        """Return which points (k, 3) are at most two cells away from a reached one in the section."""
+        section = self.section
+        near: Any = self._wide
+        z = shown(points, 2, section.about_axis)
+        cell = np.floor((z - section.corner) / section.side).astype(int) + WIDER
+        within = ((cell >= 0) & (cell < near.shape)).all(axis=1)
+        cell = np.where(within[:, None], cell, 0)
+        return np.asarray(within & near[tuple(cell.T)])
+
+    @cached_property
+    def _wide(self) -> npt.NDArray[Any]:
+        from scipy.ndimage import binary_dilation
+
+        return np.asarray(binary_dilation(np.pad(self.section.reached, WIDER), np.ones((3, 3)), iterations=WIDER))
+
+    @cached_property
+    def _nearest(self) -> tuple[Any, Array]:
+        from scipy.spatial import cKDTree
+
+        q = self.whole.drawn(np.random.default_rng(self.seed), DRAWN)
+        return cKDTree(self.whole.point(q)[:, : len(self.rows)]), q
+
+    def distance(self, p: npt.ArrayLike) -> float:
+        """Return the distance of a point (m,) from the boundary [m], to about the side of a cell.
+
+        Raises:
+            TaskError: the first joint has limits; the distance from the ends of its range is not known.
+        """
+        if self.base is not None and not self.base.circular:
+            raise TaskError(
+                f"the distance is known for a full turn of joint {self.base.name!r}, and its range has limits"
+            )
+        section, local = self.section, self.local(p)
+        z = np.array([np.hypot(local[0], local[1]), local[2]]) if section.about_axis else local[:2]
+        return self._far(z, self.contains(p))
+
+    def depth(self, place: Array) -> float:
+        """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""
+        cell = np.floor((place - self.section.corner) / self.section.side).astype(int)
+        within = (cell >= 0).all() and (cell < self.section.reached.shape).all()
+        inside = bool(within and self.section.reached[tuple(cell)])
+        return self._far(place, inside) * (1 if inside else -1)
+
+    def _far(self, z: Array, inside: bool) -> float:
+        """Return how far a place is from the nearest cell that is not as it is, to about half a side."""
+        other = np.argwhere(np.pad(self.section.reached, 1) != inside) - 1
+        nearest = float(np.linalg.norm(self.section.middle(other) - z, axis=1).min(initial=np.inf))
+        return max(nearest - self.section.side / 2, 0.0)

@@ -1,0 +1,151 @@
+"""The section of any arm, by cells: a cell is reached where inverse kinematics finds a configuration for its middle.
+
+Random configurations reach the first cells. From each reached cell Newton's method, kept inside the limits, goes on to
+the cells beside it, until no cell is added. So what is reached is proven by configurations; what is not, is not proven.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.inputs import Array
+from robotics1.workspaces.chain_map import ChainMap
+
+Cells = npt.NDArray[Any]  # (k, 2) whole numbers
+FIRST = 60_000  # random configurations
+STEPS = 20
+REACHED = 1e-6  # of a cell's side
+AGAIN = 4  # how often a cell that is beside reached ones is tried, from one of them at random
+FEW, ENCLOSED, FARTHER = 12, 20, 4  # cells in a group that is tried again, how often, and from how many cells away
+DAMPING = 1e-9  # of the square of the arm's size
+
+
+@dataclass(frozen=True, eq=False)
+class SampledSection:
+    """Cells of a section, and a configuration that reaches each.
+
+    Attributes:
+        chain: the joints that move the point in the section's frame; without the first one, if that moves the section.
+        about_axis: whether the section is (ρ, h), or else the first two coordinates.
+        corner: (2,) of the grid [m].
+        side: of a cell [m].
+        reached: (n, m) whether a cell is.
+        q: (n, m, joints) the configurations.
+    """
+
+    chain: ChainMap
+    about_axis: bool
+    corner: Array
+    side: float
+    reached: npt.NDArray[np.bool_]
+    q: Array
+
+    def middle(self, cells: Cells) -> Array:
+        """Return the middles (k, 2) of cells (k, 2)."""
+        return np.asarray(self.corner + (cells + 0.5) * self.side)
+
+
+def sampled_section(chain: ChainMap, about_axis: bool, cells: int, seed: int) -> SampledSection:
+    """Return the reached cells, with as many cells along the longer side."""
+    q = chain.drawn(np.random.default_rng(seed), FIRST)
+    z = shown(chain.point(q), 2, about_axis)
+    low, high = z.min(axis=0), z.max(axis=0)
+    side = float((high - low).max()) / cells
+    corner = low - 3 * side
+    if about_axis:
+        corner[0] = max(corner[0], 0.0)
+    shape = tuple(np.ceil((high + 3 * side - corner) / side).astype(int))
+    known = np.zeros((*shape, q.shape[1]))
+    reached = np.zeros(shape, dtype=bool)
+    at = np.floor((z - corner) / side).astype(int)
+    known[at[:, 0], at[:, 1]] = q
+    seen = np.zeros(shape, dtype=bool)
+    seen[at[:, 0], at[:, 1]] = True
+    section = SampledSection(chain, about_axis, corner, side, reached, known)
+    _try(section, np.argwhere(seen), known[seen])
+    _grow(section, np.random.default_rng(seed + 1))
+    return section
+
+
+def _try(section: SampledSection, cells: Cells, q: Array) -> None:
+    """Mark the cells (k, 2) whose middles Newton's method reaches from q (k, n)."""
+    found, good = descend(section.chain, section.about_axis, q, section.middle(cells), section.side)
+    i, j = cells[good].T
+    section.reached[i, j] = True
+    section.q[i, j] = found[good]
+
+
+def _grow(section: SampledSection, rng: np.random.Generator) -> None:
+    """Try the cells beside reached ones from these, until none is added; those that are enclosed also from farther."""
+    tries = np.zeros(section.reached.shape, dtype=int)
+    while _step(section, rng, np.argwhere(~section.reached & (tries < AGAIN)), tries, 1):
+        pass
+    for _ in range(ENCLOSED):
+        holes = _enclosed(section)
+        if not len(holes):
+            return
+        _step(section, rng, holes, tries, FARTHER)
+
+
+def _step(section: SampledSection, rng: np.random.Generator, cells: Cells, tries: Cells, far: int) -> bool:
+    """Try cells (k, 2), each from a reached one at most so many cells away; return whether one was tried."""
+    wanted, starts = [], []
+    for i, j in cells:
+        low = max(i - far, 0), max(j - far, 0)
+        near = np.argwhere(section.reached[low[0] : i + far + 1, low[1] : j + far + 1])
+        if len(near):
+            wanted.append((i, j))
+            starts.append(section.q[tuple(near[rng.integers(len(near))] + low)])
+            tries[i, j] += 1
+    if wanted:
+        _try(section, np.array(wanted), np.array(starts))
+    return bool(wanted)
+
+
+def _enclosed(section: SampledSection) -> Cells:
+    """Return the cells (k, 2) that are not reached, in small groups with reached ones all around."""
+    from scipy.ndimage import label
+
+    groups, _ = label(~section.reached)
+    sizes = np.bincount(groups.ravel())
+    return np.argwhere((groups > 0) & (sizes[groups] <= FEW))
+
+
+def descend(chain: ChainMap, about_axis: bool, q: Array, z: Array, side: float) -> tuple[Array, npt.NDArray[np.bool_]]:
+    """Return where damped Newton steps inside the limits lead from q (k, n), and which end at z (k, 2), or (k, 3)."""
+    q = q.copy()
+    lower, upper = chain.lower, chain.upper
+    circular = np.array([axis.circular for axis in chain.axes])
+    size, rows = max(float(np.abs(z).max()), side), z.shape[1]
+    for _ in range(STEPS):
+        p, J = chain.jacobian(q)
+        e = z - shown(p, rows, about_axis)
+        if np.abs(e).max() < REACHED * side:
+            break
+        S = _rows(p, J, rows, about_axis)
+        pull = np.einsum("kri,kr->ki", S, e)
+        blocked = ~circular & (((q <= lower) & (pull < 0)) | ((q >= upper) & (pull > 0)))
+        S = np.where(blocked[:, None, :], 0.0, S)
+        H = np.einsum("kri,ksi->krs", S, S) + DAMPING * size**2 * np.eye(rows)
+        step = np.einsum("kri,kr->ki", S, np.linalg.solve(H, e[..., None])[..., 0])
+        step *= np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1), 1e-12))[:, None]
+        q = np.where(circular, q + step, np.clip(q + step, lower, upper))
+    e = z - shown(chain.point(q), rows, about_axis)
+    return q, np.asarray(np.linalg.norm(e, axis=1) < REACHED * side)
+
+
+def shown(p: Array, rows: int, about_axis: bool) -> Array:
+    """Return the point (k, 3) itself, or its place in the section."""
+    if rows == 3:
+        return p
+    return np.column_stack([np.hypot(p[:, 0], p[:, 1]), p[:, 2]]) if about_axis else p[:, :2]
+
+
+def _rows(p: Array, J: Array, rows: int, about_axis: bool) -> Array:
+    if rows == 3 or not about_axis:
+        return J[:, :rows]
+    rho = np.maximum(np.hypot(p[:, 0], p[:, 1]), 1e-12)
+    radial = (p[:, 0, None] * J[:, 0] + p[:, 1, None] * J[:, 1]) / rho[:, None]
+    return np.stack([radial, J[:, 2]], axis=1)

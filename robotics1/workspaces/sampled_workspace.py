@@ -1,0 +1,157 @@
+"""The workspace of arms whose boundary is not known exactly: by cells of a stated side."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import tau
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.inputs import Array
+from robotics1.robot.box import refuse_open_range
+from robotics1.robot.model import Robot
+from robotics1.workspaces.axes import Axis
+from robotics1.workspaces.chain_map import ChainMap, chain_map
+from robotics1.workspaces.extremes import Measure, extremes_of
+from robotics1.workspaces.reading_in_space import section_frame
+from robotics1.workspaces.result import Workspace, WorkspaceRegion
+from robotics1.workspaces.sampled_place import SampledPlace
+from robotics1.workspaces.sampled_section import SampledSection, sampled_section
+from robotics1.workspaces.strip_regions import closed_loops
+
+CELLS = 120  # along the longer side of the section
+STARTS = 12
+SMALL = 1e-9  # of the arm's reach: a distance that is none
+# the shift that brings the cell beside, and the ends of the side between, with the first cell on the left
+SIDES = (((0, 1), (0, 0), (1, 0)), ((-1, 0), (1, 0), (1, 1)), ((0, -1), (1, 1), (0, 1)), ((1, 0), (0, 1), (0, 0)))
+POINTS = 1500  # of the section, turned at random, where the first joint has limits
+
+
+def sampled_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array, *, seed: int = 0) -> Workspace:
+    """Return the workspace of any arm by cells.
+
+    Raises:
+        InputError: a prismatic joint has no limits.
+    """
+    for axis in axes:
+        if not axis.revolute:
+            refuse_open_range(axis.name, axis.lower, axis.upper)
+    base = axes[0] if len(rows) == 3 else None
+    frame, origin = section_frame(base, rows)
+    whole = _placed(axes, tip, frame, origin)
+    about_axis = base is not None and base.revolute
+    chain = ChainMap(whole.axes[1:], whole.tip) if base is not None else whole
+    section = sampled_section(chain, about_axis, CELLS, seed)
+    place = SampledPlace(section, whole, base, rows, origin, frame, seed)
+    regions, voids = _components(section)
+    area = float(section.reached.sum()) * section.side**2
+    volume, error = _volume(place)
+    (r_min, nearest), (r_max, farthest) = (_extreme(robot, place, largest=largest) for largest in (False, True))
+    return Workspace(
+        robot_name=robot.name,
+        area=area,
+        volume=volume,
+        volume_error=error,
+        r_min=r_min,
+        r_max=r_max,
+        nearest=nearest,
+        farthest=farthest,
+        boundary=(),
+        regions=regions,
+        voids=voids,
+        cusps=np.zeros((0, 2)),
+        nodes=np.zeros((0, 2)),
+        coordinates=("ρ", "h") if about_axis else ("u", "v") if base is not None else _letters(rows),
+        redundant=True,
+        section=place,
+        resolution=section.side,
+    )
+
+
+def _letters(rows: Array) -> tuple[str, str]:
+    letters = ["xyz"[int(np.argmax(row))] if np.max(row) > 1 - 1e-9 else "" for row in rows]
+    return (letters[0], letters[1]) if all(letters) else ("u", "v")
+
+
+def _placed(axes: Sequence[Axis], tip: Array, frame: Array, origin: Array) -> ChainMap:
+    """Return the joints in the section's frame."""
+    moved = [replace(axis, direction=frame @ axis.direction, point=frame @ (axis.point - origin)) for axis in axes]
+    return chain_map(moved, frame @ (tip - origin))
+
+
+def _components(section: SampledSection) -> tuple[tuple[WorkspaceRegion, ...], tuple[WorkspaceRegion, ...]]:
+    """Return the regions of reached cells, and the voids that cells around them enclose."""
+    from scipy.ndimage import label
+
+    reached, n_reached = label(section.reached)
+    around = ((0 if section.about_axis else 1, 1), (1, 1))
+    empty, n_empty = label(np.pad(~section.reached, around, constant_values=True))
+    edges = [empty[-1], empty[:, 0], empty[:, -1]] + ([] if section.about_axis else [empty[0]])
+    outside = set(np.concatenate(edges).tolist())
+    inner = empty[0 if section.about_axis else 1 : -1, 1:-1]
+    return (
+        tuple(_region(section, reached == k, 1) for k in range(1, n_reached + 1)),
+        tuple(_region(section, inner == k, 0) for k in range(1, n_empty + 1) if k not in outside),
+    )
+
+
+def _region(section: SampledSection, cells: npt.NDArray[np.bool_], solutions: int) -> WorkspaceRegion:
+    from scipy.ndimage import distance_transform_edt
+
+    depth = distance_transform_edt(np.pad(cells, 1))[1:-1, 1:-1]
+    deepest = np.unravel_index(int(np.argmax(depth)), depth.shape)
+    area = float(cells.sum()) * section.side**2
+    sum_of_rho = float(section.middle(np.argwhere(cells))[:, 0].sum())
+    volume = tau * sum_of_rho * section.side**2 if section.about_axis else None
+    outline = tuple(closed_loops(list(_sides(section, cells))))
+    return WorkspaceRegion(solutions, area, volume, section.middle(np.array([deepest]))[0], outline)
+
+
+def _sides(section: SampledSection, cells: npt.NDArray[np.bool_]) -> Iterator[Array]:
+    """Yield the sides of cells that are beside others, each (2, 2), with the cells on the left."""
+    padded = np.pad(cells, 1)
+    for beside, start, end in SIDES:
+        other = np.roll(padded, beside, axis=(0, 1))
+        for cell in np.argwhere(padded & ~other) - 1:
+            yield section.corner + section.side * np.array([cell + start, cell + end])
+
+
+def _volume(place: SampledPlace) -> tuple[float | None, float]:
+    """Return the volume and about how wrong it is: half of the cells at the edge, and the share that is sampled."""
+    section, base = place.section, place.base
+    if base is None:
+        return None, 0.0
+    cells = np.argwhere(section.reached)
+    weights = section.middle(cells)[:, 0] if section.about_axis else np.ones(len(cells))
+    padded = np.pad(section.reached, 1)
+    inner = padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:]
+    at_edge = ~inner[section.reached]
+    full = float(weights.sum()) * section.side**2
+    doubt = float(weights[at_edge].sum()) / 2 * section.side**2
+    if base.circular:  # only a joint that turns
+        return tau * full, tau * doubt
+    rng = np.random.default_rng(place.seed + 2)
+    chosen = rng.choice(len(cells), POINTS, p=weights / weights.sum())
+    z = section.middle(cells[chosen]) + (rng.random((POINTS, 2)) - 0.5) * section.side
+    if base.revolute:
+        around = tau
+        turn = rng.uniform(0, tau, POINTS)
+        points = np.column_stack([z[:, 0] * np.cos(turn), z[:, 0] * np.sin(turn), z[:, 1]])
+    else:
+        heights = place.whole.point(place.whole.drawn(rng, 20_000))[:, 2]
+        low, around = float(heights.min()), float(np.ptp(heights))
+        points = np.column_stack([z, low + around * rng.random(POINTS)])
+    share = float(place.reaches(points).mean())
+    sampled = 2 * np.sqrt(max(share * (1 - share), 1 / POINTS) / POINTS)
+    return around * full * share, around * (doubt * share + full * sampled)
+
+
+def _extreme(robot: Robot, place: SampledPlace, *, largest: bool) -> tuple[float, Array]:
+    """Return the largest or smallest distance from the first joint's axis, and a configuration (1, nq)."""
+    across = np.diag([1.0, 1.0, 0.0])
+    values, found = extremes_of(place.whole, Measure(across, np.zeros(3)), STARTS, largest=largest)
+    best = int(np.argmax(values) if largest else np.argmin(values))
+    q = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
+    q[[axis.number for axis in place.whole.axes]] = found[best]
+    value = float(values[best])
+    return value if value > SMALL * robot.reach else 0.0, q[None]
