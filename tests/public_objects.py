@@ -304,6 +304,7 @@ INSTANCES = {
         laws()[0].laws[0],
         r1.trajectories.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0),
     ],
+    "WristJacobian": lambda: [r1.singularities.wrist_jacobian(arm("six_r"))],
     "Workspace": lambda: [reach()],
     "WorkspaceRegion": lambda: list(reach().regions),
 }

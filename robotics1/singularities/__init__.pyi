@@ -12,6 +12,7 @@ from .scan import scan_singularities
 from .scan_result import RefinedGroup, Refinement, SingularityScan
 from .spaces import RankStatus, Subspaces, subspaces
 from .statics import balancing_torque, exerting_torque
+from .wrist import WristJacobian, wrist_jacobian
 
 __all__ = [
     "Ellipsoid",
@@ -28,6 +29,7 @@ __all__ = [
     "SingularityScan",
     "Subspaces",
     "Transmission",
+    "WristJacobian",
     "balancing_torque",
     "exerting_torque",
     "find_intersections",
@@ -37,4 +39,5 @@ __all__ = [
     "scan_singularities",
     "singularity_within_rounding",
     "subspaces",
+    "wrist_jacobian",
 ]

@@ -199,7 +199,7 @@ def _pivot_columns(numbers: sympy.Matrix) -> tuple[int, ...]:
     size = max((abs(x) for x in numbers), default=0)
     pivots, done = [], 0
     for j in range(numbers.cols):
-        below = max(range(done, len(rows)), key=lambda i: abs(rows[i][j]), default=None)  # noqa: B023
+        below = max(range(done, len(rows)), key=lambda i: abs(rows[i][j]), default=None)
         if below is None or abs(rows[below][j]) <= ZERO * size:
             continue
         rows[done], rows[below] = rows[below], rows[done]
