@@ -232,6 +232,10 @@ INSTANCES = {
     "Intersections": lambda: [r1.singularities.find_intersections(found) for found in singular_sets()],
     "Join": lambda: list(r1.curves.CurveSequence((cubic(), r1.cubic([1, -1], [0, 0], 1.0))).joins),
     "JointAcceleration": lambda: [r1.joint_acceleration(arm("planar_2r"), PLANE, [1, 0], Q, [0.1, 0.2])],
+    "JointBoundPolytope": lambda: [
+        r1.singularities.velocity_polytope(arm("planar_2r"), PLANE, [0.3, 0], velocity=1),
+        r1.singularities.force_polytope(arm("planar_2r"), PLANE, Q, torque=[1, 2]),
+    ],
     "JointTrajectory": lambda: [laws()[0], *laws()[3:]],
     "JointVelocity": lambda: [r1.joint_velocity(arm("planar_2r"), PLANE, [1, 0], Q)],
     "LimitUse": lambda: [

@@ -136,6 +136,8 @@ def nothing_moves(still, task, folder):
         "joint_acceleration": lambda: r1.joint_acceleration(still, task, np.zeros(3), [], []),
         "singularity_within_rounding": lambda: r1.singularities.singularity_within_rounding(still, task, []),
         "wrist_jacobian": lambda: r1.singularities.wrist_jacobian(still),
+        "velocity_polytope": lambda: r1.singularities.velocity_polytope(still, task, []),
+        "force_polytope": lambda: r1.singularities.force_polytope(still, task, []),
         "screws": lambda: r1.rigid_motions.screws(still),
         "manipulability": lambda: r1.singularities.manipulability(still, task, []),
         "formulas": lambda: r1.formulas(still, task),

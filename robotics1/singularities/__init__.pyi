@@ -5,6 +5,7 @@ from .ellipsoids import Ellipsoid
 from .find import find_singularities
 from .intersections import find_intersections
 from .other_lengths import parameter_conditions
+from .polytopes import JointBoundPolytope, force_polytope, velocity_polytope
 from .reduction import MeasureDistribution
 from .result import Intersections, SingularBranch, SingularSet, SingularSetStatus
 from .rounding import RoundedConfiguration, singularity_within_rounding
@@ -17,6 +18,7 @@ from .wrist import WristJacobian, wrist_jacobian
 __all__ = [
     "Ellipsoid",
     "Intersections",
+    "JointBoundPolytope",
     "Manipulability",
     "MeasureDistribution",
     "RankStatus",
@@ -34,10 +36,12 @@ __all__ = [
     "exerting_torque",
     "find_intersections",
     "find_singularities",
+    "force_polytope",
     "manipulability",
     "parameter_conditions",
     "scan_singularities",
     "singularity_within_rounding",
     "subspaces",
+    "velocity_polytope",
     "wrist_jacobian",
 ]
