@@ -4,7 +4,6 @@ What is not given stays a symbol. Whether an expression is zero is decided at ra
 digits; so the rank is that of almost all of their values.
 """
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -13,7 +12,7 @@ import numpy as np
 import sympy
 from sympy.polys.matrices import DomainMatrix
 
-from robotics1.angles import twelfths_of_pi
+from robotics1.angles import printed_twelfths_of_pi, twelfths_of_pi
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError, InputError, TaskError, UnknownNameError
 from robotics1.inputs import real_number
@@ -24,7 +23,6 @@ from robotics1.symbolic.kinematics.exact import exact_length
 DIGITS = 40  # of the numbers that decide whether an expression is zero
 ZERO = sympy.Float("1e-25")  # relative to the largest entry: below, an expression is zero
 LARGE, FEW = 3, 4  # the rank above which J⁺ has long entries, and the symbols up to which it has not
-PRINTED = re.compile(r"-?\d*\.\d{3,12}")  # an angle of so many decimals may be a rounded multiple of π/12
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,10 +164,9 @@ def _exact(name: str, value: Any, *, angle: bool) -> tuple[sympy.Expr, str]:
         k = twelfths_of_pi(number, 1e-14 * max(1.0, abs(number)))
         if k is not None:
             return sympy.pi * k / 12, ""
-        digits = repr(number)
-        k = twelfths_of_pi(number, 1e-3)
-        if k and PRINTED.fullmatch(digits) and round(k * np.pi / 12, len(digits.partition(".")[2])) == number:
-            return sympy.pi * k / 12, f"{name} = {digits} is read as {sympy.pi * k / 12}, which it rounds."
+        k = printed_twelfths_of_pi(number)
+        if k is not None:
+            return sympy.pi * k / 12, f"{name} = {number!r} is read as {sympy.pi * k / 12}, which it rounds."
     return sympy.Rational(exact_length(number)), ""
 
 
