@@ -48,6 +48,7 @@ def robots():
         ),
         "planar": r1.textbook_robots.planar_arm("RPR", ["l1", 0.5], parameters={"l1": 0.4}, absolute=True),
         "transforms": r1.textbook_robots.robot_from_transforms(["Rz(q1)", "Tx(l1)", "Ty(-q2)", "Rx(0.5*q1)"]),
+        "placed": r1.textbook_robots.place_robot(arm("six_r"), base_placement=np.eye(4), tool_placement=np.eye(4)),
         "point": r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]).robot,
         "two tips": arm("two_tips"),
     }

@@ -138,6 +138,7 @@ def nothing_moves(still, task, folder):
         "wrist_jacobian": lambda: r1.singularities.wrist_jacobian(still),
         "velocity_polytope": lambda: r1.singularities.velocity_polytope(still, task, []),
         "force_polytope": lambda: r1.singularities.force_polytope(still, task, []),
+        "place_robot": lambda: r1.textbook_robots.place_robot(still, base_placement=np.eye(4)),
         "screws": lambda: r1.rigid_motions.screws(still),
         "manipulability": lambda: r1.singularities.manipulability(still, task, []),
         "formulas": lambda: r1.formulas(still, task),

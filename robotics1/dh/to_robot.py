@@ -34,8 +34,8 @@ def robot_from_dh(
         modified: A_i = Rot_x(α_{i−1}) Trans_x(a_{i−1}) Rot_z(θ_i) Trans_z(d_i)
 
     where q_i is added to θ_i for a revolute joint and to d_i for a prismatic one. An angle printed with three decimals
-    or more, as 1.5708, is the multiple of π/12 that it rounds; `robot.warnings` says so. The joints are q1, q2, ...; frame i
-    of the table is the link `link{i}`, from `link0`; the world is `base` and the last frame `tool`.
+    or more, as 1.5708, is the multiple of π/12 that it rounds; `robot.warnings` says so. The joints are q1, q2, ...;
+    frame i of the table is the link `link{i}`, from `link0`; the world is `base` and the last frame `tool`.
 
     Args:
         rows: one (type, a, alpha, d, theta) a joint, type "R" or "P", a and d [m], alpha and theta [rad]; in the

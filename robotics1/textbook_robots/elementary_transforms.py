@@ -35,7 +35,7 @@ def robot_from_transforms(
 ) -> Robot:
     """Return the arm with T_world_tool(q) the product of elementary transforms, each in the axes that have moved.
 
-    Rx, Ry, Rz turn and Tx, Ty, Tz shift. In the brackets stands q1, q2, ... or −q1, ..., a constant, or the sum of both:
+    Rx, Ry, Rz turn and Tx, Ty, Tz shift. In the brackets stand q1 or −q1, q2, ..., a constant, or the sum of both:
 
         robot_from_transforms(["Tz(d1)", "Rz(q1)", "Ry(-q2)", "Tx(l2)", "Tx(q3)", "Rx(pi/2)"], parameters={"d1": 0.3})
 
