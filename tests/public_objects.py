@@ -184,6 +184,8 @@ INSTANCES = {
     ],
     "DHRow": lambda: [r1.dh.DHRow("R", 1.0, 0.0, "l", 0.0)],
     "DHTable": lambda: [r1.dh.urdf_to_dh(arm("six_r")), r1.dh.urdf_to_dh(arm("prr"), convention="modified")],
+    "DHParameters": lambda: [r1.textbook_robots.dh_row(np.eye(4)).standard],
+    "DHRowOfMatrix": lambda: [r1.textbook_robots.dh_row(np.eye(4))],
     "Ellipsoid": lambda: [found.force_ellipsoid for found in manipulabilities()],
     "EulerFormulas": lambda: [r1.orientation.euler_formulas("ZYZ")],
     "EulerRates": lambda: [r1.orientation.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
@@ -238,6 +240,7 @@ INSTANCES = {
         r1.singularities.velocity_polytope(arm("planar_2r"), PLANE, [0.3, 0], velocity=1),
         r1.singularities.force_polytope(arm("planar_2r"), PLANE, Q, torque=[1, 2]),
     ],
+    "JointMap": lambda: [r1.textbook_robots.joint_map(["q1", "q1 + q2"])],
     "JointTrajectory": lambda: [laws()[0], *laws()[3:]],
     "JointVelocity": lambda: [r1.joint_velocity(arm("planar_2r"), PLANE, [1, 0], Q)],
     "LimitUse": lambda: [
