@@ -198,6 +198,7 @@ INSTANCES = {
     "FormulaPath": lambda: [r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
     "Formulas": formulas,
     "FrameAlignment": lambda: [r1.orientation.align_two_directions([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1])],
+    "FreeWrenches": lambda: [r1.singularities.wrenches_without_torque(arm("six_r"), [0, 0, 0, 0, 3.1416, 0])],
     "FrenetFormulas": lambda: [r1.curves.frenet_formulas(r1.curves.formula_path(["cos(s)", "sin(s)", "s"], "s", 2.0))],
     "FrenetFrame": lambda: [r1.curves.frenet_frame(r1.curves.circle_path([0, 0], 1.0), 0.3)],
     "FunctionMotion": lambda: [r1.trajectories.FunctionMotion(moved_position, moved_velocity)],
@@ -243,10 +244,12 @@ INSTANCES = {
     "JointMap": lambda: [r1.textbook_robots.joint_map(["q1", "q1 + q2"])],
     "JointTrajectory": lambda: [laws()[0], *laws()[3:]],
     "JointVelocity": lambda: [r1.joint_velocity(arm("planar_2r"), PLANE, [1, 0], Q)],
+    "LargestForce": lambda: [r1.singularities.largest_force(arm("planar_2r"), PLANE, Q, [1, 0], torque=1)],
     "LimitUse": lambda: [
         *r1.minimum_time(0, 1, LIMITS, "double_s").active,
         *r1.trajectories.limit_violations(arm("planar_2r"), cubic(), r1.MotionLimits(0.1)),
     ],
+    "Load": lambda: [r1.singularities.Load([1, 0, 0], frame="tool")],
     "LinearMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "Manipulability": manipulabilities,
     "MeasureDistribution": lambda: list(scan().distributions.values()),
@@ -261,6 +264,7 @@ INSTANCES = {
         r1.trajectories.time_optimal(r1.line_path([0, 0], [1, 1]), r1.MotionLimits(1.0, 3.0), grid=50)
     ],
     "PathTrajectory": lambda: [r1.curves.PathTrajectory(r1.curves.circle_path([0, 0], 1.0), laws()[0].laws[0])],
+    "Payload": lambda: [r1.singularities.Payload(2.0, [0, 0, 0.1])],
     "PiecewisePolynomial": lambda: [
         cubic(),
         r1.quintic([0, 1], [1, -1], 2.0),
@@ -299,6 +303,7 @@ INSTANCES = {
         r1.StackedTask([r1.PositionTask("x"), r1.PositionTask("y")]),
         r1.StackedTask([r1.PoseTask(), r1.PositionTask("z", frame="tool")]),
     ],
+    "StaticTorques": lambda: [r1.singularities.static_torques(arm("six_r"), np.zeros(6), r1.singularities.Load())],
     "Subspaces": lambda: [r1.subspaces(PLANE.jacobian(arm("planar_2r"), q)) for q in (Q, [0.3, 0])],
     "TargetMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "Task": lambda: [r1.PositionTask()],

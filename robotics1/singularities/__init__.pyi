@@ -2,8 +2,17 @@
 
 from .dexterity import Manipulability, Transmission, manipulability
 from .ellipsoids import Ellipsoid
+from .equilibrium import (
+    FreeWrenches,
+    LargestForce,
+    StaticTorques,
+    largest_force,
+    static_torques,
+    wrenches_without_torque,
+)
 from .find import find_singularities
 from .intersections import find_intersections
+from .loads import Load, Payload
 from .other_lengths import parameter_conditions
 from .polytopes import JointBoundPolytope, force_polytope, velocity_polytope
 from .reduction import MeasureDistribution
@@ -17,10 +26,14 @@ from .wrist import WristJacobian, wrist_jacobian
 
 __all__ = [
     "Ellipsoid",
+    "FreeWrenches",
     "Intersections",
     "JointBoundPolytope",
+    "LargestForce",
+    "Load",
     "Manipulability",
     "MeasureDistribution",
+    "Payload",
     "RankStatus",
     "RefinedGroup",
     "Refinement",
@@ -29,6 +42,7 @@ __all__ = [
     "SingularSet",
     "SingularSetStatus",
     "SingularityScan",
+    "StaticTorques",
     "Subspaces",
     "Transmission",
     "WristJacobian",
@@ -37,11 +51,14 @@ __all__ = [
     "find_intersections",
     "find_singularities",
     "force_polytope",
+    "largest_force",
     "manipulability",
     "parameter_conditions",
     "scan_singularities",
     "singularity_within_rounding",
+    "static_torques",
     "subspaces",
     "velocity_polytope",
+    "wrenches_without_torque",
     "wrist_jacobian",
 ]
