@@ -166,6 +166,19 @@ LIMITS = r1.MotionLimits(1.0, 3.0, 20.0)
 
 
 INSTANCES = {
+    "BasisMotion": lambda: [
+        r1.trajectories.motion_in_basis(["1", "t", "t**2"], [(0, 0, 1), (2, 0, 3), (0, 1, 0)], 2),
+        r1.trajectories.motion_in_basis(["1", "t"], [(0, 0, "q0"), ("T", 0, "q1")], "T"),
+    ],
+    "LaterMotion": lambda: [r1.curves.starting_at(cubic(), 3.0)],
+    "RateExtreme": lambda: list(r1.trajectories.rate_extremes(r1.trajectories.polynomial_formula((q0, 0), (q1, 0), T))),
+    "SpeedAlongPath": lambda: [
+        r1.trajectories.speed_along_path(
+            arm("planar_2r"), PLANE, r1.line_path([1.5, 0], [1.2, 0.5]), Q, velocity=1, samples=9
+        )
+    ],
+    "TimeCase": lambda: list(r1.trajectories.time_formula("trapezoidal", velocity="V", acceleration="A").cases),
+    "TimeFormula": lambda: [r1.trajectories.time_formula("trapezoidal", velocity="V", acceleration="A")],
     "AccelerationSplit": lambda: [r1.trajectories.acceleration_split(cubic(), 0.5)],
     "Alignment": lambda: [r1.orientation.align_direction([0, 0, 1], [1, 1, 0])],
     "AxisAngle": lambda: [

@@ -142,6 +142,7 @@ def nothing_moves(still, task, folder):
         "static_torques": lambda: r1.singularities.static_torques(still, [], r1.singularities.Load([1, 0, 0])),
         "wrenches_without_torque": lambda: r1.singularities.wrenches_without_torque(still, []),
         "largest_force": lambda: r1.singularities.largest_force(still, task, [], [1, 0, 0]),
+        "speed_along_path": lambda: r1.trajectories.speed_along_path(still, task, line, [], velocity=1.0),
         "screws": lambda: r1.rigid_motions.screws(still),
         "manipulability": lambda: r1.singularities.manipulability(still, task, []),
         "formulas": lambda: r1.formulas(still, task),
