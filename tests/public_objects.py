@@ -166,6 +166,10 @@ LIMITS = r1.MotionLimits(1.0, 3.0, 20.0)
 
 
 INSTANCES = {
+    "CompletedRotations": lambda: [r1.orientation.complete_rotation([["a", 0.6, 0], [None] * 3, [None] * 3])],
+    "EulerAccelerations": lambda: [r1.orientation.euler_accelerations("ZYZ", [0.1, 0.2, 0.3], [1, 0, 1], [1, 0, 0])],
+    "RecognisedSequence": lambda: [r1.orientation.recognise_sequence(r1.orientation.euler_formulas("ZYZ").rotation)],
+    "RotationRates": lambda: [r1.orientation.rotation_rates(np.eye(3), [1, 2, 3], [0, 0, 1])],
     "BasisMotion": lambda: [
         r1.trajectories.motion_in_basis(["1", "t", "t**2"], [(0, 0, 1), (2, 0, 3), (0, 1, 0)], 2),
         r1.trajectories.motion_in_basis(["1", "t"], [(0, 0, "q0"), ("T", 0, "q1")], "T"),
