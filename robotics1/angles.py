@@ -1,5 +1,6 @@
 """Angles: whole turns, the multiples of π/12 that files and tables write with few digits, and degrees by mistake."""
 
+import re
 import warnings
 from math import pi
 from typing import Any
@@ -50,3 +51,15 @@ def warn_of_degrees(
             RobotWarning,
             stacklevel=4,
         )
+
+
+def printed_twelfths_of_pi(angle: float) -> int | None:
+    """Return k where an angle is k π/12, k ≠ 0, rounded to the three or more decimals it is printed with, else None.
+
+    So 1.5708 and 1.571 stand for π/2, but 1.5707 does not.
+    """
+    digits = repr(float(angle))
+    k = twelfths_of_pi(angle, 1e-3)
+    if not k or not re.fullmatch(r"-?\d*\.\d{3,12}", digits):
+        return None
+    return k if round(k * pi / 12, len(digits.partition(".")[2])) == angle else None

@@ -65,7 +65,8 @@ def _in_the_middle(x):
     if not _ours(x) or not isinstance(end, float) or not callable(x):
         return {}
     rates = {name: getattr(x, name) for name in RATES if callable(getattr(x, name, None))}
-    return {f"{name} in the middle": observed(f(0.45 * end)) for name, f in {"value": x, **rates}.items()}
+    middle = getattr(x, "start", 0.0) + 0.45 * end if hasattr(x, "breakpoints") else 0.45 * end
+    return {f"{name} in the middle": observed(f(middle)) for name, f in {"value": x, **rates}.items()}
 
 
 def _ours(x):

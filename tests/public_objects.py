@@ -47,6 +47,8 @@ def robots():
             np.eye(4), space=[([0, 0, 1], [0, -0.4, 0.1]), ([0, 0, 0], [1, 0, 0])]
         ),
         "planar": r1.textbook_robots.planar_arm("RPR", ["l1", 0.5], parameters={"l1": 0.4}, absolute=True),
+        "transforms": r1.textbook_robots.robot_from_transforms(["Rz(q1)", "Tx(l1)", "Ty(-q2)", "Rx(0.5*q1)"]),
+        "placed": r1.textbook_robots.place_robot(arm("six_r"), base_placement=np.eye(4), tool_placement=np.eye(4)),
         "point": r1.formulas(arm("planar_2r"), PLANE, point=["d", 0.1, 0]).robot,
         "two tips": arm("two_tips"),
     }
@@ -181,6 +183,23 @@ LIMITS = r1.MotionLimits(1.0, 3.0, 20.0)
 
 
 INSTANCES = {
+    "CompletedRotations": lambda: [r1.orientation.complete_rotation([["a", 0.6, 0], [None] * 3, [None] * 3])],
+    "EulerAccelerations": lambda: [r1.orientation.euler_accelerations("ZYZ", [0.1, 0.2, 0.3], [1, 0, 1], [1, 0, 0])],
+    "RecognisedSequence": lambda: [r1.orientation.recognise_sequence(r1.orientation.euler_formulas("ZYZ").rotation)],
+    "RotationRates": lambda: [r1.orientation.rotation_rates(np.eye(3), [1, 2, 3], [0, 0, 1])],
+    "BasisMotion": lambda: [
+        r1.trajectories.motion_in_basis(["1", "t", "t**2"], [(0, 0, 1), (2, 0, 3), (0, 1, 0)], 2),
+        r1.trajectories.motion_in_basis(["1", "t"], [(0, 0, "q0"), ("T", 0, "q1")], "T"),
+    ],
+    "LaterMotion": lambda: [r1.curves.starting_at(cubic(), 3.0)],
+    "RateExtreme": lambda: list(r1.trajectories.rate_extremes(r1.trajectories.polynomial_formula((q0, 0), (q1, 0), T))),
+    "SpeedAlongPath": lambda: [
+        r1.trajectories.speed_along_path(
+            arm("planar_2r"), PLANE, r1.line_path([1.5, 0], [1.2, 0.5]), Q, velocity=1, samples=9
+        )
+    ],
+    "TimeCase": lambda: list(r1.trajectories.time_formula("trapezoidal", velocity="V", acceleration="A").cases),
+    "TimeFormula": lambda: [r1.trajectories.time_formula("trapezoidal", velocity="V", acceleration="A")],
     "AccelerationSplit": lambda: [r1.trajectories.acceleration_split(cubic(), 0.5)],
     "Alignment": lambda: [r1.orientation.align_direction([0, 0, 1], [1, 1, 0])],
     "AxisAngle": lambda: [
@@ -204,6 +223,8 @@ INSTANCES = {
             r1.robot_from_dh([("R", a, 0, 0, 0) for a in (1, 0.5, 0.25)]), r1.PositionTask("xy")
         )
     ],
+    "DHParameters": lambda: [r1.textbook_robots.dh_row(np.eye(4)).standard],
+    "DHRowOfMatrix": lambda: [r1.textbook_robots.dh_row(np.eye(4))],
     "Ellipsoid": lambda: [found.force_ellipsoid for found in manipulabilities()],
     "EulerFormulas": lambda: [r1.orientation.euler_formulas("ZYZ")],
     "EulerRates": lambda: [r1.orientation.euler_rates("ZYZ", [0.1, 0.2, 0.3], [1, 0, 0])],
@@ -218,6 +239,7 @@ INSTANCES = {
     "FormulaPath": lambda: [r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
     "Formulas": formulas,
     "FrameAlignment": lambda: [r1.orientation.align_two_directions([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1])],
+    "FreeWrenches": lambda: [r1.singularities.wrenches_without_torque(arm("six_r"), [0, 0, 0, 0, 3.1416, 0])],
     "FrenetFormulas": lambda: [r1.curves.frenet_formulas(r1.curves.formula_path(["cos(s)", "sin(s)", "s"], "s", 2.0))],
     "FrenetFrame": lambda: [r1.curves.frenet_frame(r1.curves.circle_path([0, 0], 1.0), 0.3)],
     "FunctionMotion": lambda: [r1.trajectories.FunctionMotion(moved_position, moved_velocity)],
@@ -259,12 +281,19 @@ INSTANCES = {
     "JointRanges": lambda: [
         r1.workspaces.joint_ranges(arm("planar_2r"), r1.PositionTask("xy"), [[1, 0.2], [0.9, 0.3]])
     ],
+    "JointBoundPolytope": lambda: [
+        r1.singularities.velocity_polytope(arm("planar_2r"), PLANE, [0.3, 0], velocity=1),
+        r1.singularities.force_polytope(arm("planar_2r"), PLANE, Q, torque=[1, 2]),
+    ],
+    "JointMap": lambda: [r1.textbook_robots.joint_map(["q1", "q1 + q2"])],
     "JointTrajectory": lambda: [laws()[0], *laws()[3:]],
     "JointVelocity": lambda: [r1.joint_velocity(arm("planar_2r"), PLANE, [1, 0], Q)],
+    "LargestForce": lambda: [r1.singularities.largest_force(arm("planar_2r"), PLANE, Q, [1, 0], torque=1)],
     "LimitUse": lambda: [
         *r1.minimum_time(0, 1, LIMITS, "double_s").active,
         *r1.trajectories.limit_violations(arm("planar_2r"), cubic(), r1.MotionLimits(0.1)),
     ],
+    "Load": lambda: [r1.singularities.Load([1, 0, 0], frame="tool")],
     "LinearMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "Manipulability": manipulabilities,
     "MeasureDistribution": lambda: list(scan().distributions.values()),
@@ -280,6 +309,7 @@ INSTANCES = {
         r1.trajectories.time_optimal(r1.line_path([0, 0], [1, 1]), r1.MotionLimits(1.0, 3.0), grid=50)
     ],
     "PathTrajectory": lambda: [r1.curves.PathTrajectory(r1.curves.circle_path([0, 0], 1.0), laws()[0].laws[0])],
+    "Payload": lambda: [r1.singularities.Payload(2.0, [0, 0, 0.1])],
     "PiecewisePolynomial": lambda: [
         cubic(),
         r1.quintic([0, 1], [1, -1], 2.0),
@@ -321,6 +351,7 @@ INSTANCES = {
         r1.StackedTask([r1.PositionTask("x"), r1.PositionTask("y")]),
         r1.StackedTask([r1.PoseTask(), r1.PositionTask("z", frame="tool")]),
     ],
+    "StaticTorques": lambda: [r1.singularities.static_torques(arm("six_r"), np.zeros(6), r1.singularities.Load())],
     "Subspaces": lambda: [r1.subspaces(PLANE.jacobian(arm("planar_2r"), q)) for q in (Q, [0.3, 0])],
     "TargetMotion": lambda: [r1.LinearMotion([-2, 1], [1.4, 0.4])],
     "Task": lambda: [r1.PositionTask()],
@@ -336,6 +367,7 @@ INSTANCES = {
         r1.trajectories.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0),
     ],
     "Workspace": lambda: [reach(), r1.workspaces.workspace(wrist(), r1.PositionTask())],
+    "WristJacobian": lambda: [r1.singularities.wrist_jacobian(arm("six_r"))],
     "WorkspaceRegion": lambda: list(reach().regions),
     "WristDexterity": lambda: [r1.workspaces.dexterous_workspace(wrist(), r1.PositionTask())],
 }

@@ -8,7 +8,15 @@ import pytest
 from dh_forms import conventions, dh_pose, dh_rows, homogeneous, placements, rotation, seeds
 from hypothesis import given, settings, strategies as st
 
-from robotics1 import InputError, UnknownNameError, forward_kinematics, load_robot, robot_from_dh
+from robotics1 import (
+    InputError,
+    PositionTask,
+    UnknownNameError,
+    formulas,
+    forward_kinematics,
+    load_robot,
+    robot_from_dh,
+)
 from robotics1.dh import DHTable, dh_to_urdf
 
 POLAR = [("R", 0, pi / 2, "l1", 0), ("R", "-l2", -pi / 3, 0.2, "beta"), ("P", 0.1, "beta", "l1", -0.4)]
@@ -312,3 +320,22 @@ def test_every_joint_is_visible_and_a_slide_reaches_its_sleeve(tmp_path):
     assert [float(s.get("length")) for s in shapes["link2_z"]] == [1.0]  # 0.2 + 0.7 behind its frame, 0.1 before it
     assert [o.get("xyz") for o in root.iterfind("link[@name='link2_z']/visual/origin")] == ["0 0 -0.4"]
     assert [s.tag for s in shapes["tool"]] == ["sphere"]
+
+
+@pytest.mark.parametrize(("typed", "meant"), [(1.5708, pi / 2), (-0.785, -pi / 4), (3.14159, pi), (2.0944, 2 * pi / 3)])
+def test_an_angle_printed_with_three_decimals_or_more_is_the_multiple_of_pi_that_it_rounds(typed, meant):
+    rows, exact = [("R", 0.2, typed, 0, typed), ("R", "l", 0, 0, 0)], [("R", 0.2, meant, 0, meant), ("R", "l", 0, 0, 0)]
+    robot = robot_from_dh(rows, parameters={"l": 0.3})
+    q = [0.3, -0.4]
+    expected = forward_kinematics(robot_from_dh(exact, parameters={"l": 0.3}), q).homogeneous
+    assert forward_kinematics(robot, q).homogeneous == pytest.approx(expected, abs=1e-15)
+    assert f"alpha of row 1 is {typed}, which is read as" in robot.warnings[0]
+    assert robot.with_parameters({"l": 0.5}).warnings == robot.warnings
+    assert formulas(robot, PositionTask()).cleaned == 0
+
+
+@pytest.mark.parametrize("angle", [1.5707, 1.57, 1.58, 0.5, 1.570801, pi / 2, 0.0001])
+def test_an_angle_that_rounds_no_multiple_of_pi_stays(angle):
+    robot = robot_from_dh([("R", 0.2, angle, 0, angle)])
+    assert robot.warnings == ()
+    assert robot.joints[2].rpy[0] == angle

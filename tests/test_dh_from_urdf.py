@@ -324,3 +324,24 @@ def test_a_modified_table_says_whose_a_and_alpha_it_shows():
     assert lines[:2] == ["modified DH table", "i  type  aᵢ₋₁    αᵢ₋₁  d  θ"]
     assert lines[3] == "2  R     1.2000  0     0  q2"
     assert lines[4] == "tool: p = (0.8000, 0, 0), rpy = (0, 0, 0)"
+
+
+@pytest.mark.parametrize("ypr", [(0, 0, pi), (0, pi, 0), (pi, 0, 0)])
+@pytest.mark.parametrize("last", [(0.2, 0.0), (0.0, 0.0), (0.2, pi / 2), (0.0, -pi / 2)])
+def test_a_half_turn_of_the_tool_is_in_the_last_row(ypr, last):
+    a, alpha = last
+    rows = [("R", 0, pi / 2, 0.3, 0), ("P", 0.4, 0, 0, 0), ("R", a, alpha, 0.1, 0.2)]
+    robot = robot_from_dh(rows, tool_placement=homogeneous(rotation(*ypr), np.zeros(3)))
+    table = urdf_to_dh(robot)
+    assert_same_kinematics(robot, table, 3)
+    assert table.tool_placement.homogeneous == pytest.approx(np.eye(4), abs=1e-12)
+
+
+@pytest.mark.parametrize("a", [0.2, 0.0])
+def test_a_half_turn_of_the_tool_about_z_is_in_the_last_row_of_a_modified_table(a):
+    rows = [("R", 0, pi / 2, 0.3, 0), ("R", a, 0.3, 0.1, 0.2)]
+    half = homogeneous(rotation(pi, 0, 0), np.zeros(3))
+    robot = robot_from_dh(rows, convention="modified", tool_placement=half)
+    table = urdf_to_dh(robot, convention="modified")
+    assert_same_kinematics(robot, table, 3)
+    assert table.tool_placement.homogeneous == pytest.approx(np.eye(4), abs=1e-12)

@@ -183,6 +183,30 @@ def test_half_units_are_those_of_the_last_digit():
     assert half_units([0.0001, 1e-6]) == pytest.approx([5e-5, 5e-7])
 
 
+@pytest.mark.parametrize(("name", "q", "joint", "value", "rank"), PRINTED)
+def test_the_manipulability_at_printed_digits_names_the_joint_and_is_zero_at_the_singularity(
+    name, q, joint, value, rank
+):
+    robot, task = ROBOTS[name](), TASKS[name]
+    exact = np.array(q, dtype=float)
+    exact[joint] = value
+    found = r1.singularities.manipulability(robot, task, q)
+    there, expected = found.at_singularity, r1.singularities.manipulability(robot, task, exact)
+    assert found.status is r1.singularities.RankStatus.NEARLY_SINGULAR
+    assert f"{robot.joint_names[joint]} = {q[joint]}" in found.explain()
+    assert found.measure > there.measure == expected.measure == 0
+    assert there.velocity_ellipsoid.lengths == pytest.approx(expected.velocity_ellipsoid.lengths, abs=1e-8)
+    assert np.isinf(there.force_ellipsoid.lengths).sum() == task.rows - rank
+    assert found.rounded.singular_q == pytest.approx(exact, abs=1e-9)
+
+
+@pytest.mark.parametrize(("name", "q"), NEAR_MISSES)
+def test_the_manipulability_beyond_the_rounding_is_its_own_answer(name, q):
+    found = r1.singularities.manipulability(ROBOTS[name](), TASKS[name], q)
+    assert found.at_singularity is found
+    assert found.rounded.singular_q is None
+
+
 # --- matrices
 
 

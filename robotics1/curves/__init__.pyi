@@ -6,6 +6,7 @@ from .curve import Curve
 from .frenet import FrenetFrame, frenet_frame, frenet_path
 from .harmonic import HarmonicCurve
 from .interpolants import Extreme
+from .later import LaterMotion, starting_at
 from .piecewise_polynomial import PiecewisePolynomial
 from .polyline import parabolic_blends, polyline_path
 from .pose_path import PosePath, pose_line, screw_path
@@ -24,6 +25,7 @@ __all__ = [
     "HarmonicCurve",
     "Join",
     "JointTrajectory",
+    "LaterMotion",
     "PathTrajectory",
     "PiecewisePolynomial",
     "PosePath",
@@ -46,6 +48,7 @@ __all__ = [
     "screw_path",
     "slerp_path",
     "stacked_path",
+    "starting_at",
     "stretched",
     "turn_path",
 ]

@@ -7,7 +7,8 @@ tool to which a screw along x leads from F_n:
     S_i = Z_i X_i,  Z_i from frame i − 1 to F_i,  X_i from F_i to frame i
 """
 
-from math import atan2, hypot
+from dataclasses import replace
+from math import atan2, cos, hypot, sin
 
 import numpy as np
 import pinocchio as pin
@@ -50,7 +51,22 @@ def own_steps(robot: Robot, joints: list[int], frame: int, convention: str) -> t
             return None
         steps.append(Step(z.theta, z.d, x.alpha, x.a))
         T = T * steps[-1].placement
+    steps[-1] = _without_half_turn(steps[-1], T.actInv(_placement(data, frame)), convention, near)
     return base, steps
+
+
+def _without_half_turn(step: Step, left: pin.SE3, convention: str, near: float) -> Step:
+    """Return the last step with the half turn about z or y in it that would be left for the tool placement.
+
+    A half turn about z turns x round; one about y is one about z and one about x, which α takes in a standard table.
+    """
+    half = np.diag(left.rotation).round(12).tolist()
+    if hypot(*left.translation) > near or half not in ([-1, -1, 1], [-1, 1, -1]):
+        return step
+    turned = step.other_way
+    if half[2] == 1:
+        return turned
+    return replace(turned, alpha=_angle(-sin(turned.alpha), -cos(turned.alpha))) if convention == "standard" else step
 
 
 def _start(robot: Robot, joint: int, F: pin.SE3, convention: str, near: float) -> tuple[pin.SE3, Step]:

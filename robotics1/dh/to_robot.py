@@ -2,14 +2,17 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import pi
 from pathlib import Path
 from typing import Any
 
 import pinocchio as pin
 
+from robotics1.angles import printed_twelfths_of_pi
 from robotics1.dh.joints import joints_of, links_of, placements_of
 from robotics1.dh.table import DHTable, Limits
 from robotics1.dh.to_urdf import dh_text
+from robotics1.notation import joint_value
 from robotics1.robot.building import build_model
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placements
@@ -30,8 +33,9 @@ def robot_from_dh(
         standard: A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i)
         modified: A_i = Rot_x(α_{i−1}) Trans_x(a_{i−1}) Rot_z(θ_i) Trans_z(d_i)
 
-    where q_i is added to θ_i for a revolute joint and to d_i for a prismatic one. The joints are q1, q2, ...; frame i
-    of the table is the link `link{i}`, from `link0`; the world is `base` and the last frame `tool`.
+    where q_i is added to θ_i for a revolute joint and to d_i for a prismatic one. An angle printed with three decimals
+    or more, as 1.5708, is the multiple of π/12 that it rounds; `robot.warnings` says so. The joints are q1, q2, ...;
+    frame i of the table is the link `link{i}`, from `link0`; the world is `base` and the last frame `tool`.
 
     Args:
         rows: one (type, a, alpha, d, theta) a joint, type "R" or "P", a and d [m], alpha and theta [rad]; in the
@@ -50,26 +54,43 @@ def robot_from_dh(
     2005, section 3.6.
     """
     table = DHTable(rows, convention, base_placement, tool_placement, lower, upper, parameters or {})  # type: ignore[arg-type]
-    return robot_of(table)
+    meant, sentences = _printed_angles(table)
+    return robot_of(meant, sentences)
 
 
-def robot_of(table: DHTable) -> Robot:
+def _printed_angles(table: DHTable) -> tuple[DHTable, tuple[str, ...]]:
+    """Return the table with multiples of π/12 in place of angles that round them, and a sentence about each."""
+    rows, sentences = [], []
+    for i, row in enumerate(table.rows, 1):
+        exact = {}
+        for name in ("alpha", "theta"):
+            angle = getattr(row, name)
+            k = None if isinstance(angle, str) else printed_twelfths_of_pi(angle)
+            if k is not None:
+                exact[name] = k * pi / 12
+                sentences.append(f"{name} of row {i} is {angle!r}, which is read as {joint_value(exact[name])}")
+        rows.append(row._replace(**exact))
+    return (replace(table, rows=tuple(rows)) if sentences else table), tuple(sentences)
+
+
+def robot_of(table: DHTable, warnings: tuple[str, ...] = ()) -> Robot:
     """Return the robot of a table; the text of its URDF has shapes to look at."""
     joints = joints_of(table)
     model = build_model("dh", dict.fromkeys(links_of(table), pin.Inertia.Zero()), joints)
-    source = RobotTable(table)
-    return Robot("dh", model, joints, "tool", table.parameters, dh_text(table), Path("dh_table.urdf"), (), source)
+    source = RobotTable(table, warnings)
+    return Robot("dh", model, joints, "tool", table.parameters, dh_text(table), Path("dh_table.urdf"), warnings, source)
 
 
 @dataclass(frozen=True, eq=False)
 class RobotTable:
-    """The table a robot was made from."""
+    """The table a robot was made from, and what is said about it."""
 
     table: DHTable
+    warnings: tuple[str, ...] = ()
 
     def with_parameters(self, values: Mapping[str, float]) -> Robot:
         """Return the robot of the table with these values of its names; the others stay."""
-        return robot_of(replace(self.table, parameters={**self.table.parameters, **values}))
+        return robot_of(replace(self.table, parameters={**self.table.parameters, **values}), self.warnings)
 
     def placements(self, robot: Robot) -> Placements:
         """Return the placements of the joints as polynomials in the names."""

@@ -12,7 +12,8 @@ from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
 from robotics1.singularities.ellipsoids import Ellipsoid, force_ellipsoid, velocity_ellipsoid
-from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces
+from robotics1.singularities.rounding import RoundedConfiguration, singularity_within_rounding
+from robotics1.singularities.spaces import RankStatus, Subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 
 
@@ -37,12 +38,14 @@ class Manipulability(Frozen):
         velocity_ellipsoid: {J q̇ : |q̇| ≤ 1}, with the singular values of J as semi-axes, the longest first.
         force_ellipsoid: {f : |Jᵀ f| ≤ 1}, with their inverses along the same axes.
         spaces: the rank and the four subspaces.
+        rounded: q with the digits it is given by, and the singular configuration that these may stand for.
     """
 
     J: Array
     velocity_ellipsoid: Ellipsoid
     force_ellipsoid: Ellipsoid
     spaces: Subspaces
+    rounded: RoundedConfiguration | None = None
 
     @property
     def measure(self) -> float:
@@ -58,7 +61,18 @@ class Manipulability(Frozen):
     @property
     def status(self) -> RankStatus:
         """Whether the rank is full, deficient, or not certain with the digits that are known."""
-        return self.spaces.status
+        return self.spaces.status if self._rounds_none else RankStatus.NEARLY_SINGULAR
+
+    @property
+    def at_singularity(self) -> "Manipulability":
+        """The answer at the singular configuration that the digits of q may stand for; without one, this."""
+        if self.rounded is None or self.rounded.at_singularity is None:
+            return self
+        return _of_spaces(self.rounded.at_singularity)
+
+    @property
+    def _rounds_none(self) -> bool:
+        return self.rounded is None or self.rounded.singular_q is None
 
     def transmission(self, u: npt.ArrayLike) -> Transmission:
         """Return how velocity and force are transmitted along u (m,), of any length: the radii of both ellipsoids.
@@ -74,7 +88,10 @@ class Manipulability(Frozen):
 
     def explain(self) -> str:
         """Return measure and condition, and the status of the rank, in a sentence."""
-        return f"w = {self.measure:.6g}, condition {self.condition:.6g}; {self.spaces.explain()}"
+        numbers = f"w = {self.measure:.6g}, condition {self.condition:.6g}"
+        if self.rounded is None or self._rounds_none:
+            return f"{numbers}; {self.spaces.explain()}"
+        return f"{numbers}; {self.rounded.explain()}; there w = {self.at_singularity.measure:.6g} (at_singularity)"
 
 
 def manipulability(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Manipulability:
@@ -95,8 +112,13 @@ def manipulability(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Ma
     Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985.
     """
     robot, task = robot_and_task(robot, task)
-    J = task.jacobian(robot, q)
-    return Manipulability(J, velocity_ellipsoid(J), force_ellipsoid(J), subspaces(J))
+    rounded = singularity_within_rounding(robot, task, q)
+    return _of_spaces(rounded.spaces, rounded)
+
+
+def _of_spaces(spaces: Subspaces, rounded: RoundedConfiguration | None = None) -> Manipulability:
+    J = spaces.J
+    return Manipulability(J, velocity_ellipsoid(J), force_ellipsoid(J), spaces, rounded)
 
 
 def sigma_min(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Any:

@@ -120,7 +120,8 @@ class BangBang:
         With p the velocity at the switch and e = (v0² + v1²)/2: |q̈| = A where p² = e ± A Δ and T = |2p − v0 − v1|/A;
         p = ±V where T = Δ (2p − v0 − v1)/(p² − e).
         """
-        _refuse_unbounded(self.name, move, smooth=False)
+        if move.limits.velocity == inf or move.limits.jerk < inf:  # a bound on the velocity is enough
+            _refuse_unbounded(self.name, move, smooth=False)
         if move.deceleration != move.limits.acceleration:
             raise InputError("a bang-bang law has one acceleration; 'trapezoidal' brakes with another")
         if move.stays(at_least):
@@ -128,7 +129,7 @@ class BangBang:
         A, V = float(move.limits.acceleration), float(move.limits.velocity)
         v0, v1, distance = move.v0, move.v1, move.q1 - move.q0
         e = (v0**2 + v1**2) / 2
-        squares = [e + A * distance, e - A * distance]
+        squares = [e + A * distance, e - A * distance] if inf > A else []
         durations = [
             abs(2 * p - v0 - v1) / A for square in squares if square >= 0 for p in (sqrt(square), -sqrt(square))
         ]

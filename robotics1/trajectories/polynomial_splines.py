@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.later import LaterMotion
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, joint_numbers, joint_rates, positive_number, real_number
-from robotics1.trajectories.splines import timed_points
+from robotics1.trajectories.splines import on_the_clock, timed_points
 
 AT_REST = ((0, 1, 0.0), (0, 2, 0.0), (-1, 1, 0.0), (-1, 2, 0.0))  # no velocity and acceleration at both ends
 SINGULAR = 1e13  # of the condition number: conditions that do not determine the polynomials
@@ -82,7 +83,7 @@ def polynomial_spline(
     conditions: Iterable[tuple[int, int, npt.ArrayLike]] = AT_REST,
     *,
     continuity: int = 2,
-) -> PiecewisePolynomial:
+) -> PiecewisePolynomial | LaterMotion:
     """Return polynomials of given degrees through the points, with the derivatives continuous up to an order.
 
     4-3-4 and 3-5-3 through four points, and 4-3-...-3-4 through any number, are at rest at both ends in velocity and
@@ -91,7 +92,7 @@ def polynomial_spline(
     2m positions of the m pieces, and (m − 1) · continuity conditions of continuity: the rest is `conditions`.
 
     Args:
-        times: (m + 1,) of the points, ascending from 0 [s].
+        times: (m + 1,) of the points, ascending [s]; from t₀ ≠ 0 the motion is a `LaterMotion`.
         points: (m + 1, n), or (m + 1,) of one joint [rad or m].
         degrees: (m,) of the pieces.
         conditions: (point, order, value (n,)): a derivative at a point, numbered from 0, or from −1 backwards.
@@ -102,12 +103,13 @@ def polynomial_spline(
 
     Source: Fu, Gonzalez, Lee, Robotics: Control, Sensing, Vision, and Intelligence, 1987, section 4.3.
     """
-    times, points = timed_points(times, points)
+    times, points, start = timed_points(times, points)
     if not isinstance(degrees, Sequence) or isinstance(degrees, str):
         raise InputError(f"degrees must be whole numbers, such as (4, 3, 4); it is {degrees!r}")
     if len(degrees) != len(points) - 1:
         raise InputError(f"between {len(points)} points there are {len(points) - 1} pieces; degrees has {len(degrees)}")
-    return _chain(list(points), times, degrees, _triples(conditions, "(point, order, value)"), continuity)
+    chain = _chain(list(points), times, degrees, _triples(conditions, "(point, order, value)"), continuity)
+    return on_the_clock(chain, start)
 
 
 def virtual_point_spline(
@@ -117,7 +119,7 @@ def virtual_point_spline(
     v1: npt.ArrayLike = 0.0,
     a0: npt.ArrayLike = 0.0,
     a1: npt.ArrayLike = 0.0,
-) -> PiecewisePolynomial:
+) -> PiecewisePolynomial | LaterMotion:
     """Return the cubic spline with given velocities and accelerations at the ends, by two virtual points.
 
     A cubic spline through m points can meet two conditions at its ends. Two more knots, in the middles of the first and
@@ -125,7 +127,7 @@ def virtual_point_spline(
     Through four points it is the trajectory of five cubics.
 
     Args:
-        times: (m,) of the points, ascending from 0 [s].
+        times: (m,) of the points, ascending [s]; from t₀ ≠ 0 the motion is a `LaterMotion`.
         points: (m, n), or (m,) of one joint [rad or m].
         v0, v1: (n,) velocities at the start and at the end [rad/s or m/s], or one number for all.
         a0, a1: (n,) accelerations there [rad/s² or m/s²], or one number for all.
@@ -135,13 +137,13 @@ def virtual_point_spline(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.2.
     """
-    times, points = timed_points(times, points)
+    times, points, start = timed_points(times, points)
     first, last = (1 / 3, 2 / 3) if len(points) == 2 else (1 / 2, 1 / 2)
     virtual = times[0] + first * (times[1] - times[0]), times[-2] + last * (times[-1] - times[-2])
     rows = [points[0], None, *points[1:-1], None, points[-1]]
     knots = np.array([times[0], virtual[0], *times[1:-1], virtual[1], times[-1]])
     ends = [(0, 1, v0), (0, 2, a0), (-1, 1, v1), (-1, 2, a1)]
-    return _chain(rows, knots, [3] * (len(rows) - 1), ends, 2)
+    return on_the_clock(_chain(rows, knots, [3] * (len(rows) - 1), ends, 2), start)
 
 
 def _chain(

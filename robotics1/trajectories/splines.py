@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.later import LaterMotion
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.curves.polyline import points_apart
 from robotics1.errors import InputError
@@ -33,7 +34,7 @@ def cubic_spline(
     v1: npt.ArrayLike | None = None,
     a0: npt.ArrayLike | None = None,
     a1: npt.ArrayLike | None = None,
-) -> PiecewisePolynomial:
+) -> PiecewisePolynomial | LaterMotion:
     """Return the cubic spline through the points: cubics with continuous velocities and accelerations.
 
     Of all motions through the points with the same velocities at the ends, it has the least ∫|q̈|² dt. The velocities
@@ -41,7 +42,7 @@ def cubic_spline(
     τ = (t − tᵢ)/Tᵢ and `coefficients_t` in t − tᵢ.
 
     Args:
-        times: (m,) of the points, ascending from 0 [s].
+        times: (m,) of the points, ascending [s]; from t₀ ≠ 0 the motion is a `LaterMotion`.
         points: (m, n), or (m,) of one joint [rad or m].
         bc_type: what holds at an end where nothing else is given: "clamped" (at rest), "natural" (q̈ = 0), "not-a-knot"
             (the first two and the last two pieces are one cubic); "periodic": the end goes on at the start, with the
@@ -56,9 +57,9 @@ def cubic_spline(
     Source: de Boor, A Practical Guide to Splines, 1978, chapter IV; Siciliano, Sciavicco, Villani, Oriolo, Robotics,
     2009, section 4.2.2.
     """
-    times, points = timed_points(times, points)
+    times, points, start = timed_points(times, points)
     given = [_end("v0", v0, "a0", a0, points.shape[1]), _end("v1", v1, "a1", a1, points.shape[1])]
-    return _cubic_spline(times, points, bc_type, given)
+    return on_the_clock(_cubic_spline(times, points, bc_type, given), start)
 
 
 def _cubic_spline(
@@ -79,14 +80,14 @@ def _cubic_spline(
 
 def cubic_hermite_spline(
     times: npt.ArrayLike, points: npt.ArrayLike, velocities: npt.ArrayLike | None = None
-) -> PiecewisePolynomial:
+) -> PiecewisePolynomial | LaterMotion:
     """Return cubics through the points with given velocities there; the accelerations jump.
 
     Without velocities they are zero at the ends, and at an inner point the mean of the slopes before and after it, or
     zero where these have different signs: no joint passes a point and comes back.
 
     Args:
-        times: (m,) of the points, ascending from 0 [s].
+        times: (m,) of the points, ascending [s]; from t₀ ≠ 0 the motion is a `LaterMotion`.
         points: (m, n), or (m,) of one joint [rad or m].
         velocities: (m, n), or (m,) of one joint [rad/s or m/s].
 
@@ -95,7 +96,7 @@ def cubic_hermite_spline(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 4.2.2.
     """
-    times, points = timed_points(times, points)
+    times, points, start = timed_points(times, points)
     if velocities is None:
         slopes = np.diff(points, axis=0) / np.diff(times)[:, None]
         inner = np.where(slopes[:-1] * slopes[1:] > 0, (slopes[:-1] + slopes[1:]) / 2, 0.0)
@@ -105,7 +106,7 @@ def cubic_hermite_spline(
         v = moderate("velocities", real_array("velocities", listed, points.shape, "one velocity for each point"))
     from scipy.interpolate import CubicHermiteSpline
 
-    return PiecewisePolynomial.from_ppoly(CubicHermiteSpline(times, points, v))
+    return on_the_clock(PiecewisePolynomial.from_ppoly(CubicHermiteSpline(times, points, v)), start)
 
 
 def spline_path(
@@ -197,23 +198,24 @@ def knot_times(points: npt.ArrayLike, duration: float, rule: str = "chord") -> A
     return np.asarray(T * times / times[-1])
 
 
-def timed_points(times: npt.ArrayLike, points: npt.ArrayLike) -> tuple[Array, Array]:
-    """Return times (m,), if they ascend from 0, and their points as (m, n).
+def timed_points(times: npt.ArrayLike, points: npt.ArrayLike) -> tuple[Array, Array, float]:
+    """Return times (m,) less the first, if they ascend, their points as (m, n), and the first of the times.
 
     Raises:
         InputError: they do not, or there are not as many of both.
     """
     rows = points_in_rows(points)
     knots = real_array("times", times, (len(rows),), "one for each point, in seconds")
-    if knots[0] != 0:
-        raise InputError(
-            f"times must begin at 0, when the motion does; the first is {knots[0]:g}: subtract it from all"
-        )
     if (np.diff(knots) <= 0).any():
         i = int(np.argmax(np.diff(knots) <= 0))
         raise InputError(f"times must ascend; {knots[i + 1]:g} follows {knots[i]:g}")
     moderate("the intervals of times", np.diff(knots), smallest=1 / LARGEST)
-    return knots, rows
+    return knots - knots[0], rows, float(knots[0])
+
+
+def on_the_clock(spline: PiecewisePolynomial, start: float) -> PiecewisePolynomial | LaterMotion:
+    """Return a spline that begins at 0, or as a motion that begins at another instant."""
+    return LaterMotion(spline, start) if start else spline
 
 
 def points_in_rows(points: npt.ArrayLike) -> Array:

@@ -1,7 +1,9 @@
 """The formulas of a task, each compared with Pinocchio when it is asked for."""
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 import sympy
@@ -14,6 +16,7 @@ from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
+from robotics1.symbolic.tasks.at_configuration import ConfigurationFormulas, at_values, exact_values
 from robotics1.symbolic.tasks.rates import rate_of, velocity_product_of
 from robotics1.symbolic.tasks.symbolic_task import SymbolicTask
 from robotics1.symbolic.tasks.verification import (
@@ -190,6 +193,32 @@ class Formulas(Frozen):
     def rows(self) -> Matrix:
         """J as trigonometric polynomials; of a task with quotients, those that are combined to the rows of J."""
         return self.symbolic_task.rows
+
+    def at(self, q: Sequence[Any] | None = None, /, **values: Any) -> ConfigurationFormulas:
+        """Return value and Jacobian at a configuration, exact, with rank, bases and pseudoinverse: f.at(q1=0, q2=pi/2).
+
+        What is not given stays a symbol. Decimals are read as fractions, and angles as multiples of π/12 where they
+        are these to rounding; so is one printed with three decimals or more, as 1.5708, and the result says so.
+
+        Args:
+            q: (n,) all joints in order, numbers or SymPy expressions; or none, and joints by name.
+            values: by the names in the formulas: q1, q2, ... [rad or m], and lengths.
+
+        Raises:
+            UnknownNameError: the formulas have no such name.
+            InputError: a value is neither a real number nor a SymPy expression, or q has another length.
+            TaskError: the task has no value or no Jacobian there.
+        """
+        names = dict(zip((symbol.name for symbol in self.q), self.robot.revolute.tolist(), strict=True))
+        angles = {symbol.name for symbol in self.chain.trig_ring.angles}
+        joints = tuple(names)
+        names |= {name: name in angles for name in self.robot.parameters}
+        exact, read = exact_values(names, q, values, joints)
+        known = {sympy.Symbol(name, real=True): value for name, value in exact.items()}
+        value = at_values(self.value, known, "the task")
+        return ConfigurationFormulas(
+            self.row_names, tuple(known.items()), value, at_values(self.jacobian, known, "J"), read
+        )
 
     def python(self, name: str = "jacobian") -> str:
         """Return the source of a function f(q) of NumPy: f(q, qdot) for J̇ and J̇ q̇, parameters by keyword.

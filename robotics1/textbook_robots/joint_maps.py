@@ -1,0 +1,112 @@
+"""From one set of joint coordinates to another: DH angles to absolute ones, motors to joints."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.caching import cached_property
+from robotics1.curves.symbolic_path import formula_of
+from robotics1.errors import InputError, UnknownNameError
+from robotics1.inputs import Array, by_name, real_array, real_number
+from robotics1.least_squares import numeric_rank
+from robotics1.results import Frozen
+
+
+@dataclass(frozen=True, eq=False)
+class JointMap(Frozen):
+    """θ = M q + c, from the coordinates q to the coordinates θ.
+
+    Attributes:
+        matrix: M, (m, n): ∂θ/∂q, the map of the rates.
+        offset: c, (m,) [rad or m].
+    """
+
+    matrix: Array
+    offset: Array
+
+    def __call__(self, q: npt.ArrayLike) -> Array:
+        """Return θ = M q + c, (m,), of q (n,)."""
+        return self.matrix @ self._vector("q", q, 1) + self.offset
+
+    def rates(self, qdot: npt.ArrayLike) -> Array:
+        """Return θ̇ = M q̇, (m,), of q̇ (n,); of accelerations likewise."""
+        return self.matrix @ self._vector("qdot", qdot, 1)
+
+    def torques(self, tau: npt.ArrayLike) -> Array:
+        """Return the torques on q, Mᵀ τ, (n,), that do the work of torques τ (m,) on θ: τᵀ θ̇ = (Mᵀ τ)ᵀ q̇."""
+        return self.matrix.T @ self._vector("tau", tau, 0)
+
+    @cached_property
+    def inverse(self) -> "JointMap":
+        """The map back, q = M⁻¹ (θ − c).
+
+        Raises:
+            InputError: M is not square, or singular.
+        """
+        m, n = self.matrix.shape
+        if m != n or numeric_rank(np.linalg.svd(self.matrix, compute_uv=False)) < n:
+            raise InputError("the map has no inverse: its matrix must be square and of full rank")
+        back = np.linalg.inv(self.matrix)
+        return JointMap(back, -back @ self.offset)
+
+    def _vector(self, name: str, value: npt.ArrayLike, axis: int) -> Array:
+        return real_array(name, value, (self.matrix.shape[axis],), "one number for each coordinate")
+
+
+def joint_map(
+    formulas: Sequence[Any], *, joints: int | None = None, values: Mapping[str, float] | None = None
+) -> JointMap:
+    """Return the map θ = M q + c of coordinates that are sums of others: joint_map(["q1", "q1 + q2 - pi/2"]).
+
+    With M come the rates θ̇ = M q̇, the torques Mᵀ τ, and the map back. DH angles become the absolute ones of a planar
+    arm, and the angles of motors, through couplings and gears, those of the joints.
+
+    Args:
+        formulas: (m,) θ₁, θ₂, ... as texts in q1, q2, ... and the names of `values`, or SymPy expressions.
+        joints: n; by default the largest number of a q in the formulas.
+        values: of the other names, such as {"k": 0.5}.
+
+    Raises:
+        InputError: a formula is none, is not linear in q, has an unknown q, or a name without a value.
+        UnknownNameError: a value is of no name in the formulas.
+    """
+    import sympy
+
+    if isinstance(formulas, str) or not isinstance(formulas, Sequence) or not formulas:
+        raise InputError(f"formulas must be one for each coordinate, as ['q1', 'q1 + q2']; they are {formulas!r}")
+    entries = [formula_of(formula) for formula in formulas]
+    entries = [e.xreplace({s: sympy.Symbol(s.name, real=True) for s in e.free_symbols}) for e in entries]
+    used = {symbol.name for entry in entries for symbol in entry.free_symbols}
+    numbers = {int(name[1:]) for name in used if name[0] == "q" and name[1:].isdigit()}
+    n = max(numbers, default=0) if joints is None else joints
+    if n < 1 or not numbers <= set(range(1, n + 1)):
+        raise InputError(f"the formulas must be in q1 to q{max(n, 1)}; they have {sorted(used)}")
+    q = sympy.symbols(f"q1:{n + 1}", real=True)
+    known = _known(used - {s.name for s in q}, by_name("values", values, "{'k': 0.5}"))
+    matrix = np.zeros((len(entries), n))
+    offset = np.zeros(len(entries))
+    for i, entry in enumerate(entries):
+        at = sympy.expand(entry.xreplace(known))
+        slopes = [at.diff(x) for x in q]
+        if not all(slope.is_number for slope in slopes):
+            raise InputError(
+                f"a coordinate must be a sum of numbers times q1, q2, ... and a constant; {formulas[i]!r} is none"
+            )
+        matrix[i] = [float(slope) for slope in slopes]
+        offset[i] = float(at.xreplace(dict.fromkeys(q, sympy.S.Zero)))
+    return JointMap(matrix, offset)
+
+
+def _known(names: set[str], values: Mapping[str, float]) -> dict[Any, Any]:
+    import sympy
+
+    for name in values:
+        if name not in names:
+            raise UnknownNameError("name with a value in the formulas:", name, sorted(names))
+    missing = sorted(names - set(values))
+    if missing:
+        raise InputError(f"{missing[0]!r} is no joint and has no value; give it, as values={{{missing[0]!r}: 0.5}}")
+    return {sympy.Symbol(k, real=True): sympy.Float(real_number(f"the value of {k!r}", x)) for k, x in values.items()}
