@@ -1,7 +1,8 @@
 """Kinematics of robot arms, answered as a good textbook would: the number, the formula, the verdict, the picture.
 
 At the top are the names that most questions need. The others are in namespaces: `curves`, `trajectories`,
-`orientation`, `rigid_motions`, `singularities`, `ik`, `workspaces`, `dh`, `textbook_robots`, `plots` and `control`.
+`orientation`, `rigid_motions`, `singularities`, `ik`, `workspaces`, `dh`, `textbook_robots`, `plots`, `tasks`,
+`redundancy` and `control`.
 `__init__.pyi` lists them; each is imported when it is first used, so that `import robotics1` is quick. A name of a
 namespace is found at the top too: `robotics1.solve_trig` is `robotics1.ik.solve_trig`.
 """
@@ -19,14 +20,19 @@ from robotics1 import (  # noqa: E402
     ik,
     orientation,
     plots,
+    redundancy,
     rigid_motions,
     singularities,
+    tasks,
     textbook_robots,
     trajectories,
     workspaces,
 )
 
-SPACES = (curves, trajectories, orientation, rigid_motions, singularities, ik, workspaces, dh, textbook_robots, plots)
+SPACES = (
+    tasks, curves, trajectories, orientation, rigid_motions, singularities, ik, workspaces, dh, textbook_robots, plots,
+    redundancy,
+)  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

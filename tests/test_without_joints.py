@@ -21,6 +21,9 @@ TASKS = {
     "pose": r1.PoseTask(),
     "angles": r1.PoseTask(angles="XYZ"),
     "pointing": r1.PointingTask("x"),
+    "polar": r1.tasks.PolarTask(),
+    "cylindrical": r1.tasks.CylindricalTask("yz"),
+    "point": r1.PlanarPoseTask(point=(0.1, 0.2, 0.3)),
     "tool axes": r1.PositionTask("xy", reference="tool"),
     "stacked": r1.StackedTask([r1.PositionTask("xz"), r1.PlanarPoseTask()]),
     "function": r1.FunctionTask(lambda p, R, q: [p @ p], 1),
@@ -156,6 +159,22 @@ def nothing_moves(still, task, folder):
         ),
         "TaskTrajectory": lambda: r1.trajectories.TaskTrajectory(still, task, joints).velocity(0.5),
         "limit_violations": lambda: r1.trajectories.limit_violations(still, joints),
+        "projected_gradient": lambda: r1.redundancy.projected_gradient(
+            still, task, np.zeros(3), [], r1.redundancy.ManipulabilityObjective(still, task)
+        ),
+        "priority_velocity": lambda: r1.redundancy.priority_velocity(still, [(task, np.zeros(3))], []),
+        "priority_acceleration": lambda: r1.redundancy.priority_acceleration(still, [(task, np.zeros(3))], [], []),
+        "saturated_velocity": lambda: r1.redundancy.saturated_velocity(still, task, np.zeros(3), []),
+        "saturated_acceleration": lambda: r1.redundancy.saturated_acceleration(
+            still, task, np.ones(3), [], [], limits=1.0
+        ),
+        "saturated_priority_velocity": lambda: r1.redundancy.saturated_priority_velocity(
+            still, [(task, np.ones(3))], []
+        ),
+        "ManipulabilityObjective": lambda: r1.redundancy.ManipulabilityObjective(still, task).gradient([]),
+        "JointRangeObjective": lambda: r1.redundancy.JointRangeObjective(still).gradient([]),
+        "ObstacleObjective": lambda: r1.redundancy.ObstacleObjective(still, P + 0.1).gradient([]),
+        "FunctionObjective": lambda: r1.redundancy.FunctionObjective(still, lambda q: 1.0).gradient([]),
         "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
         "workspace": lambda: r1.workspaces.workspace(still, task),
         "view": lambda: r1.view(still, [], folder / "still.html"),

@@ -40,10 +40,14 @@ def formulas(robot: Robot, task: Task, *, point: Any = None, rows: Sequence[str]
     a_robot(robot)
     if isinstance(task, type):
         a_task(task)
-    form, given = _on_a_frame(task), set(robot.parameters)
+    form, given = _on_a_frame(task), {*robot.parameters}
+    task.check(robot)
     if point is not None:
-        robot, frame = with_point(robot, form.frame, point)
-        task = replace(task, frame=frame)  # type: ignore[type-var]  # a task on a frame is a dataclass
+        robot, frame = with_point(robot, form.frame, point, form.parameters)
+        task = replace(task, frame=frame, point=None)  # type: ignore[type-var]  # a task on a frame is a dataclass
+    elif form.parameters:
+        robot, _ = with_point(robot, form.frame, (0, 0, 0), form.parameters)
+    given |= {*form.parameters}
     task.check(robot)
     places = row_places(task, rows)
     read: Callable[..., SymbolicTask] = _kept_reading if _is_hashable(task) else _reading
