@@ -303,6 +303,20 @@ INSTANCES = {
     "Objective": lambda: [r1.redundancy.NearObjective([0.1, 0.2], [1, 2])],
     "ObstacleObjective": lambda: [r1.redundancy.ObstacleObjective(arm("planar_3r"), [0.5, 0.5, 0])],
     "Priorities": lambda: [prioritised()],
+    "PriorityRun": lambda: [
+        r1.redundancy.follow_by_priority(
+            arm("planar_3r"),
+            [
+                (r1.PositionTask("x"), r1.curves.PathTrajectory(r1.line_path([1.2], [1.1]), r1.cubic(0, 0.1, 1.0))),
+                (r1.PositionTask("y", frame="link2"), [0.3], 2.0),
+            ],
+            [0.3, 0.5, 0.4],
+            samples=5,
+        )
+    ],
+    "RedundancyFormulas": lambda: [
+        r1.redundancy.redundancy_formulas(r1.textbook_robots.planar_arm("PPR", [0.5]), r1.PositionTask("x"))
+    ],
     "ProjectedGradient": lambda: [
         r1.redundancy.projected_gradient(
             arm("planar_3r"), PLANE, [0.1, 0.2], [0.3, 0.5, 0.4], r1.redundancy.NearObjective([0, 0, 0])

@@ -171,6 +171,14 @@ def nothing_moves(still, task, folder):
         "saturated_priority_velocity": lambda: r1.redundancy.saturated_priority_velocity(
             still, [(task, np.ones(3))], []
         ),
+        "follow_by_priority": lambda: r1.redundancy.follow_by_priority(still, [(task, motion)], []),
+        "reduced_gradient": lambda: r1.redundancy.reduced_gradient(
+            still, task, np.zeros(3), [], r1.redundancy.ManipulabilityObjective(still, task)
+        ),
+        "extended_task": lambda: r1.redundancy.extended_task(
+            still, task, r1.redundancy.ManipulabilityObjective(still, task)
+        ),
+        "redundancy_formulas": lambda: r1.redundancy.redundancy_formulas(still, task),
         "ManipulabilityObjective": lambda: r1.redundancy.ManipulabilityObjective(still, task).gradient([]),
         "JointRangeObjective": lambda: r1.redundancy.JointRangeObjective(still).gradient([]),
         "ObstacleObjective": lambda: r1.redundancy.ObstacleObjective(still, P + 0.1).gradient([]),

@@ -1,5 +1,6 @@
 """Saturation in the null space: the algorithm on matrices, and the exact answer that it seeks."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -10,6 +11,7 @@ from robotics1.inputs import Array
 from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
 from robotics1.results import tuple_with_arrays
 
+SHRINK = 1e-9  # of a scale that the linear program has found: its rounding
 ROUNDING = 1e-10  # of the largest limit or rate: joints above their limit by less are at it
 
 
@@ -168,3 +170,45 @@ def _independent(A: Array, b: Array) -> tuple[Array, Array]:
 
 def _open(limits: Array) -> list[float | None]:
     return [float(x) if np.isfinite(x) else None for x in limits]
+
+
+def saturated_levels(levels: Sequence[tuple[Array, Array]], low: Array, high: Array) -> tuple[Array, tuple[float, ...]]:
+    """Return the shortest x within its limits with Aᵢ x = sᵢ bᵢ, level by level the largest sᵢ, and the sᵢ.
+
+    A level that no scale from 0 to 1 realises has nan, and is left out.
+    """
+    n = len(low)
+    A: Array = np.zeros((0, n))
+    b: Array = np.zeros(0)
+    x: Array = np.zeros(n)
+    scales: list[float] = []
+    for J, rate in levels:
+        s, found = _scaled_level(J, rate, low, high, (A, b))
+        if found is not None:
+            A, b, x = np.vstack([A, J]), np.concatenate([b, s * rate]), found
+        scales.append(s)
+    return x, tuple(scales)
+
+
+def _scaled_level(
+    J: Array, rate: Array, low: Array, high: Array, above: tuple[Array, Array]
+) -> tuple[float, Array | None]:
+    """Return the largest s, and the shortest x with J x = s ṙ and A x = b of the levels above; nan and None if none."""
+    rows = np.vstack([above[0], J])
+
+    def shortest(s: float) -> Array | None:
+        right = np.concatenate([above[1], s * rate])
+        found = shortest_within(rows, right, low, high)
+        room = 1e-8 * max(1.0, float(np.abs(right).max(initial=0.0)))
+        met = found is not None and np.abs(rows @ found - right).max(initial=0.0) <= room
+        return found if met else None
+
+    found = shortest(1.0)
+    if found is not None:
+        return 1.0, found
+    s = largest_scale(J, rate, low, high, above)
+    for less in () if np.isnan(s) else (0.0, SHRINK, 1e-7):
+        found = shortest(s * (1 - less))
+        if found is not None:
+            return s * (1 - less), found
+    return float("nan"), None

@@ -1,6 +1,5 @@
 """Joint rates within their limits: what the task asks is taken over by joints that are not at one."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -13,13 +12,13 @@ from robotics1.inputs import Array, a_robot_and_a_task, dimensions, one_of, real
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.null_saturation import (
+    SHRINK,
     Saturated,
     SaturationStep,
     largest_scale,
     saturate_step_by_step,
     shortest_within,
 )
-from robotics1.redundancy.priorities import checked_levels
 from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import subspaces
@@ -27,7 +26,6 @@ from robotics1.tasks.task import Task
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
 METHODS = ("optimal", "sns", "scaled")
-SHRINK = 1e-9  # of a scale that the linear program has found: its rounding
 
 
 class SaturationStatus(Enum):
@@ -119,7 +117,7 @@ def saturated_velocity(
     """
     a_robot_and_a_task(robot, task)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
-    low, high = _limits(robot, robot.max_velocity if limits is None else limits, lower)
+    low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
     return _resolved(task.jacobian(robot, q), rdot, np.zeros(task.rows), low, high, one_of("method", method, METHODS))
 
 
@@ -158,7 +156,7 @@ def saturated_acceleration(
     a_robot_and_a_task(robot, task)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
     q, qdot = robot.configuration(q), velocity_of_joints(robot, "qdot", qdot)
-    low, high = _limits(robot, limits, lower)
+    low, high = limits_of(robot, limits, lower)
     drift = jacobian_rate(robot, task, q, qdot) @ qdot
     return _resolved(task.jacobian(robot, q), rddot, drift, low, high, one_of("method", method, METHODS))
 
@@ -213,7 +211,7 @@ def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, me
     return Saturated(np.clip(lsq_linear(J, -drift, bounds=(low, wide), method="bvls").x, low, high), 0.0)
 
 
-def _limits(robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None) -> tuple[Array, Array]:
+def limits_of(robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None) -> tuple[Array, Array]:
     """Return the limits, (nv,) each.
 
     Raises:
@@ -233,91 +231,3 @@ def _bound(robot: Robot, name: str, value: Any) -> Array:
         array = np.full(n, real_number(name, finite))
         return np.where(np.full(n, bool(unlimited)), np.inf, array)
     return np.where(unlimited, np.inf, real_array(name, finite, (n,), "one number for each joint"))
-
-
-@dataclass(frozen=True, eq=False)
-class SaturatedPriorities(Frozen):
-    """Joint rates of several tasks by priority, within their limits.
-
-    Attributes:
-        joints: (nv,) q̇.
-        scales: sᵢ of each level, from 0 to 1; nan of a level that no scale realises, which is left out.
-        saturated: (nv,) whether a joint is at a limit.
-        lower, upper: (nv,) the limits.
-        residuals: of each level, ṙᵢ − Jᵢ q̇.
-    """
-
-    joints: Array
-    scales: tuple[float, ...]
-    saturated: npt.NDArray[np.bool_]
-    lower: Array
-    upper: Array
-    residuals: tuple[Array, ...]
-
-    def explain(self) -> str:
-        """Return the scale of each level, in a sentence."""
-        levels = [
-            f"level {i}: " + ("left out" if np.isnan(s) else "realised" if s == 1 else f"slowed down to {s:.6g}")
-            for i, s in enumerate(self.scales, 1)
-        ]
-        return "; ".join(levels)
-
-    def require(self) -> "SaturatedPriorities":
-        """Return self if every level is realised.
-
-        Raises:
-            NotConverged: one is not.
-        """
-        return require(self, all(s == 1 for s in self.scales))
-
-
-def saturated_priority_velocity(
-    robot: Robot,
-    levels: Sequence[tuple[Task, npt.ArrayLike]],
-    q: npt.ArrayLike,
-    *,
-    limits: npt.ArrayLike | None = None,
-    lower: npt.ArrayLike | None = None,
-) -> SaturatedPriorities:
-    """Return joint velocities of several tasks by priority within their limits: Jᵢ q̇ = sᵢ ṙᵢ, level by level.
-
-    s₁ is as large as the limits allow, then s₂ with the first level as it is, and so on; of all such q̇ the shortest. A
-    level that no scale from 0 to 1 realises, since the levels before it move it, is left out.
-
-    Args:
-        robot: the robot.
-        levels: pairs (task, ṙ), the most important first.
-        q: (nq,) configuration [rad or m].
-        limits: (nv,) the largest q̇ of each joint, or one number; None for the robot's.
-        lower: (nv,) the least q̇, where it is not −limits.
-
-    Raises:
-        InputError, TaskError: as `priority_velocity` and `saturated_velocity`.
-
-    Source: Flacco, De Luca, Khatib, Prioritized multi-task motion control of redundant robots under hard joint
-    constraints, IROS 2012.
-    """
-    tasks, rates = checked_levels(robot, levels, "ṙ")
-    low, high = _limits(robot, robot.max_velocity if limits is None else limits, lower)
-    A: Array = np.zeros((0, robot.nv))
-    b: Array = np.zeros(0)
-    x: Array = np.zeros(robot.nv)
-    scales: list[float] = []
-    jacobians = [task.jacobian(robot, q) for task in tasks]
-    for J, rate in zip(jacobians, rates, strict=True):
-        s = largest_scale(J, rate, low, high, (A, b))
-        for less in (0.0, SHRINK, 1e-7):
-            trial = np.nan if np.isnan(s) else s * (1 - less) if s < 1 or less else 1.0
-            if np.isnan(trial):
-                break
-            rows, right = np.vstack([A, J]), np.concatenate([b, trial * rate])
-            found = shortest_within(rows, right, low, high)
-            if found is not None and np.allclose(rows @ found, right, atol=1e-8 * max(1.0, np.abs(right).max())):
-                A, b, x, s = rows, right, found, trial
-                break
-        else:
-            s = float("nan")
-        scales.append(float(s))
-    at = (np.abs(x - low) <= 1e-9) | (np.abs(x - high) <= 1e-9)
-    left = tuple(rate - J @ x for J, rate in zip(jacobians, rates, strict=True))
-    return SaturatedPriorities(x, tuple(scales), at, low, high, left)
