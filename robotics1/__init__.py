@@ -15,6 +15,7 @@ _at_the_top, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 # The namespaces read their lists of names here, in one thread: see `syntax`.
 from robotics1 import (  # noqa: E402
+    control,
     curves,
     dh,
     ik,
@@ -31,7 +32,7 @@ from robotics1 import (  # noqa: E402
 
 SPACES = (
     tasks, curves, trajectories, orientation, rigid_motions, singularities, ik, workspaces, dh, textbook_robots, plots,
-    redundancy,
+    redundancy, control,
 )  # fmt: skip
 
 
@@ -39,7 +40,7 @@ def __getattr__(name: str) -> Any:
     try:
         return _at_the_top(name)
     except AttributeError:
-        for space in (*SPACES, _at_the_top("control")):
+        for space in SPACES:
             if name in space.__all__:
                 return getattr(space, name)
         raise

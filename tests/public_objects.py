@@ -175,6 +175,17 @@ def saturated(method):
 
 
 @cache
+def control_laws():
+    """A Cartesian law along the normal and the tangent of a line, and a joint law."""
+    line = r1.line_path([0.8, 0.5], [0.6, 0.6])
+    motion = r1.curves.PathTrajectory(line, r1.cubic(0, line.end, 1.0))
+    return [
+        r1.control.cartesian_law(arm("planar_2r"), PLANE, motion, [2.0, 5.0], axes="frenet"),
+        r1.control.joint_law(arm("planar_2r"), cubic(), [2.0, 3.0]),
+    ]
+
+
+@cache
 def swaying():
     return r1.ik.self_motion(arm("planar_3r"), PLANE, [0.5, 0.3], samples=5, starts=3)
 
@@ -224,6 +235,13 @@ INSTANCES = {
     "Aspects": lambda: [r1.ik.group_by_aspect(r1.ik_solutions(arm("planar_2r"), PLANE, TARGET))],
     "Cuspidality": lambda: [r1.ik.is_cuspidal(arm("planar_2r"), PLANE)],
     "CuspidalityStatus": lambda: list(r1.ik.CuspidalityStatus),
+    "ControlCommand": lambda: [law.command(Q, t=0.3) for law in control_laws()],
+    "ControlLaw": control_laws,
+    "ControlRun": lambda: [r1.control.simulate_law(control_laws()[0], Q, samples=5)],
+    "ErrorDecay": lambda: [control_laws()[0].decay(Q)],
+    "Gains": lambda: [r1.control.gains_for_decay(0.1, 2.0), r1.control.gains_for_decay(0.1, 2.0, order=2)],
+    "LyapunovRate": lambda: [r1.control.lyapunov_rate(arm("planar_2r"), PLANE, TARGET, Q)],
+    "LyapunovStatus": lambda: list(r1.control.LyapunovStatus),
     "GainChoice": lambda: [r1.control.smallest_gain(cubic(), [0.1, 1], 1e-2)],
     "GainStatus": lambda: list(r1.control.GainStatus),
     "HarmonicCurve": lambda: [r1.curves.circle_path([0, 0], 1.0), *laws()[1:3], r1.curves.stretched(laws()[1], 2.0)],

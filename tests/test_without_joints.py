@@ -183,6 +183,10 @@ def nothing_moves(still, task, folder):
         "JointRangeObjective": lambda: r1.redundancy.JointRangeObjective(still).gradient([]),
         "ObstacleObjective": lambda: r1.redundancy.ObstacleObjective(still, P + 0.1).gradient([]),
         "FunctionObjective": lambda: r1.redundancy.FunctionObjective(still, lambda q: 1.0).gradient([]),
+        "joint_law": lambda: r1.control.joint_law(still, [], 1.0),
+        "cartesian_law": lambda: r1.control.cartesian_law(still, task, P, 1.0),
+        "largest_gains": lambda: r1.control.largest_gains(still, task, P, [], limits=1.0),
+        "lyapunov_rate": lambda: r1.control.lyapunov_rate(still, task, P, []),
         "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
         "workspace": lambda: r1.workspaces.workspace(still, task),
         "view": lambda: r1.view(still, [], folder / "still.html"),
@@ -197,6 +201,7 @@ def nothing_moves(still, task, folder):
 
 RESULTS = {
     "RobotReport",
+    "ControlLaw",
     "Formulas",
     "IKFormulas",
     "SingularBranch",
