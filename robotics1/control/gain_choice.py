@@ -7,7 +7,16 @@ import numpy.typing as npt
 
 from robotics1.curves.given import as_curve
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, one_of, positive_bound, real_array, real_number
+from robotics1.inputs import (
+    Array,
+    a_robot_and_a_task,
+    counting_number,
+    one_of,
+    positive_bound,
+    positive_number,
+    real_array,
+    real_number,
+)
 from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
 from robotics1.results import tuple_with_arrays
 from robotics1.robot.model import Robot
@@ -51,7 +60,7 @@ def gains_for_decay(ratio: float, time: float, *, order: int = 1, damping_ratio:
         raise InputError(f"ratio must be below 1: the error shall decay; it is {wanted:g}")
     if counting_number("order", order, least=1, most=2) == 1:
         return Gains(float(-np.log(wanted)) / T, None)
-    zeta = real_number("damping_ratio", damping_ratio, positive=True)
+    zeta = positive_number("damping_ratio", damping_ratio)
     from robotics1.control.decay import ErrorDecay
 
     one = np.ones((1, 1))

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, dimensions, real_array, real_number
+from robotics1.inputs import Array, dimensions, moderate, real_array, real_number
 
 SYMMETRIC = 1e-12  # relative: what differs less is equal
 
@@ -32,6 +32,7 @@ def gain_matrix(name: str, value: npt.ArrayLike, m: int, *, symmetric: bool = Fa
         K = np.diag(real_array(name, value, (m,), "one gain for each error"))
     else:
         K = real_array(name, value, (m, m), "a gain matrix")
+    moderate(name, K)
     least = float(np.linalg.eigvalsh(0.5 * (K + K.T)).min(initial=np.inf))
     if not least > 0:
         raise InputError(

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, a_robot_and_a_task, answer_of, real_array, real_number
+from robotics1.inputs import Array, a_robot, a_robot_and_a_task, answer_of, moderate, real_array, real_number
 from robotics1.kinematics import forward_kinematics, frame_jacobian
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
@@ -225,7 +225,7 @@ class NearObjective(Frozen):
         return np.asarray(self.weights) * (np.asarray(self.q0) - self._q(q))
 
     def _q(self, q: npt.ArrayLike) -> Array:
-        return real_array("q", q, np.shape(self.q0), "one number for each joint")
+        return moderate("q", real_array("q", q, np.shape(self.q0), "one number for each joint"))
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, a_task, one_of, real_array, real_number
+from robotics1.inputs import Array, a_robot, a_task, moderate, one_of, real_array, real_number
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
@@ -164,7 +164,7 @@ def priority_acceleration(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4 (second order).
     """
     tasks, rates = checked_levels(robot, levels, "r̈")
-    q, qdot = robot.configuration(q), velocity_of_joints(robot, "qdot", qdot)
+    q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
     rows = [
         (task.jacobian(robot, q), b - jacobian_rate(robot, task, q, qdot) @ qdot)
         for task, b in zip(tasks, rates, strict=True)
@@ -189,7 +189,9 @@ def _solved(
         found = by_levels(rows, n, damping=soft)
     x = found.x
     if wish is not None:
-        x = x + found.null @ (found.null.T @ velocity_of_joints(robot, "the null motion", wish))
+        x = x + found.null @ (
+            found.null.T @ moderate("the null motion", velocity_of_joints(robot, "the null motion", wish))
+        )
     outcomes = []
     for i, (A, b) in enumerate(rows):
         at_best = b - A @ exact.x

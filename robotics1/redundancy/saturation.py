@@ -8,7 +8,16 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot_and_a_task, dimensions, one_of, real_array, real_number, without_infinity
+from robotics1.inputs import (
+    Array,
+    a_robot_and_a_task,
+    dimensions,
+    moderate,
+    one_of,
+    per_joint,
+    real_array,
+    without_infinity,
+)
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.null_saturation import (
@@ -155,7 +164,7 @@ def saturated_acceleration(
     """
     a_robot_and_a_task(robot, task)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
-    q, qdot = robot.configuration(q), velocity_of_joints(robot, "qdot", qdot)
+    q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
     low, high = limits_of(robot, limits, lower)
     drift = jacobian_rate(robot, task, q, qdot) @ qdot
     return _resolved(task.jacobian(robot, q), rddot, drift, low, high, one_of("method", method, METHODS))
@@ -218,16 +227,18 @@ def limits_of(robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None) -> t
         InputError: a shape is wrong, or zero is not within them.
     """
     upper = _bound(robot, "limits", high)
-    lower = -upper if low is None else -_bound(robot, "lower", -np.asarray(low, dtype=float))
+    lower = -upper
+    if low is not None:
+        dimensions("lower", low)
+        raw = np.asarray(low)
+        lower = -_bound(robot, "lower", -raw.astype(float) if raw.dtype.kind in "fiu" else low)
     if (upper < 0).any() or (lower > 0).any():
         raise InputError(f"the limits must leave zero between them; they are from {lower.tolist()} to {upper.tolist()}")
     return lower, upper
 
 
 def _bound(robot: Robot, name: str, value: Any) -> Array:
+    """Return one bound for each joint, (nv,); infinity is none."""
+    dimensions(name, value)
     finite, unlimited = without_infinity(value, 0.0)
-    n = robot.nv
-    if dimensions(name, finite) == 0:
-        array = np.full(n, real_number(name, finite))
-        return np.where(np.full(n, bool(unlimited)), np.inf, array)
-    return np.where(unlimited, np.inf, real_array(name, finite, (n,), "one number for each joint"))
+    return np.where(unlimited, np.inf, moderate(name, per_joint(name, finite, robot.nv)))
