@@ -76,7 +76,9 @@ def saturate_step_by_step(A: Array, b: Array, low: Array, high: Array) -> Satura
         inside = np.abs(A @ x - b).max(initial=0.0) <= 1e-8 * max(1.0, np.abs(b).max(initial=0.0))
         scale, critical = _scale(per_scale, constant, low, high, ~held)
         done = inside and _within(x, low, high)
-        steps.append(SaturationStep(x, tuple(np.flatnonzero(held)), 1.0 if done else scale, -1 if done else critical))
+        steps.append(
+            SaturationStep(x, tuple(np.flatnonzero(held).tolist()), 1.0 if done else scale, -1 if done else critical)
+        )
         if done:
             return Saturated(np.clip(x, low, high), 1.0, tuple(steps))
         if inside and scale > best[0]:
