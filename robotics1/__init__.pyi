@@ -7,8 +7,10 @@ from . import (
     ik,
     orientation,
     plots,
+    redundancy,
     rigid_motions,
     singularities,
+    tasks,
     textbook_robots,
     trajectories,
     workspaces,
@@ -47,14 +49,12 @@ from .tasks.pointing import PointingTask
 from .tasks.pose import OrientationTask, PoseTask
 from .tasks.position import PositionTask
 from .tasks.stacked import StackedTask
-from .tasks.task import Task
 from .trajectories.elementary import cubic, quintic
 from .trajectories.following.path_following import follow_trajectory
 from .trajectories.least_time_of_joints import minimum_time
 from .trajectories.limits import MotionLimits
 from .trajectories.meeting import rendezvous
 from .trajectories.profiles import trapezoidal
-from .trajectories.splines import cubic_spline
 from .trajectories.target_motion import LinearMotion
 from .viewer.animation import animate, view
 
@@ -82,7 +82,6 @@ __all__ = [
     "RobotWarning",
     "Robotics1Error",
     "StackedTask",
-    "Task",
     "TaskError",
     "UnknownNameError",
     "animate",
@@ -90,7 +89,6 @@ __all__ = [
     "check_robot",
     "control",
     "cubic",
-    "cubic_spline",
     "curves",
     "dh",
     "find_singularities",
@@ -108,6 +106,7 @@ __all__ = [
     "orientation",
     "plots",
     "quintic",
+    "redundancy",
     "rendezvous",
     "report",
     "rigid_motions",
@@ -116,6 +115,7 @@ __all__ = [
     "singularities",
     "solve_ik",
     "subspaces",
+    "tasks",
     "textbook_robots",
     "trajectories",
     "trapezoidal",

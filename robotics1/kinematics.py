@@ -15,25 +15,33 @@ from robotics1.robot.model import ConfigurationLike, Robot
 KINDS = {"mixed": pin.LOCAL_WORLD_ALIGNED, "space": pin.WORLD, "body": pin.LOCAL}
 
 
-def forward_kinematics(robot: RobotLike, q: ConfigurationLike, *, frame: str | None = None) -> pin.SE3:
+def forward_kinematics(
+    robot: RobotLike, q: ConfigurationLike, *, frame: str | None = None, point: npt.ArrayLike | None = None
+) -> pin.SE3:
     """Return T_world_frame(q): rotation (3, 3) and translation (3,) [m] of a frame, by default the tool.
 
     Args:
         robot: the robot.
         q: (nq,) configuration [rad or m]; of several, (k, nq), the answer is an array of matrices T, (k, 4, 4).
         frame: the frame's name.
+        point: (3,) a point c that is fixed to the frame, in its axes [m], to which the frame's origin is moved:
+            p_c = p + R c.
 
     Raises:
-        InputError: q has the wrong shape or is not finite.
+        InputError: q or the point has the wrong shape or is not finite.
         UnknownNameError: there is no such frame.
     """
     robot = robot_from(robot)
     number = robot.frame_id(frame)
+    c = point_of_frame(point)
     if is_batch(q):
-        poses = [forward_kinematics(robot, one, frame=frame).homogeneous for one in robot.configurations(q)]
+        poses = [
+            forward_kinematics(robot, one, frame=frame, point=point).homogeneous for one in robot.configurations(q)
+        ]
         return np.reshape(poses, (-1, 4, 4))
     pin.forwardKinematics(robot.model, robot.data, robot.configuration(q))
-    return pin.SE3(pin.updateFramePlacement(robot.model, robot.data, number))
+    T = pin.SE3(pin.updateFramePlacement(robot.model, robot.data, number))
+    return T if c is None else pin.SE3(T.rotation, T.act(c))
 
 
 def frame_jacobian(
@@ -44,6 +52,7 @@ def frame_jacobian(
     reference: str = "world",
     kind: str = "mixed",
     angular_first: bool = False,
+    point: npt.ArrayLike | None = None,
 ) -> Array:
     """Return J(q), (6, nv), with (v, ω) = J q̇: the velocity [m/s] of a point over the angular velocity [rad/s] of the
     frame, both relative to the world.
@@ -68,9 +77,12 @@ def frame_jacobian(
             ʳJ = diag(R_rᵀ, R_rᵀ) J: the same velocity, other axes.
         kind: "mixed", "space" or "body".
         angular_first: the rows of ω over those of v, as Lynch and Park write twists.
+        point: (3,) a point c that is fixed to the frame, in its axes [m], that takes the place of its origin:
+            v_c = v + ω × R c. A space Jacobian is the same for every point.
 
     Raises:
-        InputError: q has the wrong shape or is not finite; or kind is none of these, or has other axes than reference.
+        InputError: q or the point has the wrong shape or is not finite; or kind is none of these, or has other axes
+            than reference.
         UnknownNameError: there is no such frame or reference.
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.1; Lynch, Park, Modern Robotics, 2017,
@@ -79,12 +91,22 @@ def frame_jacobian(
     robot = robot_from(robot)
     number = robot.frame_id(frame)
     if is_batch(q):
-        options = {"frame": frame, "reference": reference, "kind": kind, "angular_first": angular_first}
+        options = {
+            "frame": frame,
+            "reference": reference,
+            "kind": kind,
+            "angular_first": angular_first,
+            "point": point,
+        }
         every = [frame_jacobian(robot, one, **options) for one in robot.configurations(q)]  # type: ignore[arg-type]
         return np.reshape(every, (len(every), 6, robot.nv))
     q = robot.configuration(q)
     J = pin.computeFrameJacobian(robot.model, robot.data, q, number, KINDS[one_of("kind", kind, tuple(KINDS))])
     J = J.reshape(6, robot.nv)  # Pinocchio drops the second axis of a single column
+    c = point_of_frame(point)
+    if c is not None and kind != "space":
+        arm = robot.data.oMf[number].rotation @ c if kind == "mixed" else c
+        J = np.vstack([J[:3] + np.cross(J[3:], arm, axisa=0, axisc=0), J[3:]])
     if not _is(reference, "world"):
         R = reference_axes(robot, q, reference)
         if kind != "mixed":
@@ -96,7 +118,13 @@ def frame_jacobian(
 
 
 def frame_jacobian_rate(
-    robot: RobotLike, q: ConfigurationLike, qdot: npt.ArrayLike, *, frame: str | None = None, reference: str = "world"
+    robot: RobotLike,
+    q: ConfigurationLike,
+    qdot: npt.ArrayLike,
+    *,
+    frame: str | None = None,
+    reference: str = "world",
+    point: npt.ArrayLike | None = None,
 ) -> Array:
     """Return J̇(q, q̇), (6, nv), of the frame Jacobian: the acceleration of the frame is (v̇, ω̇) = J q̈ + J̇ q̇.
 
@@ -109,9 +137,10 @@ def frame_jacobian_rate(
         qdot: (nv,) q̇ [rad/s or m/s].
         frame: whose; by default the tool's.
         reference: the axes the rows are written in: "world", "tool", or the name of a frame.
+        point: (3,) a point that is fixed to the frame, in its axes [m], in the place of its origin.
 
     Raises:
-        InputError: q or qdot has the wrong shape or is not finite.
+        InputError: q, qdot or the point has the wrong shape or is not finite.
         UnknownNameError: there is no such frame or reference.
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4; Featherstone, Rigid Body Dynamics
@@ -120,28 +149,29 @@ def frame_jacobian_rate(
     robot = robot_from(robot)
     q = robot.configuration(q)
     qdot = velocity_of_joints(robot, "qdot", qdot)
-    rate = _jacobian_rate(robot, q, qdot, robot.frame_id(frame))
+    rate = _jacobian_rate(robot, q, qdot, robot.frame_id(frame), point_of_frame(point))
     if _is(reference, "world"):
         return rate
     R = reference_axes(robot, q, reference)
-    J = frame_jacobian(robot, q, frame=frame)
+    J = frame_jacobian(robot, q, frame=frame, point=point)
     omega = frame_jacobian(robot, q, frame=None if _is(reference, "tool") else reference)[3:] @ qdot
     turning = np.vstack([np.cross(omega, J[:3], axisb=0, axisc=0), np.cross(omega, J[3:], axisb=0, axisc=0)])
     return np.vstack([R.T @ (rate - turning)[:3], R.T @ (rate - turning)[3:]])
 
 
-def _jacobian_rate(robot: Robot, q: Array, qdot: Array, frame: int) -> Array:
-    """Return J̇, (6, nv), of a frame in world axes, from the motions of the joints before it.
+def _jacobian_rate(robot: Robot, q: Array, qdot: Array, frame: int, point: Array | None) -> Array:
+    """Return J̇, (6, nv), of a point of a frame in world axes, from the motions of the joints before it.
 
     At the world's origin, the unit motion S = (v, ω) of a joint is constant in the axes of the body that the joint
-    carries, which moves with V: Ṡ = V × S. At the frame's origin p, (v + ω × p)˙ = v̇ + ω̇ × p + ω × ṗ. A joint that
-    mimics adds its own motion to the column of its leader. (Pinocchio's getFrameJacobianTimeVariation forgets it, and
-    crashes on a model without joints.)
+    carries, which moves with V: Ṡ = V × S. At the point p, the frame's origin or another of its points,
+    (v + ω × p)˙ = v̇ + ω̇ × p + ω × ṗ. A joint that mimics adds its own motion to the column of its leader. (Pinocchio's
+    getFrameJacobianTimeVariation forgets it, and crashes on a model without joints.)
     """
     model, data = robot.model, robot.data
     pin.forwardKinematics(model, data, q, qdot)
     pin.computeJointJacobians(model, data)
-    p = np.array(pin.updateFramePlacement(model, data, frame).translation)
+    T = pin.updateFramePlacement(model, data, frame)
+    p = np.array(T.translation if point is None else T.act(point))
     S = np.array(data.J).reshape(6, -1)  # a column for each coordinate of each joint, those that mimic included
     J, rate = np.zeros((6, robot.nv)), np.zeros((6, robot.nv))
     for i in [*model.supports[model.frames[frame].parentJoint]][1:]:  # without the world
@@ -167,6 +197,15 @@ def reference_axes(robot: Robot, q: ConfigurationLike, reference: str) -> Array:
         raise UnknownNameError("reference named", reference, ("world", "tool", *robot.frame_names))
     frame = None if _is(reference, "tool") else reference
     return np.array(forward_kinematics(robot, q, frame=frame).rotation)
+
+
+def point_of_frame(point: npt.ArrayLike | None) -> Array | None:
+    """Return a point of a frame, in the frame's axes [m], as (3,); None for its origin.
+
+    Raises:
+        InputError: it is no such thing.
+    """
+    return None if point is None else real_array("point", point, (3,), "in the axes of the frame [m]")
 
 
 def velocity_of_joints(robot: Robot, name: str, value: npt.ArrayLike) -> Array:

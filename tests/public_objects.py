@@ -23,6 +23,10 @@ def its_jacobian(p, R, q):
     return [[0.0, -2 * 1.2 * 0.8 * np.sin(q[1])]]
 
 
+def to_the_right(p, R, q, d):
+    return [p[0] - d]
+
+
 def moved_position(t):
     return np.array([1.0 + 0.1 * t, 0.2])
 
@@ -174,6 +178,32 @@ def inverse():
     return r1.ik.ik_formulas(arm("planar_2r"), PLANE)
 
 
+def its_sine(q):
+    return float(np.sin(q[0]))
+
+
+@cache
+def prioritised():
+    levels = [(PLANE, [0.1, 0.2]), (r1.PositionTask("x"), [1.0])]
+    return r1.redundancy.priority_velocity(arm("planar_3r"), levels, [0.3, 0.5, 0.4])
+
+
+def saturated(method):
+    q = [0.3, 0.5, 0.4]
+    return r1.redundancy.saturated_velocity(arm("planar_3r"), PLANE, [0.5, 0.2], q, limits=0.3, method=method)
+
+
+@cache
+def control_laws():
+    """A Cartesian law along the normal and the tangent of a line, and a joint law."""
+    line = r1.line_path([0.8, 0.5], [0.6, 0.6])
+    motion = r1.curves.PathTrajectory(line, r1.cubic(0, line.end, 1.0))
+    return [
+        r1.control.cartesian_law(arm("planar_2r"), PLANE, motion, [2.0, 5.0], axes="frenet"),
+        r1.control.joint_law(arm("planar_2r"), cubic(), [2.0, 3.0]),
+    ]
+
+
 @cache
 def swaying():
     return r1.ik.self_motion(arm("planar_3r"), PLANE, [0.5, 0.3], samples=5, starts=3)
@@ -243,10 +273,21 @@ INSTANCES = {
     "FrenetFormulas": lambda: [r1.curves.frenet_formulas(r1.curves.formula_path(["cos(s)", "sin(s)", "s"], "s", 2.0))],
     "FrenetFrame": lambda: [r1.curves.frenet_frame(r1.curves.circle_path([0, 0], 1.0), 0.3)],
     "FunctionMotion": lambda: [r1.trajectories.FunctionMotion(moved_position, moved_velocity)],
-    "FunctionTask": lambda: [r1.FunctionTask(squared_distance, 1), r1.FunctionTask(squared_distance, 1, its_jacobian)],
+    "FunctionTask": lambda: [
+        r1.FunctionTask(squared_distance, 1),
+        r1.FunctionTask(squared_distance, 1, its_jacobian),
+        r1.FunctionTask(to_the_right, 1, units=("m",), parameters={"d": 0.2}, point=(0.1, 0.0, 0.0)),
+    ],
     "Aspects": lambda: [r1.ik.group_by_aspect(r1.ik_solutions(arm("planar_2r"), PLANE, TARGET))],
     "Cuspidality": lambda: [r1.ik.is_cuspidal(arm("planar_2r"), PLANE)],
     "CuspidalityStatus": lambda: list(r1.ik.CuspidalityStatus),
+    "ControlCommand": lambda: [law.command(Q, t=0.3) for law in control_laws()],
+    "ControlLaw": control_laws,
+    "ControlRun": lambda: [r1.control.simulate_law(control_laws()[0], Q, samples=5)],
+    "ErrorDecay": lambda: [control_laws()[0].decay(Q)],
+    "Gains": lambda: [r1.control.gains_for_decay(0.1, 2.0), r1.control.gains_for_decay(0.1, 2.0, order=2)],
+    "LyapunovRate": lambda: [r1.control.lyapunov_rate(arm("planar_2r"), PLANE, TARGET, Q)],
+    "LyapunovStatus": lambda: list(r1.control.LyapunovStatus),
     "GainChoice": lambda: [r1.control.smallest_gain(cubic(), [0.1, 1], 1e-2)],
     "GainStatus": lambda: list(r1.control.GainStatus),
     "HarmonicCurve": lambda: [r1.curves.circle_path([0, 0], 1.0), *laws()[1:3], r1.curves.stretched(laws()[1], 2.0)],
@@ -319,10 +360,52 @@ INSTANCES = {
     ],
     "PlanarPoseTask": lambda: [r1.PlanarPoseTask(), r1.PlanarPoseTask("xz")],
     "PointingTask": lambda: [r1.PointingTask(), r1.PointingTask((1, 1, 0))],
+    "CylindricalTask": lambda: [r1.tasks.CylindricalTask(), r1.tasks.CylindricalTask("zx", frame="tool")],
+    "PolarTask": lambda: [r1.tasks.PolarTask(), r1.tasks.PolarTask("yz", point=(0.1, 0.0, 0.2))],
     "PolynomialFormula": lambda: [r1.trajectories.polynomial_formula((q0, 0), (q1, 0), T)],
     "PosePath": lambda: [r1.curves.pose_line(pin.SE3.Identity(), pin.SE3(np.eye(3), np.ones(3)))],
     "PoseTask": lambda: [r1.PoseTask(), r1.PoseTask("XYZ", frame="tool")],
-    "PositionTask": lambda: [r1.PositionTask(), r1.PositionTask("xz", frame="tool", reference="tool")],
+    "PositionTask": lambda: [
+        r1.PositionTask(),
+        r1.PositionTask("xz", frame="tool", reference="tool"),
+        r1.PositionTask(point=[0.1, 0, 0]),
+    ],
+    "FunctionObjective": lambda: [r1.redundancy.FunctionObjective(arm("planar_2r"), its_sine)],
+    "JointRangeObjective": lambda: [r1.redundancy.JointRangeObjective(arm("planar_2r"), [-1, -2], [1, 2])],
+    "LevelOutcome": lambda: list(prioritised().levels),
+    "LevelStatus": lambda: list(r1.redundancy.LevelStatus),
+    "ManipulabilityObjective": lambda: [r1.redundancy.ManipulabilityObjective(arm("planar_3r"), PLANE)],
+    "NearObjective": lambda: [r1.redundancy.NearObjective([0.1, 0.2])],
+    "Objective": lambda: [r1.redundancy.NearObjective([0.1, 0.2], [1, 2])],
+    "ObstacleObjective": lambda: [r1.redundancy.ObstacleObjective(arm("planar_3r"), [0.5, 0.5, 0])],
+    "Priorities": lambda: [prioritised()],
+    "PriorityRun": lambda: [
+        r1.redundancy.follow_by_priority(
+            arm("planar_3r"),
+            [
+                (r1.PositionTask("x"), r1.curves.PathTrajectory(r1.line_path([1.2], [1.1]), r1.cubic(0, 0.1, 1.0))),
+                (r1.PositionTask("y", frame="link2"), [0.3], 2.0),
+            ],
+            [0.3, 0.5, 0.4],
+            samples=5,
+        )
+    ],
+    "RedundancyFormulas": lambda: [
+        r1.redundancy.redundancy_formulas(r1.textbook_robots.planar_arm("PPR", [0.5]), r1.PositionTask("x"))
+    ],
+    "ProjectedGradient": lambda: [
+        r1.redundancy.projected_gradient(
+            arm("planar_3r"), PLANE, [0.1, 0.2], [0.3, 0.5, 0.4], r1.redundancy.NearObjective([0, 0, 0])
+        )
+    ],
+    "SaturatedMotion": lambda: [saturated("sns"), saturated("optimal")],
+    "SaturatedPriorities": lambda: [
+        r1.redundancy.saturated_priority_velocity(
+            arm("planar_3r"), [(PLANE, [0.5, 0.2]), (r1.PositionTask("y", frame="link2"), [0.1])], [0.3, 0.5, 0.4]
+        )
+    ],
+    "SaturationStatus": lambda: list(r1.redundancy.SaturationStatus),
+    "SaturationStep": lambda: list(saturated("sns").steps),
     "RankStatus": lambda: list(r1.singularities.RankStatus),
     "RateStatus": lambda: list(r1.trajectories.RateStatus),
     "Placements": lambda: [r1.workspaces.best_placements(arm("planar_2r"), PLANE, [TARGET], {"x": [0.0, 0.3, 5.0]})],

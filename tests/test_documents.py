@@ -163,3 +163,31 @@ def test_the_page_on_splines_says_what_it_finds(run):
     assert second[:2] == pytest.approx([1, 2])
     assert np.abs(page.fastest.trajectory.extremes(1)[1]).max() <= 1 + 1e-9
     assert page.T > 0
+
+
+def test_the_page_on_redundancy_says_what_it_finds(run):
+    page = run("redundancy")[0][-1]
+    assert page.moved.qdot == pytest.approx([-0.0977, -0.2771, 0.4279], abs=5e-5)
+    assert page.moved.objective == pytest.approx(0.6645, abs=5e-5)
+    assert page.moved.gradient == pytest.approx([0, 0.3856, -0.2692], abs=5e-5)
+    assert [level.status.name for level in page.found.levels] == ["REALISED", "REALISED"]
+    assert page.conflict.levels[1].status.name == "IN_CONFLICT"
+    assert page.conflict.levels[1].residual == pytest.approx([0.7])
+    assert (page.held.status.name, page.held.scale) == ("SATURATED", 1)
+    assert page.held.saturated.tolist() == [False, True, False]
+    assert page.fast.status.name == "SCALED"
+    assert page.fast.scale < 1
+    assert page.sns.steps[0].critical == 1
+    assert page.slow.scales.min() < 1
+    formula = page.sympy.cos(page.q3) * page.l / (page.l**2 + 1)
+    assert page.sympy.simplify(page.f.pseudoinverse[2, 1] - formula) == 0
+
+
+def test_the_page_on_control_says_what_it_finds(run):
+    page = run("control")[0][-1]
+    assert page.law.formula() == "q̇ = J⁻¹(q) (ṙ_d + K (r_d − f(q))), K = [[4, 1], [1, 3]]"
+    assert page.law.explain().endswith("; ė = −K e")
+    assert page.control.gains_for_decay(0.05, 2.0).K == pytest.approx(np.log(20) / 2)
+    assert page.held.saturated.tolist() == [True, False]
+    assert page.gradient.explain().startswith("q̇ = Jᵀ K e: V = ½ eᵀ K e, V̇ = −|Jᵀ K e|²; ")
+    assert page.stuck.status.name == "STUCK"

@@ -21,6 +21,9 @@ TASKS = {
     "pose": r1.PoseTask(),
     "angles": r1.PoseTask(angles="XYZ"),
     "pointing": r1.PointingTask("x"),
+    "polar": r1.tasks.PolarTask(),
+    "cylindrical": r1.tasks.CylindricalTask("yz"),
+    "point": r1.PlanarPoseTask(point=(0.1, 0.2, 0.3)),
     "tool axes": r1.PositionTask("xy", reference="tool"),
     "stacked": r1.StackedTask([r1.PositionTask("xz"), r1.PlanarPoseTask()]),
     "function": r1.FunctionTask(lambda p, R, q: [p @ p], 1),
@@ -167,6 +170,34 @@ def nothing_moves(still, task, folder):
         ),
         "TaskTrajectory": lambda: r1.trajectories.TaskTrajectory(still, task, joints).velocity(0.5),
         "limit_violations": lambda: r1.trajectories.limit_violations(still, joints),
+        "projected_gradient": lambda: r1.redundancy.projected_gradient(
+            still, task, np.zeros(3), [], r1.redundancy.ManipulabilityObjective(still, task)
+        ),
+        "priority_velocity": lambda: r1.redundancy.priority_velocity(still, [(task, np.zeros(3))], []),
+        "priority_acceleration": lambda: r1.redundancy.priority_acceleration(still, [(task, np.zeros(3))], [], []),
+        "saturated_velocity": lambda: r1.redundancy.saturated_velocity(still, task, np.zeros(3), []),
+        "saturated_acceleration": lambda: r1.redundancy.saturated_acceleration(
+            still, task, np.ones(3), [], [], limits=1.0
+        ),
+        "saturated_priority_velocity": lambda: r1.redundancy.saturated_priority_velocity(
+            still, [(task, np.ones(3))], []
+        ),
+        "follow_by_priority": lambda: r1.redundancy.follow_by_priority(still, [(task, motion)], []),
+        "reduced_gradient": lambda: r1.redundancy.reduced_gradient(
+            still, task, np.zeros(3), [], r1.redundancy.ManipulabilityObjective(still, task)
+        ),
+        "extended_task": lambda: r1.redundancy.extended_task(
+            still, task, r1.redundancy.ManipulabilityObjective(still, task)
+        ),
+        "redundancy_formulas": lambda: r1.redundancy.redundancy_formulas(still, task),
+        "ManipulabilityObjective": lambda: r1.redundancy.ManipulabilityObjective(still, task).gradient([]),
+        "JointRangeObjective": lambda: r1.redundancy.JointRangeObjective(still).gradient([]),
+        "ObstacleObjective": lambda: r1.redundancy.ObstacleObjective(still, P + 0.1).gradient([]),
+        "FunctionObjective": lambda: r1.redundancy.FunctionObjective(still, lambda q: 1.0).gradient([]),
+        "joint_law": lambda: r1.control.joint_law(still, [], 1.0),
+        "cartesian_law": lambda: r1.control.cartesian_law(still, task, P, 1.0),
+        "largest_gains": lambda: r1.control.largest_gains(still, task, P, [], limits=1.0),
+        "lyapunov_rate": lambda: r1.control.lyapunov_rate(still, task, P, []),
         "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
         "workspace": lambda: r1.workspaces.workspace(still, task),
         "reachability_map": lambda: r1.reachability_map(still, task, [value]),
@@ -187,6 +218,7 @@ def nothing_moves(still, task, folder):
 
 RESULTS = {
     "RobotReport",
+    "ControlLaw",
     "Formulas",
     "IKFormulas",
     "SingularBranch",

@@ -90,6 +90,10 @@ class PlanarPoseTask(FrameTask):
         T[a, 3], T[b, 3], T[3, 3] = r[0], r[1], 1.0
         return T
 
+    def _orients(self, rows: tuple[int, ...]) -> bool:
+        """Whether φ fixes the orientation: it does, of a frame that stays in the plane."""
+        return True
+
     def check(self, robot: RobotLike) -> None:
         """Raise TaskError if the frame leaves the plane, or its x axis stands on it."""
         robot = robot_from(robot)
@@ -112,7 +116,7 @@ def _check_planar(robot: Robot, task: PlanarPoseTask) -> None:
     for seed in range(3):
         step = np.random.default_rng(seed).uniform(-1, 1, robot.nv)
         q = pin.integrate(robot.model, pin.neutral(robot.model), step)
-        J = frame_jacobian(robot, q, frame=task.frame, reference=task.reference)
+        J = frame_jacobian(robot, q, frame=task.frame, reference=task.reference, point=task.point)
         if np.abs(J[[n, 3 + a, 3 + b]]).max(initial=0.0) > 1e-9 * max(robot.reach, 1.0):
             raise TaskError(
                 f"robot {robot.name!r} leaves the {task.plane} plane, so it has no planar pose there; "

@@ -1,6 +1,6 @@
 """Several tasks at once, of one frame or of several, with their rows one below the other."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -86,6 +86,12 @@ class StackedTask:
         """Raise TaskError if J of one of the tasks is not the derivative of its value."""
         for task in self.tasks:
             task.check_integrable(robot)
+
+    def with_parameters(self, values: Mapping[str, float]) -> "StackedTask":
+        """Return the tasks with other values of their named lengths."""
+        return StackedTask(
+            [task.with_parameters(values) if hasattr(task, "with_parameters") else task for task in self.tasks]
+        )
 
     def frame_map(self) -> FrameMap | None:
         """Return the tasks as one function of a pose, if they are on one frame, with the same axes, and of numbers."""

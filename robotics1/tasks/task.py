@@ -1,8 +1,8 @@
 """What every task answers, and the frame of the built-in ones."""
 
 from abc import abstractmethod
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -10,7 +10,8 @@ import pinocchio as pin
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, text
-from robotics1.kinematics import forward_kinematics, frame_jacobian, is_batch, reference_axes
+from robotics1.kinematics import forward_kinematics, frame_jacobian, is_batch, point_of_frame, reference_axes
+from robotics1.orientation.elementary import cross_matrix
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.mimic import turns_of_followers
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -54,6 +55,7 @@ class FrameMap:
         by_differences: whether J is found by differences of the value.
         constant_rows: whether S is the same at every pose.
         knows_units: whether the units of the rows are known; a row without may count turns, or be an angle.
+        parameters: names of lengths that g takes by keyword, and their values; formulas keep the names.
     """
 
     frame: str | None
@@ -64,6 +66,7 @@ class FrameMap:
     constant_rows: bool = False
     by_differences: bool = False
     knows_units: bool = True
+    parameters: Mapping[str, float] = field(default_factory=dict)
 
 
 class Task(Protocol):
@@ -114,16 +117,21 @@ class FrameTask:
     Attributes:
         frame: the frame's name; None for the tool.
         reference: the axes: "world", "tool", or a frame's name.
+        point: (3,) a point that is fixed to the frame, in the frame's axes [m], in the place of its origin; None for
+            the origin. Inverse kinematics of such a task goes by numbers, unless the task fixes the orientation too.
     """
 
     frame: str | None = None
     reference: str = "world"
+    point: tuple[float, float, float] | None = None
 
     def __post_init__(self) -> None:
-        """Refuse axes and a frame that are no names."""
+        """Refuse axes and a frame that are no names, and a point that is none."""
         text("reference", self.reference)
         if self.frame is not None:
             text("frame", self.frame)
+        c = point_of_frame(self.point)
+        object.__setattr__(self, "point", None if c is None else tuple(c.tolist()))
 
     @property
     @abstractmethod
@@ -162,6 +170,8 @@ class FrameTask:
 
     def frame_map(self) -> FrameMap:
         """Return g, S and the error of the pose."""
+        if self.point is not None:
+            return self._map_at(np.array(self.point))
         return FrameMap(
             self.frame,
             self.reference,
@@ -170,6 +180,36 @@ class FrameTask:
             self.pose_error(),
             constant_rows=self.has_constant_rows,
         )
+
+    def _map_at(self, c: Array) -> FrameMap:
+        """Return g(p + R c, R), S for the velocity v + ω × R c of the point, and the error of the frame's pose.
+
+        That error is known where the target fixes the orientation R_d: the origin is then at p_d − R_d c.
+        """
+
+        def S(p: Array, R: Array) -> Array:
+            there = self.S(p + R @ c, R)
+            return np.hstack([there[:, :3], there[:, 3:] - there[:, :3] @ cross_matrix(R @ c)])
+
+        error = self.pose_error()
+
+        def goal(robot: Robot, target: Any) -> Array:
+            T = np.array(error.goal(robot, target))
+            T[:3, 3] -= T[:3, :3] @ c
+            return T
+
+        oriented = self._orients(error.rows)
+        return FrameMap(
+            self.frame,
+            self.reference,
+            lambda p, R, q: self.g(p + R @ c, R),
+            S,
+            replace(error, goal=goal, takes_poses=False) if oriented else None,
+        )
+
+    def _orients(self, rows: tuple[int, ...]) -> bool:
+        """Whether the rows of the pose's error fix the orientation, at least of a frame that the task fits."""
+        return {3, 4, 5} <= set(rows)
 
     @property
     def rows(self) -> int:
@@ -204,7 +244,7 @@ class FrameTask:
             every = [self.jacobian(robot, one) for one in robot.configurations(q)]
             return np.reshape(every, (len(every), self.rows, robot.nv))
         T = self._pose(robot, q)
-        return self.S(T.translation, T.rotation) @ frame_jacobian(robot, q, frame=self.frame, reference=self.reference)
+        return self.S(T.translation, T.rotation) @ self._frame_jacobian(robot, q)
 
     def check(self, robot: Robot) -> None:
         """Raise TaskError if the task does not fit the robot; here any robot will do."""
@@ -221,8 +261,11 @@ class FrameTask:
                 f"use reference='world'"
             )
 
+    def _frame_jacobian(self, robot: Robot, q: ConfigurationLike) -> Array:
+        return frame_jacobian(robot, q, frame=self.frame, reference=self.reference, point=self.point)
+
     def _pose(self, robot: Robot, q: ConfigurationLike) -> pin.SE3:
-        T = forward_kinematics(robot, q, frame=self.frame)
+        T = forward_kinematics(robot, q, frame=self.frame, point=self.point)
         if self.reference == "world":
             return T
         R = reference_axes(robot, q, self.reference)

@@ -20,7 +20,9 @@ from robotics1.robot.parameters import HIGHEST_DEGREE, Monomial, Parameters, Pla
 UNVALUED = 1.0  # the length that a name without a value stands for [m]
 
 
-def with_point(robot: Robot, frame: str | None, point: Any) -> tuple[Robot, str]:
+def with_point(
+    robot: Robot, frame: str | None, point: Any, parameters: Mapping[str, float] | None = None
+) -> tuple[Robot, str]:
     """Return the robot with a frame at a point of a link, and the name of that frame.
 
     The frame has the axes of the link. Names of coordinates that are no parameters of the robot become some.
@@ -29,6 +31,7 @@ def with_point(robot: Robot, frame: str | None, point: Any) -> tuple[Robot, str]
         robot: the robot.
         frame: the link, or None for the tool.
         point: (3,) coordinates in the link's axes [m]: numbers, names, or polynomials of names.
+        parameters: further names and values that the robot shall have as parameters.
 
     Raises:
         InputError: the point is no such thing.
@@ -37,7 +40,7 @@ def with_point(robot: Robot, frame: str | None, point: Any) -> tuple[Robot, str]
     link = robot.link_of(frame)
     coordinates = _coordinates(point)
     names = sorted({symbol.name for x in coordinates for symbol in x.free_symbols})
-    home = {**dict.fromkeys(names, UNVALUED), **robot.parameters}
+    home = {**dict.fromkeys(names, UNVALUED), **(parameters or {}), **robot.parameters}
     name = "point"
     while robot.model.existFrame(name):
         name += "_"

@@ -41,10 +41,14 @@ def formulas(robot: RobotLike, task: TaskLike, *, point: Any = None, rows: Seque
     """
     robot = robot_from(robot)
     asked: Task = task_from(task) if isinstance(task, type | str) else task
-    form, given = _on_a_frame(asked), set(robot.parameters)
+    form, given = _on_a_frame(asked), {*robot.parameters}
+    asked.check(robot)
     if point is not None:
-        robot, frame = with_point(robot, form.frame, point)
-        asked = replace(asked, frame=frame)  # type: ignore[type-var]  # a task on a frame is a dataclass
+        robot, frame = with_point(robot, form.frame, point, form.parameters)
+        asked = replace(asked, frame=frame, point=None)  # type: ignore[type-var]  # a task on a frame is a dataclass
+    elif form.parameters:
+        robot, _ = with_point(robot, form.frame, (0, 0, 0), form.parameters)
+    given |= {*form.parameters}
     asked.check(robot)
     places = row_places(asked, rows)
     read: Callable[..., SymbolicTask] = _kept_reading if _is_hashable(asked) else _reading

@@ -248,8 +248,15 @@ class Formulas(Frozen):
     def _places(self) -> list[int]:
         return [self.task.row_names.index(name) for name in self.row_names]
 
+    def _task_at(self, point: Point) -> Task:
+        """Return the task with its named lengths at the values of the point."""
+        if not hasattr(self.task, "with_parameters"):
+            return self.task
+        task: Task = self.task.with_parameters(dict(zip(self.robot.parameters, point.parameters, strict=True)))
+        return task
+
     def _value_at(self, point: Point) -> Estimate:
-        r = numeric_value(self.task, point.robot, point.q)
+        r = numeric_value(self._task_at(point), point.robot, point.q)
         if r.value.shape != (len(self.task.row_names),):
             return r
         return Estimate(r.value[self._places], r.error[self._places])
@@ -263,7 +270,7 @@ class Formulas(Frozen):
         return difference
 
     def _jacobian_at(self, point: Point) -> Estimate:
-        value, error = numeric_jacobian(self.task, point.robot, point.q)
+        value, error = numeric_jacobian(self._task_at(point), point.robot, point.q)
         return Estimate(value[self._places], error[self._places])
 
     def _jacobian_rate_at(self, point: Point) -> Estimate:

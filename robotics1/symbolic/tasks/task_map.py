@@ -62,17 +62,18 @@ def task_map(form: FrameMap, m: int, q: tuple[sympy.Symbol, ...]) -> TaskMap:
     p = np.array([sympy.Dummy(f"p{axis}", real=True) for axis in "xyz"])
     R = np.array([[sympy.Dummy(f"R{i}{j}", real=True) for j in (1, 2, 3)] for i in (1, 2, 3)])
     if form.S is None:
-        r = _read(form.g, m, p, R, q)
+        r = _read(form, m, p, R, q)
         return TaskMap(p, R, r, *_derivatives(r, p, R, q), wraps=False)
     S = _exact(form.S(p, R))
     return TaskMap(p, R, _exact(form.g(p, R, np.array(q))), S, np.full((len(S), len(q)), sympy.S.Zero), wraps=True)
 
 
-def _read(f: Callable[..., Any], m: int, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]) -> Expressions:
+def _read(form: FrameMap, m: int, p: Expressions, R: Expressions, q: tuple[sympy.Symbol, ...]) -> Expressions:
     """Return f(p, R, q), (m,)."""
     entries = [each(Tracer, np.array(a, dtype=object)) for a in (p, R, q)]
+    named = {name: sympy.Symbol(name, real=True) for name in form.parameters}
     try:
-        r = _exact(f(*entries))
+        r = _exact(form.g(*entries, **{name: Tracer(symbol) for name, symbol in named.items()}))
     except Exception as error:
         raise FormulaError(
             f"the task's function cannot be read as a formula: {error!r}; write it with arithmetic and with the "
@@ -82,7 +83,7 @@ def _read(f: Callable[..., Any], m: int, p: Expressions, R: Expressions, q: tupl
     if r.shape != (m,):
         raise FormulaError(f"the task's function must return shape ({m},); it returned shape {r.shape}")
     for entry in r:
-        unknown = entry.free_symbols.difference(p, R.flat, q)
+        unknown = entry.free_symbols.difference(p, R.flat, q, named.values())
         if unknown or entry.atoms(AppliedUndef) or entry.has(sympy.I, sympy.nan, sympy.zoo, sympy.oo):
             raise FormulaError(f"the task's function must be a real function of p, R and q alone; it returned {entry}")
     return r

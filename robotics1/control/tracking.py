@@ -21,8 +21,6 @@ from robotics1.inputs import (
 from robotics1.results import Frozen, require
 from robotics1.trajectories.following.integration import integrated
 
-__all__ = ["GainChoice", "GainStatus", "Tracking", "simulate_tracking", "smallest_gain"]
-
 PRECISION = 1e-12  # of the integration, of the largest value of each joint
 FASTEST = 1e9  # gain times duration: a faster loop follows at once, and cannot be integrated
 LARGEST = 1e150  # rad or m: squares of such errors are finite

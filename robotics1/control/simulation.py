@@ -1,0 +1,149 @@
+"""A control law in simulation."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.control.law import ControlLaw
+from robotics1.curves.curve import Side
+from robotics1.errors import InputError
+from robotics1.inputs import Array, counting_number, positive_bound, real_number
+from robotics1.kinematics import velocity_of_joints
+from robotics1.results import Frozen
+from robotics1.trajectories.following.integration import integrated
+
+PRECISION = 1e-9
+RUNAWAY = 1e4  # of a joint in the duration, in radians or reaches: faster ones have met a singularity
+
+
+@dataclass(frozen=True, eq=False)
+class ControlRun(Frozen):
+    """A simulated run of a law.
+
+    Attributes:
+        t: (k,) times [s]; they end early where the joints run away.
+        q: (k, n) [rad or m].
+        qdot: (k, n) [rad/s or m/s].
+        command: (k, n) q̇ or q̈ that was commanded, after saturation.
+        error: (k, m) e = r_d − r.
+        error_in_axes: (k, m) e in the law's axes.
+        saturated: (n,) whether a joint's command was cut at its limit.
+        complete: whether the end was reached.
+    """
+
+    t: Array
+    q: Array
+    qdot: Array
+    command: Array
+    error: Array
+    error_in_axes: Array
+    saturated: npt.NDArray[np.bool_]
+    complete: bool
+
+    @property
+    def final_error(self) -> float:
+        """|e| at the end."""
+        return float(np.linalg.norm(self.error[-1]))
+
+    def explain(self) -> str:
+        """Return how the error ends, and which joints saturate, in a sentence."""
+        cut = [str(i + 1) for i in np.flatnonzero(self.saturated)]
+        limits = f"; joint {', '.join(cut)} saturates" if cut else ""
+        early = "" if self.complete else "; the joints ran away there, near a singularity"
+        return f"|e| = {self.final_error:.6g} at t = {self.t[-1]:.6g} s{limits}{early}"
+
+
+def simulate_law(
+    law: ControlLaw,
+    q0: npt.ArrayLike,
+    qdot0: npt.ArrayLike | None = None,
+    *,
+    duration: float | None = None,
+    limits: npt.ArrayLike | None = None,
+    samples: int = 201,
+) -> ControlRun:
+    """Integrate a law from a start, with its command cut at limits.
+
+    Args:
+        law: `joint_law(...)` or `cartesian_law(...)`.
+        q0: (n,) where the joints start [rad or m].
+        qdot0: (n,) q̇(0) [rad/s or m/s], for a law of second order; None for rest.
+        duration: [s], for a target at rest; a motion has its own.
+        limits: (n,) largest |q̇| of a law of first order, |q̈| of second, or one number; None for no limits.
+        samples: the number of times that are returned.
+
+    Raises:
+        InputError: it is no law, a shape is wrong, or a duration is missing.
+    """
+    if not isinstance(law, ControlLaw):
+        raise InputError(f"law must be joint_law(...) or cartesian_law(...); it is {law!r}")
+    robot, n = law.robot, law.robot.nv
+    q0 = robot.configuration(q0, "q0")
+    if law.order == 1 and qdot0 is not None:
+        raise InputError("a law of first order commands q̇ itself: leave out qdot0")
+    start = q0 if law.order == 1 else np.concatenate([q0, _at_rest(law, qdot0)])
+    ends = _ends(law, duration)
+    bound = np.full(n, np.inf) if limits is None else positive_bound("command", limits, n)
+
+    def command(t: float, x: Array, side: Side) -> Array:
+        return law.command(x[:n], x[n:] if law.order == 2 else None, t=t, side=side).joints
+
+    def rate(t: float, x: Array, side: Side) -> Array:
+        u = np.clip(command(t, x, side), -bound, bound)
+        return u if law.order == 1 else np.concatenate([x[n:], u])
+
+    segments = integrated(
+        rate,
+        ends,
+        start,
+        method="DOP853",
+        rtol=PRECISION,
+        atol=PRECISION * np.tile(robot.units, law.order),
+        max_step=(ends[-1] - ends[0]) / 20,
+        stop=lambda slope: bool((np.abs(slope[:n]) > RUNAWAY * robot.units / ends[-1]).any()),
+        most_steps=5000,
+    )
+    times = np.linspace(0.0, ends[-1], counting_number("samples", samples, least=2))
+    reached = segments[-1].end if segments else 0.0
+    times = times[times <= reached]
+    states = np.array([next((s.state(t) for s in segments if t <= s.end), start) for t in times])
+    return _run(law, times, states, bound, complete=reached >= ends[-1])
+
+
+def _run(law: ControlLaw, times: Array, states: Array, bound: Array, *, complete: bool) -> ControlRun:
+    n = law.robot.nv
+    found = [
+        law.command(x[:n], x[n:] if law.order == 2 else None, t=float(t)) for t, x in zip(times, states, strict=True)
+    ]
+    asked = np.array([command.joints for command in found])
+    cut = np.clip(asked, -bound, bound)
+    return ControlRun(
+        times,
+        states[:, :n],
+        cut if law.order == 1 else states[:, n:],
+        cut,
+        np.array([command.error for command in found]),
+        np.array([command.error_in_axes for command in found]),
+        (np.abs(asked) > bound).any(axis=0),
+        complete,
+    )
+
+
+def _at_rest(law: ControlLaw, qdot0: npt.ArrayLike | None) -> Array:
+    return np.zeros(law.robot.nv) if qdot0 is None else velocity_of_joints(law.robot, "qdot0", qdot0)
+
+
+def _ends(law: ControlLaw, duration: float | None) -> list[float]:
+    """Return the times between which the law is smooth.
+
+    Raises:
+        InputError: a target at rest has no duration, or a motion is given another.
+    """
+    if law.motion is None:
+        if duration is None:
+            raise InputError("a target at rest has no end: give duration=")
+        return [0.0, real_number("duration", duration, positive=True)]
+    if duration is not None:
+        raise InputError(f"the motion lasts {law.motion.end:g} s: leave out duration=")
+    return list(law.motion.ends)

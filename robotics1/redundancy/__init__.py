@@ -1,0 +1,5 @@
+"""Redundancy resolution: what joints do that the task does not ask of them."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,238 @@
+"""Task priority: several tasks, the first before the second, at one state."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import InputError
+from robotics1.inputs import Array, a_robot, a_task, moderate, one_of, real_array, real_number
+from robotics1.kinematics import velocity_of_joints
+from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
+from robotics1.results import Frozen, require
+from robotics1.robot.model import Robot
+from robotics1.tasks.task import Task
+from robotics1.trajectories.following.task_rates import jacobian_rate
+
+METHODS = ("levels", "projection", "stacked")
+
+
+class LevelStatus(Enum):
+    """What becomes of one level."""
+
+    REALISED = "realised"
+    IN_CONFLICT = "not realised: the levels before it leave too little freedom"
+    OUT_OF_RANGE = "not realised: it is not in the range of the task's Jacobian"
+    NOT_MET = "not realised by this method, although it could be"
+
+
+@dataclass(frozen=True, eq=False)
+class LevelOutcome(Frozen):
+    """One level of a task priority.
+
+    Attributes:
+        status: whether its rate is realised.
+        asked: (m,) ṙ, or r̈.
+        residual: (m,) what of it is not realised.
+        rank: of its Jacobian J.
+        free_rank: of J N, with the null space N of the levels before: less than the rank where they are in conflict
+            (an algorithmic singularity).
+    """
+
+    status: LevelStatus
+    asked: Array
+    residual: Array
+    rank: int
+    free_rank: int
+
+    @property
+    def is_algorithmic_singularity(self) -> bool:
+        """Whether the levels before take a part of what the task could do alone."""
+        return self.free_rank < self.rank
+
+
+@dataclass(frozen=True, eq=False)
+class Priorities(Frozen):
+    """The joint velocities, or accelerations, of several tasks by priority.
+
+    Attributes:
+        joints: (nv,) q̇ [rad/s or m/s], or q̈ [rad/s² or m/s²].
+        levels: what becomes of each, in the order of priority.
+        null: (nv, k) orthonormal columns: motions that no level sees.
+        method: "levels", "projection" or "stacked".
+    """
+
+    joints: Array
+    levels: tuple[LevelOutcome, ...]
+    null: Array
+    method: str
+
+    def explain(self) -> str:
+        """Return what becomes of each level, in sentences."""
+        parts = []
+        for number, level in enumerate(self.levels, 1):
+            size = float(np.linalg.norm(level.residual))
+            rest = "" if level.status is LevelStatus.REALISED else f" (|residual| = {size:.6g})"
+            parts.append(f"level {number}: {level.status.value}{rest}")
+        return "; ".join(parts)
+
+    def require(self) -> "Priorities":
+        """Return self if every level is realised.
+
+        Raises:
+            NotConverged: one is not.
+        """
+        return require(self, all(level.status is LevelStatus.REALISED for level in self.levels))
+
+
+def priority_velocity(
+    robot: Robot,
+    levels: Sequence[tuple[Task, npt.ArrayLike]],
+    q: npt.ArrayLike,
+    *,
+    method: str = "levels",
+    null_velocity: npt.ArrayLike | None = None,
+    damping: float = 0.0,
+) -> Priorities:
+    """Return the joint velocities of several tasks by priority: each as well as those before it allow.
+
+    ============  ==========================================  ============================================
+    method        q̇                                          in words
+    ============  ==========================================  ============================================
+    "levels"      q̇ᵢ = q̇ᵢ₋₁ + (Jᵢ Pᵢ₋₁)⁺(ṙᵢ − Jᵢ q̇ᵢ₋₁)      of all q̇ that do the best for the levels before,
+                                                              those with the least |ṙᵢ − Jᵢ q̇|
+    "projection"  J₁⁺ṙ₁ + P₁ J₂⁺ṙ₂ + P₂ J₃⁺ṙ₃ + ...          bounded where levels are in conflict; lower
+                                                              levels are met in part only
+    "stacked"     [J₁; J₂; ...]⁺ (ṙ₁, ṙ₂, ...)                no priority: least squares of all rows
+    ============  ==========================================  ============================================
+
+    Pᵢ is the projector into the null space of the augmented Jacobian [J₁; ...; Jᵢ]; a null velocity is projected there.
+
+    Args:
+        robot: the robot.
+        levels: pairs (task, ṙ), the most important first; ṙ has one number for each row of the task.
+        q: (nq,) configuration [rad or m].
+        method: one of those above.
+        null_velocity: (nv,) q̇₀, whose part that no level sees is added.
+        damping: λ of the inverses of "levels" after the first: near an algorithmic singularity q̇ stays bounded.
+
+    Raises:
+        InputError: there is no level, a task stands in two of them, a shape is wrong, or damping is given to a method
+            that has none.
+        TaskError: a task does not fit the robot.
+
+    Source: Nakamura, Hanafusa, Yoshikawa, Int. J. Robotics Research 6, 1987; Siciliano, Slotine, ICAR 1991
+    ("levels"); Chiaverini, IEEE Trans. Robotics and Automation 13, 1997 ("projection").
+    """
+    tasks, rates = checked_levels(robot, levels, "ṙ")
+    q = robot.configuration(q)
+    rows = [(task.jacobian(robot, q), b) for task, b in zip(tasks, rates, strict=True)]
+    return _solved(robot, rows, rates, method, null_velocity, damping)
+
+
+def priority_acceleration(
+    robot: Robot,
+    levels: Sequence[tuple[Task, npt.ArrayLike]],
+    q: npt.ArrayLike,
+    qdot: npt.ArrayLike,
+    *,
+    method: str = "levels",
+    null_acceleration: npt.ArrayLike | None = None,
+    damping: float = 0.0,
+) -> Priorities:
+    """Return the joint accelerations of several tasks by priority: as `priority_velocity`, with r̈ᵢ − J̇ᵢ q̇ for ṙᵢ.
+
+    The null space of accelerations is not that of velocities: a null acceleration such as −k q̇ stops self-motions,
+    which the tasks do not see and which else go on.
+
+    Args:
+        robot: the robot.
+        levels: pairs (task, r̈), the most important first.
+        q: (nq,) configuration [rad or m].
+        qdot: (nv,) q̇ [rad/s or m/s].
+        method: as of `priority_velocity`.
+        null_acceleration: (nv,) q̈₀, whose part that no level sees is added.
+        damping: as of `priority_velocity`.
+
+    Raises:
+        InputError, TaskError: as `priority_velocity`.
+
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4 (second order).
+    """
+    tasks, rates = checked_levels(robot, levels, "r̈")
+    q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
+    rows = [
+        (task.jacobian(robot, q), b - jacobian_rate(robot, task, q, qdot) @ qdot)
+        for task, b in zip(tasks, rates, strict=True)
+    ]
+    return _solved(robot, rows, rates, method, null_acceleration, damping)
+
+
+def _solved(
+    robot: Robot, rows: Sequence[tuple[Array, Array]], asked: list[Array], method: str, wish: Any, damping: float
+) -> Priorities:
+    n, one = robot.nv, one_of("method", method, METHODS)
+    soft = real_number("damping", damping, non_negative=True)
+    if soft and one != "levels":
+        raise InputError(f"damping belongs to method='levels'; the method is {one!r}")
+    exact = by_levels(rows, n)
+    found: Hierarchy = exact
+    if one == "projection":
+        found = by_projection(rows, n)
+    elif one == "stacked":
+        found = by_levels([(np.vstack([A for A, _ in rows]), np.concatenate([b for _, b in rows]))], n)
+    elif soft:
+        found = by_levels(rows, n, damping=soft)
+    x = found.x
+    if wish is not None:
+        x = x + found.null @ (
+            found.null.T @ moderate("the null motion", velocity_of_joints(robot, "the null motion", wish))
+        )
+    outcomes = []
+    for i, (A, b) in enumerate(rows):
+        at_best = b - A @ exact.x
+        outcomes.append(
+            LevelOutcome(_status(A, b, at_best, b - A @ x), asked[i], b - A @ x, exact.ranks[i], exact.free_ranks[i])
+        )
+    return Priorities(x, tuple(outcomes), found.null, one)
+
+
+def _status(A: Array, b: Array, at_best: Array, left: Array) -> LevelStatus:
+    """Return the status of a level with these residuals: by priority, and of the method."""
+    size = RANK_TOLERANCE * max(float(np.linalg.norm(b)), 1e-300)
+    if np.linalg.norm(left) <= 10 * size:
+        return LevelStatus.REALISED
+    alone = b - A @ (np.linalg.pinv(A, rcond=RANK_TOLERANCE) @ b)
+    if np.linalg.norm(alone) > size:
+        return LevelStatus.OUT_OF_RANGE
+    return LevelStatus.IN_CONFLICT if np.linalg.norm(at_best) > 10 * size else LevelStatus.NOT_MET
+
+
+def checked_levels(
+    robot: Robot, levels: Sequence[tuple[Task, npt.ArrayLike]], symbol: str
+) -> tuple[list[Task], list[Array]]:
+    """Return tasks and rates of the levels.
+
+    Raises:
+        InputError: the levels are no pairs, there is none, or a task is asked twice.
+    """
+    a_robot(robot)
+    if not isinstance(levels, Sequence) or isinstance(levels, str) or not levels:
+        raise InputError(f"levels must be a list of pairs (task, {symbol}), the most important first; it is {levels!r}")
+    tasks: list[Task] = []
+    rates: list[Array] = []
+    for number, level in enumerate(levels, 1):
+        if not isinstance(level, Sequence) or isinstance(level, str) or len(level) != 2:
+            raise InputError(f"level {number} must be a pair (task, {symbol}); it is {level!r}")
+        task, rate = level
+        a_task(task)
+        if any(task == other for other in tasks):
+            raise InputError(f"level {number} has the same task as one before it, which decides it already: {task!r}")
+        task.check(robot)
+        tasks.append(task)
+        rates.append(real_array(f"{symbol} of level {number}", rate, (task.rows,), "one number for each row of J"))
+    return tasks, rates

@@ -1,0 +1,244 @@
+"""Joint rates within their limits: what the task asks is taken over by joints that are not at one."""
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from robotics1.errors import InputError
+from robotics1.inputs import (
+    Array,
+    a_robot_and_a_task,
+    dimensions,
+    moderate,
+    one_of,
+    per_joint,
+    real_array,
+    without_infinity,
+)
+from robotics1.kinematics import velocity_of_joints
+from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.redundancy.null_saturation import (
+    SHRINK,
+    Saturated,
+    SaturationStep,
+    largest_scale,
+    saturate_step_by_step,
+    shortest_within,
+)
+from robotics1.results import Frozen, require
+from robotics1.robot.model import Robot
+from robotics1.singularities.spaces import subspaces
+from robotics1.tasks.task import Task
+from robotics1.trajectories.following.task_rates import jacobian_rate
+
+METHODS = ("optimal", "sns", "scaled")
+
+
+class SaturationStatus(Enum):
+    """What the limits leave of the task."""
+
+    WITHIN_LIMITS = "realised, and the least norm is within the limits"
+    SATURATED = "realised, with joints at their limits"
+    SCALED = "only a part can be realised within the limits: the task is slowed down"
+    OUT_OF_RANGE = "not in the range of the Jacobian: a part of it cannot be realised"
+
+
+@dataclass(frozen=True, eq=False)
+class SaturatedMotion(Frozen):
+    """Joint rates with J q̇ = s ṙ, or accelerations with J q̈ + J̇q̇ = s r̈, within their limits.
+
+    Attributes:
+        joints: (nv,) q̇ or q̈.
+        scale: s, from 0 to 1.
+        status: what the limits leave of the task.
+        saturated: (nv,) whether a joint is at a limit.
+        lower, upper: (nv,) the limits.
+        residual: (m,) what of the task is not realised.
+        method: "optimal", "sns" or "scaled".
+        steps: of the algorithm, with method "sns".
+    """
+
+    joints: Array
+    scale: float
+    status: SaturationStatus
+    saturated: npt.NDArray[np.bool_]
+    lower: Array
+    upper: Array
+    residual: Array
+    method: str
+    steps: tuple[SaturationStep, ...] = ()
+
+    def explain(self) -> str:
+        """Return the status with the scale and the joints at their limits, in a sentence."""
+        at = [f"{i + 1}" for i in np.flatnonzero(self.saturated)]
+        where = f"; at a limit: joint {', '.join(at)}" if at else ""
+        return f"{self.status.value}; s = {self.scale:.6g}{where}"
+
+    def require(self) -> "SaturatedMotion":
+        """Return self if the whole task is realised.
+
+        Raises:
+            NotConverged: it is slowed down, or out of range.
+        """
+        return require(self, self.status in (SaturationStatus.WITHIN_LIMITS, SaturationStatus.SATURATED))
+
+
+def saturated_velocity(
+    robot: Robot,
+    task: Task,
+    rdot: npt.ArrayLike,
+    q: npt.ArrayLike,
+    *,
+    limits: npt.ArrayLike | None = None,
+    lower: npt.ArrayLike | None = None,
+    method: str = "optimal",
+) -> SaturatedMotion:
+    """Return joint velocities within their limits with J q̇ = s ṙ, for the largest s ≤ 1 that they allow.
+
+    =========  ==================================================================================================
+    method     q̇
+    =========  ==================================================================================================
+    "optimal"  of all q̇ within the limits with the largest s the shortest: a linear and a quadratic program
+    "sns"      saturation in the null space: the most critical joint is held at its limit, the others take over,
+               until all are within; quick and taught, but its s may be smaller, and its q̇ longer
+    "scaled"   s J⁺ṙ: the least norm slowed down, without use of the null space
+    =========  ==================================================================================================
+
+    Args:
+        robot: the robot.
+        task: r = f(q).
+        rdot: (m,) ṙ.
+        q: (nq,) configuration [rad or m].
+        limits: (nv,) the largest q̇ of each joint, or one number; None for the robot's. ∞ is no limit.
+        lower: (nv,) the least q̇, where it is not −limits; not above 0, as `limits` are not below 0.
+        method: one of those above.
+
+    Raises:
+        InputError: a shape is wrong, or zero is not within the limits.
+        TaskError: the task does not fit the robot.
+
+    Source: Flacco, De Luca, Khatib, Motion control of redundant robots under joint constraints: saturation in the null
+    space, ICRA 2012; Flacco, De Luca, Fast redundancy resolution for high-dimensional robots executing prioritized
+    tasks under hard bounds in the joint space, IROS 2013 (the quadratic program that it solves).
+    """
+    a_robot_and_a_task(robot, task)
+    rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
+    low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
+    return _resolved(task.jacobian(robot, q), rdot, np.zeros(task.rows), low, high, one_of("method", method, METHODS))
+
+
+def saturated_acceleration(
+    robot: Robot,
+    task: Task,
+    rddot: npt.ArrayLike,
+    q: npt.ArrayLike,
+    qdot: npt.ArrayLike,
+    *,
+    limits: npt.ArrayLike,
+    lower: npt.ArrayLike | None = None,
+    method: str = "optimal",
+) -> SaturatedMotion:
+    """Return joint accelerations within their limits with J q̈ = s r̈ − J̇ q̇, for the largest s ≤ 1 that they allow.
+
+    The drift J̇ q̇ is not scaled: where even s = 0 cannot hold it, the status is SCALED with s = 0 and a residual, and
+    q̈ is the least squares solution of the bounds.
+
+    Args:
+        robot: the robot.
+        task: r = f(q).
+        rddot: (m,) r̈.
+        q: (nq,) configuration [rad or m].
+        qdot: (nv,) q̇ [rad/s or m/s].
+        limits: (nv,) the largest q̈ of each joint, or one number.
+        lower: (nv,) the least q̈, where it is not −limits.
+        method: as of `saturated_velocity`.
+
+    Raises:
+        InputError, TaskError: as `saturated_velocity`.
+
+    Source: Flacco, De Luca, Khatib, Control of redundant robots under hard joint constraints: saturation in the null
+    space, IEEE Trans. Robotics 31, 2015.
+    """
+    a_robot_and_a_task(robot, task)
+    rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
+    q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
+    low, high = limits_of(robot, limits, lower)
+    drift = jacobian_rate(robot, task, q, qdot) @ qdot
+    return _resolved(task.jacobian(robot, q), rddot, drift, low, high, one_of("method", method, METHODS))
+
+
+def _resolved(J: Array, asked: Array, drift: Array, low: Array, high: Array, method: str) -> SaturatedMotion:
+    spaces = subspaces(J)
+    out = spaces.unrealisable(asked - drift)
+    reachable = np.linalg.norm(out) <= RANK_TOLERANCE * (np.linalg.norm(asked) + np.linalg.norm(drift))
+    b, c = asked - spaces.unrealisable(asked), drift - spaces.unrealisable(drift)
+    found = _within_limits(J, b, c, low, high, method)
+    x, s = found.x, found.scale
+    room = 1e-9 * np.maximum(1.0, np.where(np.isfinite(high - low), high - low, 1.0))
+    at = (np.abs(x - low) <= room) | (np.abs(x - high) <= room)
+    shortest = np.linalg.pinv(J, rcond=RANK_TOLERANCE) @ (b - c)
+    if not reachable:
+        status = SaturationStatus.OUT_OF_RANGE
+    elif s < 1:
+        status = SaturationStatus.SCALED
+    else:
+        plain = np.allclose(x, shortest, rtol=0, atol=1e-9 * max(1.0, float(np.abs(x).max(initial=0.0))))
+        status = SaturationStatus.WITHIN_LIMITS if plain else SaturationStatus.SATURATED
+    return SaturatedMotion(x, s, status, at, low, high, asked - drift - J @ x, method, found.steps)
+
+
+def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, method: str) -> Saturated:
+    """Return x with J x = s b − drift."""
+    n = J.shape[1]
+    shift = -np.linalg.pinv(J, rcond=RANK_TOLERANCE) @ drift  # x = shift + y with J y = s b
+    if method == "sns":
+        found = saturate_step_by_step(J, b, low - shift, high - shift)
+        return Saturated(np.clip(found.x + shift, low, high), found.scale, found.steps)
+    if method == "scaled":
+        y = np.linalg.pinv(J, rcond=RANK_TOLERANCE) @ b
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = np.where(y > 0, (high - shift) / y, np.where(y < 0, (low - shift) / y, np.inf))
+        s = float(np.clip(ends.min(initial=1.0), 0.0, 1.0))
+        return Saturated(np.clip(s * y + shift, low, high), s)
+    x = shortest_within(J, b - drift, low, high)
+    if x is not None:
+        return Saturated(x, 1.0)
+    s = largest_scale(J, b, low - shift, high - shift)
+    if not np.isnan(s):
+        for less in (0.0, SHRINK, 1e-7):
+            x = shortest_within(J, s * (1 - less) * b - drift, low, high)
+            if x is not None:
+                return Saturated(x, s * (1 - less))
+    from scipy.optimize import lsq_linear
+
+    if not n:
+        return Saturated(np.zeros(0), 0.0)
+    wide = np.where(high > low, high, low + 1e-12)
+    return Saturated(np.clip(lsq_linear(J, -drift, bounds=(low, wide), method="bvls").x, low, high), 0.0)
+
+
+def limits_of(robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None) -> tuple[Array, Array]:
+    """Return the limits, (nv,) each.
+
+    Raises:
+        InputError: a shape is wrong, or zero is not within them.
+    """
+    upper = _bound(robot, "limits", high)
+    lower = -upper
+    if low is not None:
+        dimensions("lower", low)
+        raw = np.asarray(low)
+        lower = -_bound(robot, "lower", -raw.astype(float) if raw.dtype.kind in "fiu" else low)
+    if (upper < 0).any() or (lower > 0).any():
+        raise InputError(f"the limits must leave zero between them; they are from {lower.tolist()} to {upper.tolist()}")
+    return lower, upper
+
+
+def _bound(robot: Robot, name: str, value: Any) -> Array:
+    """Return one bound for each joint, (nv,); infinity is none."""
+    dimensions(name, value)
+    finite, unlimited = without_infinity(value, 0.0)
+    return np.where(unlimited, np.inf, moderate(name, per_joint(name, finite, robot.nv)))
