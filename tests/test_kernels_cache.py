@@ -5,12 +5,11 @@ import os
 import subprocess
 import sys
 import textwrap
+from importlib.util import find_spec
 
 import pytest
 
-from robotics1.kernels.compilation import COMPILED
-
-pytestmark = pytest.mark.skipif(not COMPILED, reason="Numba is not installed")
+pytestmark = pytest.mark.skipif(find_spec("numba") is None, reason="Numba is not installed")
 
 KERNEL = """
 from robotics1.kernels.compilation import compiled

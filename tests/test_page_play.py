@@ -12,7 +12,6 @@ from PIL import Image
 
 import robotics1 as r1
 from robotics1.singularities import subspaces
-from robotics1.tasks.task import unitless_jacobian
 
 LIMITED = """<robot name="limited"><link name="base"/><link name="a"/><link name="b"/><link name="tool"/>
 <joint name="q1" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/>
@@ -82,7 +81,7 @@ def test_the_null_space_motion_is_played_by_its_button(opened):
 def test_near_a_singularity_the_lost_direction_is_named_and_drawn(opened):
     page, robot, q = opened("planar_2r"), arm("planar_2r"), [0.4, 0.02]
     page.move(q)
-    U = np.linalg.svd(unitless_jacobian(robot, r1.PositionTask("xy"), q))[0][:, -1]
+    U = np.linalg.svd(r1.PositionTask("xy").jacobian(robot, q))[0][:, -1]
     said = page.tab.inner_text("#warning").replace("\u00a0", " ")
     assert said.startswith("Near a singularity: a task velocity along ")
     assert said.endswith(" is hardly realised.")
@@ -104,7 +103,8 @@ def test_the_lost_direction_of_a_spatial_arm_is_that_of_the_left_null_space(open
     q[4] = 0.0  # axes 4 and 6 are one
     page.move(q)
     task = r1.PoseTask()
-    null = subspaces(unitless_jacobian(robot, task, q)).left_null
+    in_reaches = np.diag([1 / robot.reach] * 3 + [1.0] * 3)
+    null = subspaces(in_reaches @ task.jacobian(robot, q)).left_null
     assert null.shape == (6, 1)
     assert page.tab.inner_text("#warning").startswith("Singular: ")
     U = np.array(page.ask("app.arm.measure(app.q).U[5]"))

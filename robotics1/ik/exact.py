@@ -26,6 +26,7 @@ SPLIT = 1e-3  # distance by which rounding may split a double solution, where th
 AS_FORMULA = 1e-9  # deviation of an arm for which its formula is exact
 REGULAR = 1e-2  # σ_min/σ_max at which rounding of the axes cannot add or remove a solution
 AT_LIMIT = 1e-9, 1e-7  # outside of a limit, in units, by rounding; and of a double solution
+NEAREST = 8  # starts that look for the nearest miss, where it is proven that there is no solution
 FAMILY_STEP, FAMILY_STEPS = 0.25, 26  # along a family, to each side
 
 
@@ -52,18 +53,19 @@ class ExactSolver:
         """Whether the joints move the task in independent ways almost everywhere, so that solutions stand alone."""
         return self.points.rank == np.count_nonzero(self.problem.moving)
 
-    def solve(self, target: Any, otherwise: Callable[[], IKSolutions]) -> IKSolutions:
+    def solve(self, target: Any, otherwise: Callable[[int | None], IKSolutions]) -> IKSolutions:
         """Return all solutions.
 
         Args:
             target: in the form of the task's value.
-            otherwise: gives the answer of a search, for targets that the formula cannot serve and for nearest misses.
+            otherwise: the number of starts, or None → the answer of a search, for targets that the formula cannot serve
+                and for nearest misses.
         """
         goal = self.pose_error.goal(self.problem.robot, target)
         roots = None if self.form.roots is None else self.form.roots(goal)
         found = self.form.solve(goal) if self.form.roots is None else None if roots is None else roots.x
         if found is None:
-            return otherwise()
+            return otherwise(None)
         search = SolutionSearch(self.problem, target, points=self.points)
         candidates, sigma = self._polished(np.array([self._whole(x) for x in found]), goal)
         reached = np.array([search.relative_error(q) <= REACHED for q in candidates], dtype=bool)
@@ -71,11 +73,11 @@ class ExactSolver:
         if roots is not None:
             proven = proven and roots.proven and bool(reached[roots.real].all())
             if not proven and not reached.any():
-                return otherwise()
+                return otherwise(None)
         inside, outside = self._by_limits(self._roots(candidates[reached], sigma[reached], search))
         dimension = max((search.dimension(root.q) for root in inside if root.singular), default=0)
         if dimension > 1:
-            return otherwise()
+            return otherwise(None)
         if not inside:
             return self._miss(candidates[~reached], outside, search, otherwise, proven=proven)
         near = boundary_distance(inside, search, self.points)
@@ -222,7 +224,7 @@ class ExactSolver:
         candidates: Array,
         outside: list[Root],
         search: SolutionSearch,
-        otherwise: Callable[[], IKSolutions],
+        otherwise: Callable[[int | None], IKSolutions],
         *,
         proven: bool,
     ) -> IKSolutions:
@@ -234,7 +236,7 @@ class ExactSolver:
             root = Root(near, 0.0, True)
             proven = proven and self.is_short
             return self._answer([root], outside, IKStatus.BOUNDARY, search, proven=proven, near=distance)
-        searched = otherwise()
+        searched = otherwise(NEAREST if proven else None)
         if len(searched) or not proven:
             return searched
         return replace(

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 from time import perf_counter
 from typing import Any
 
@@ -56,8 +55,11 @@ class Prepared:
 
     def carefully(self, target: Any, starts: int | None, seed: int) -> IKSolutions:
         """Return the solutions of a target without the kernel."""
-        search = partial(searched, self.problem, target, starts, seed)
-        return search() if self.exact is None else self.exact.solve(target, search)
+
+        def search(few: int | None) -> IKSolutions:
+            return searched(self.problem, target, few or starts, seed)
+
+        return search(None) if self.exact is None else self.exact.solve(target, search)
 
 
 def prepare(
