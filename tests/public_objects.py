@@ -260,6 +260,7 @@ INSTANCES = {
     "MeasureDistribution": lambda: list(scan().distributions.values()),
     "MeetingBranch": lambda: list(meeting().branches),
     "MeetingStatus": lambda: list(r1.trajectories.MeetingStatus),
+    "Membership": lambda: [r1.workspaces.is_reached(reach(), [0.5, 0.1, 0.1])],
     "MinimumTime": lambda: [r1.minimum_time([0, 0], [1, 2], LIMITS, "double_s")],
     "MotionLimits": lambda: [LIMITS, r1.MotionLimits([1, 2])],
     "NearestRotation": lambda: [r1.orientation.nearest_rotation(np.eye(3))],

@@ -3,6 +3,7 @@
 from .dexterous import DexterousWorkspace, dexterous_workspace
 from .find import workspace
 from .fitting import FittingCircle, largest_circle
+from .membership import Membership, is_reached
 from .needed_ranges import JointRanges, joint_ranges
 from .optimized_reach import ExtremeReach, extreme_reach
 from .passages import Passages, crossings
@@ -15,6 +16,7 @@ __all__ = [
     "ExtremeReach",
     "FittingCircle",
     "JointRanges",
+    "Membership",
     "Passages",
     "Workspace",
     "WorkspaceRegion",
@@ -22,6 +24,7 @@ __all__ = [
     "crossings",
     "dexterous_workspace",
     "extreme_reach",
+    "is_reached",
     "joint_ranges",
     "largest_circle",
     "workspace",
