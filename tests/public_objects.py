@@ -324,6 +324,7 @@ INSTANCES = {
         r1.trajectories.cruise_profile(1.0, 2.0, acceleration=3.0, jerk=10.0),
     ],
     "Workspace": lambda: [reach(), r1.workspaces.workspace(wrist(), r1.PositionTask())],
+    "WorkspaceFormulas": lambda: [r1.workspaces.workspace_formulas(arm("planar_2r"), r1.PositionTask("xy"))],
     "WorkspaceRegion": lambda: list(reach().regions),
     "WristDexterity": lambda: [r1.workspaces.dexterous_workspace(wrist(), r1.PositionTask())],
 }

@@ -158,6 +158,7 @@ def nothing_moves(still, task, folder):
         "limit_violations": lambda: r1.trajectories.limit_violations(still, joints),
         "urdf_to_dh": lambda: r1.dh.urdf_to_dh(still),
         "workspace": lambda: r1.workspaces.workspace(still, task),
+        "workspace_formulas": lambda: r1.workspaces.workspace_formulas(still, task),
         "dexterous_workspace": lambda: r1.workspaces.dexterous_workspace(still, task),
         "extreme_reach": lambda: r1.workspaces.extreme_reach(still, task),
         "joint_ranges": lambda: r1.workspaces.joint_ranges(still, task, [value]),

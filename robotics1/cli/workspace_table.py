@@ -35,6 +35,7 @@ Line = Annotated[
     str | None, typer.Option("--line", help="Two points [m], as in -1,0.1:1,0.1: where does the line enter and leave?")
 ]
 Circle = Annotated[bool, typer.Option("--circle", help="Also the largest circle that fits into the section.")]
+Symbolic = Annotated[bool, typer.Option("--formulas", help="Also the radii and the area or volume as formulas.")]
 Dexterous = Annotated[
     bool, typer.Option("--dexterous", help="Also the points that are reached with every orientation.")
 ]
@@ -53,6 +54,7 @@ def workspace(
     line: Line = None,
     circle: Circle = False,
     dexterous: Dexterous = False,
+    formulas: Symbolic = False,
     figure: Figure = None,
     json: AsJson = False,
 ) -> None:
@@ -70,6 +72,10 @@ def workspace(
         from robotics1.workspaces.dexterous import dexterous_workspace
 
         answers.append(("dexterous", dexterous_workspace(arm, asked, box=ranges)))
+    if formulas:
+        from robotics1.workspaces.formulas_of_reach import workspace_formulas
+
+        answers.append(("formulas", workspace_formulas(arm, asked, box=ranges)))
     if json:
         write_json(_as_json(ws) | {name: _answer_as_json(answer) for name, answer in answers})
         return
@@ -118,6 +124,7 @@ def _answer_as_json(answer: Any) -> dict[str, Any]:
     """Return the numbers of an answer and its sentences."""
     plain = {name: value for name, value in vars(answer).items() if not hasattr(value, "__dataclass_fields__")}
     plain.pop("regions", None)
+    plain = {name: str(value) if hasattr(value, "free_symbols") else value for name, value in plain.items()}
     return plain | {"explanation": answer.explain()}
 
 

@@ -3,6 +3,7 @@
 from .dexterous import DexterousWorkspace, dexterous_workspace
 from .find import workspace
 from .fitting import FittingCircle, largest_circle
+from .formulas_of_reach import WorkspaceFormulas, workspace_formulas
 from .membership import Membership, is_reached
 from .needed_ranges import JointRanges, joint_ranges
 from .optimized_reach import ExtremeReach, extreme_reach
@@ -19,6 +20,7 @@ __all__ = [
     "Membership",
     "Passages",
     "Workspace",
+    "WorkspaceFormulas",
     "WorkspaceRegion",
     "WristDexterity",
     "crossings",
@@ -28,4 +30,5 @@ __all__ = [
     "joint_ranges",
     "largest_circle",
     "workspace",
+    "workspace_formulas",
 ]
