@@ -340,6 +340,7 @@ INSTANCES = {
     "MeasureDistribution": lambda: list(scan().distributions.values()),
     "MeetingBranch": lambda: list(meeting().branches),
     "MeetingStatus": lambda: list(r1.trajectories.MeetingStatus),
+    "Membership": lambda: [r1.workspaces.is_reached(reach(), [0.5, 0.1, 0.1])],
     "MinimumTime": lambda: [r1.minimum_time([0, 0], [1, 2], LIMITS, "double_s")],
     "MotionLimits": lambda: [LIMITS, r1.MotionLimits([1, 2])],
     "NearestRotation": lambda: [r1.orientation.nearest_rotation(np.eye(3))],
@@ -451,6 +452,7 @@ INSTANCES = {
     ],
     "Workspace": lambda: [reach(), r1.workspaces.workspace(wrist(), r1.PositionTask())],
     "WristJacobian": lambda: [r1.singularities.wrist_jacobian(arm("six_r"))],
+    "WorkspaceFormulas": lambda: [r1.workspaces.workspace_formulas(arm("planar_2r"), r1.PositionTask("xy"))],
     "WorkspaceRegion": lambda: list(reach().regions),
     "WristDexterity": lambda: [r1.workspaces.dexterous_workspace(wrist(), r1.PositionTask())],
 }

@@ -36,12 +36,47 @@ def test_a_picture_is_written(tmp_path):
     assert "</svg>" in (tmp_path / "a.svg").read_text()
 
 
+def test_a_spatial_arm_is_answered_in_space_and_a_planar_one_in_its_plane():
+    space = answer("cylindrical", "--box", "q1=-1:1")
+    assert space["coordinates"] != ["x", "y"] or space["volume"] is not None
+    assert space["volume"] > 0
+    assert answer("planar_2r")["coordinates"] == ["x", "y"]
+
+
+def test_points_lines_and_circles_are_answered_in_sentences_and_numbers():
+    asked = ("planar_2r", "--param", "l1=0.4", "--param", "l2=0.3", "--point", "0.3,0.2", "--point", "0.05,0")
+    asked = (*asked, "--line=-1,0.05:1,0.05", "--circle")
+    found = answer(*asked)
+    assert found["point 0.3,0.2"]["inside"] is True
+    assert len(found["point 0.3,0.2"]["q"]) == 2
+    assert found["point 0.05,0"]["inside"] is False
+    assert found["point 0.05,0"]["distance"] == pytest.approx(0.05)
+    assert found["line"]["entering"] == [True, False, True, False]
+    assert found["circle"]["radius"] == pytest.approx(0.3, rel=2e-3)
+    sentences = " ".join(run("workspace", *asked).stdout.split())
+    assert "The point is reached, as with q = (" in sentences
+    assert "The point is not reached." in sentences
+    assert "It enters at t = 0.15" in sentences
+    assert "fits; none with a radius above" in sentences
+
+
+def test_every_orientation_is_answered_with_radii():
+    found = answer(
+        "prr", "--param", "l2=0.5", "--param", "l3=0.05", "--task", "position:xy", "--box", "q1=-0.1:0.1", "--dexterous"
+    )["dexterous"]
+    assert found["area"] > 0
+    assert "every orientation" in found["explanation"] or "dexterous" in found["explanation"]
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
         (["planar_2r", "--box", "q1"], "write it like q2=0.2:1.5"),
         (["planar_2r", "--box", "q7=0:1"], "q7"),
         (["planar_2r", "--task", "pose"], "PositionTask"),
+        (["planar_2r", "--line", "1,2"], "is not a line"),
+        (["planar_2r", "--point", "1,2,3"], "2"),
+        (["planar_2r", "--dexterous"], "three joints or more"),
     ],
 )
 def test_misuse_is_told_in_one_line(arguments, words):

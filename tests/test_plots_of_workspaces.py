@@ -52,3 +52,15 @@ def test_a_section_is_drawn_of_an_arm_in_space_and_written_to_a_file(tmp_path):
 def test_what_is_no_workspace_is_refused():
     with pytest.raises(r1.InputError, match="workspace\\(robot, task\\)"):
         plots.plot_workspace(chain("RR", [0.4, 0.3], None, None))
+
+
+def test_cusps_are_stars_and_a_sampled_workspace_is_drawn_too():
+    arm = r1.robot_from_dh([("R", 1, -pi / 2, 0, 0), ("R", 2, pi / 2, 1, 0), ("R", 1.5, 0, 0, 0)])
+    ws = workspace(arm, XYZ)
+    panel = plots.plot_workspace(ws)
+    stars = next(line for line in panel.lines if line.get_marker() == "*")
+    assert stars.get_xydata() == pytest.approx(ws.cusps)
+    assert [text.get_text() for text in panel.texts] == ["2", "4"]
+    sampled = workspace(arm, XY)
+    patch = plots.plot_workspace(sampled).patches[0]
+    assert abs(polygon_area(patch.get_path())) == pytest.approx(sampled.area, rel=1e-6)

@@ -202,6 +202,7 @@ def nothing_moves(still, task, folder):
         "workspace": lambda: r1.workspaces.workspace(still, task),
         "reachability_map": lambda: r1.reachability_map(still, task, [value]),
         "best_placements": lambda: r1.workspaces.best_placements(still, task, [value], {"x": 0.0}),
+        "workspace_formulas": lambda: r1.workspaces.workspace_formulas(still, task),
         "dexterous_workspace": lambda: r1.workspaces.dexterous_workspace(still, task),
         "extreme_reach": lambda: r1.workspaces.extreme_reach(still, task),
         "joint_ranges": lambda: r1.workspaces.joint_ranges(still, task, [value]),

@@ -14,6 +14,7 @@ from robotics1.workspaces import (
     crossings,
     dexterous_workspace,
     extreme_reach,
+    is_reached,
     joint_ranges,
     largest_circle,
     workspace,
@@ -96,6 +97,42 @@ def test_a_wrist_reaches_every_orientation_where_its_sphere_is_in_the_workspace_
         near = [abs(found.wrist.distance(s)) for s in sphere]
         assert not all(found.wrist.contains(s) for s in sphere) or min(near) < 0.02
     assert "sphere of radius 0.15" in found.explain()
+
+
+# --- one point
+
+
+@pytest.mark.parametrize("kind", ["planar", "slide", "turn", "curved", "redundant", "sampled"])
+def test_a_point_that_is_reached_has_configurations_that_reach_it(kind):
+    elbow = [("R", 0, pi / 2, 0.5, 0), ("R", 1.5, 0, 0, 0), ("R", 1.0, 0, 0, 0)]
+    curved = [("R", 0.2, pi / 3, 0.5, 0), ("R", 1.0, 0.4, 0.1, 0), ("R", 0.8, 0, 0, 0)]
+    rows = {
+        "planar": [("R", 1, 0, 0, 0), ("R", 0.7, 0, 0, 0)],
+        "slide": [("R", 1, 0, 0, 0), ("R", 0.7, 0, 0, 0), ("P", 0, 0, 0, 0)],
+        "turn": elbow,
+        "curved": curved,
+        "redundant": [("R", 1, 0, 0, 0), ("R", 0.7, 0, 0, 0), ("R", 0.4, 0, 0, 0)],
+        "sampled": [*curved, ("R", 0.3, 0.3, 0, 0)],
+    }[kind]
+    lower, upper = np.full(len(rows), -2.0), np.full(len(rows), 2.5)
+    arm = r1.robot_from_dh(rows, lower=lower, upper=upper)
+    task = XY if kind in ("planar", "redundant") else XYZ
+    ws = workspace(arm, task)
+    rng = np.random.default_rng(5)
+    for q in rng.uniform(lower, upper, (8, len(rows))):
+        p = task.value(arm, q)
+        found = is_reached(ws, p)
+        assert found.inside
+        assert found.proven
+        for one in found.q:
+            assert task.value(arm, one) == pytest.approx(p, abs=1e-6 if kind == "sampled" else 1e-9)
+            assert arm.within_limits(one, tolerance=1e-8)
+        if kind not in ("redundant", "sampled"):
+            assert len(found.q) == len(r1.ik_solutions(arm, task, p))
+            assert "as with q" in found.explain()
+    outside = is_reached(ws, [9, 0, 0][: len(p)])
+    assert (outside.inside, outside.proven, len(outside.q)) == (False, kind != "sampled", 0)
+    assert "not reached" in outside.explain()
 
 
 # --- crossings

@@ -13,6 +13,8 @@ from robotics1.errors import InputError
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from robotics1.robot.model import Robot
+    from robotics1.tasks.position import PositionTask
     from robotics1.workspaces.result import BoundaryCurve, Workspace
 
 EXAMPLES = ("workspace planar_2r", "workspace planar_2r --box q1=-1:1 --box q2=0.5:pi/2 --figure reach.svg")
@@ -22,38 +24,112 @@ Boxes = Annotated[
         "--box", help="A joint and its range [rad or m], as in q2=0.2:1.5; needed for a slide without limits."
     ),
 ]
-TaskName = Annotated[str, typer.Option("--task", help="The task: position[:xyz].")]
+TaskName = Annotated[
+    str | None,
+    typer.Option("--task", help="The task: position[:xyz]; by default all three coordinates, or the arm's plane."),
+]
+Points = Annotated[
+    list[str] | None,
+    typer.Option("--point", help="A point [m], as in 0.3,0.2: is it reached, and how far is the boundary?"),
+]
+Line = Annotated[
+    str | None, typer.Option("--line", help="Two points [m], as in -1,0.1:1,0.1: where does the line enter and leave?")
+]
+Circle = Annotated[bool, typer.Option("--circle", help="Also the largest circle that fits into the section.")]
+Symbolic = Annotated[bool, typer.Option("--formulas", help="Also the radii and the area or volume as formulas.")]
+Dexterous = Annotated[
+    bool, typer.Option("--dexterous", help="Also the points that are reached with every orientation.")
+]
 Figure = Annotated[Path | None, typer.Option("--figure", help="A file for the picture: .svg, .pdf or .png.")]
 
 
 def workspace(
     robot: RobotName,
-    task: TaskName = "position:xy",
+    task: TaskName = None,
     box: Boxes = None,
     frame: Frame = None,
     param: Parameters = None,
     tool: Tool = None,
     packages: Packages = None,
     lock: Locked = None,
+    point: Points = None,
+    line: Line = None,
+    circle: Circle = False,
+    dexterous: Dexterous = False,
+    formulas: Symbolic = False,
     figure: Figure = None,
     json: AsJson = False,
 ) -> None:
     """What an arm reaches: area or volume, smallest and largest reach, regions, and the boundary with its reasons."""
     from robotics1.cli.output import PlainConsole, write_json
-    from robotics1.workspaces.find import workspace as exact_workspace
+    from robotics1.workspaces.find import workspace as found_workspace
 
-    arm = arguments.parse_robot(robot, param, tool, packages, lock)
-    ws = exact_workspace(arm, arguments.parse_task(task, frame), box=_ranges(box))
+    arm, ranges = arguments.parse_robot(robot, param, tool, packages, lock), _ranges(box)
+    asked = arguments.parse_task(task, frame) if task is not None else _own_task(arm, frame)
+    ws = found_workspace(arm, asked, box=ranges)
     if figure is not None:
         from robotics1.plots.reach import plot_workspace
 
         plot_workspace(ws, file=figure, title=arm.name)
+    answers = _answers(ws, point, line, circle)
+    if dexterous:
+        from robotics1.workspaces.dexterous import dexterous_workspace
+
+        answers.append(("dexterous", dexterous_workspace(arm, asked, box=ranges)))
+    if formulas:
+        from robotics1.workspaces.formulas_of_reach import workspace_formulas
+
+        answers.append(("formulas", workspace_formulas(arm, asked, box=ranges)))
     if json:
-        write_json(_as_json(ws))
+        write_json(_as_json(ws) | {name: _answer_as_json(answer) for name, answer in answers})
         return
     out = PlainConsole()
     out.print(ws.explain().split("\nThe boundary")[0])
-    out.print(_table(ws))
+    if ws.boundary:
+        out.print(_table(ws))
+    for _, answer in answers:
+        out.print(answer.explain())
+
+
+def _own_task(robot: "Robot", frame: str | None) -> "PositionTask":
+    """Return the position in space, or in the plane in which the arm moves."""
+    import numpy as np
+
+    from robotics1.tasks.position import PositionTask
+
+    lower, upper = np.clip(robot.lower, -1, 1), np.clip(robot.upper, -1, 1)
+    q = np.random.default_rng(0).uniform(lower, upper, (4, robot.nq))
+    columns = np.hstack([PositionTask(frame=frame).jacobian(robot, one) for one in q])
+    moving = np.abs(columns).max(axis=1, initial=0.0) > 1e-9
+    letters = "".join(letter for letter, moves in zip("xyz", moving, strict=True) if moves)
+    return PositionTask(letters if len(letters) == 2 else "xyz", frame=frame)
+
+
+def _answers(ws: "Workspace", points: Sequence[str] | None, line: str | None, circle: bool) -> list[tuple[str, Any]]:
+    """Return what was asked of a workspace, by name."""
+    from robotics1.workspaces.fitting import largest_circle
+    from robotics1.workspaces.membership import is_reached
+    from robotics1.workspaces.passages import crossings
+
+    found: list[tuple[str, Any]] = [
+        (f"point {text}", is_reached(ws, arguments.parse_vector(text))) for text in points or ()
+    ]
+    if line is not None:
+        start, colon, end = line.partition(":")
+        if not colon:
+            raise InputError(f"{line[:100]!r} is not a line; write it like -1,0.1:1,0.1")
+        found.append(("line", crossings(ws, [arguments.parse_vector(start), arguments.parse_vector(end)])))
+    if circle:
+        found.append(("circle", largest_circle(ws)))
+    return found
+
+
+def _answer_as_json(answer: Any) -> dict[str, Any]:
+    """Return the numbers of an answer and its sentences."""
+    plain = {name: value for name, value in vars(answer).items() if not hasattr(value, "__dataclass_fields__")}
+    plain.pop("regions", None)
+    plain = {name: str(value) if hasattr(value, "free_symbols") else value for name, value in plain.items()}
+    return plain | {"explanation": answer.explain()}
 
 
 def _ranges(texts: Sequence[str] | None) -> dict[str, tuple[float, float]] | None:
@@ -80,7 +156,7 @@ def _table(ws: "Workspace") -> "Table":
     for heading in ("where", "curve", "from", "to"):
         table.add_column(heading)
     for curve in ws.boundary:
-        kind = "segment" if curve.center is None else f"arc, r = {curve.radius:.4g}"
+        kind = curve.kind if curve.center is None else f"arc, r = {curve.radius:.4g}"
         where = [f"{name} {limit}" for name, limit in curve.limits.items()]
         where += [f"{', '.join(curve.singular)} singular"] if curve.singular else []
         table.add_row("; ".join(where), kind, _point(curve.start), _point(curve.end))
@@ -96,10 +172,17 @@ def _as_json(ws: "Workspace") -> dict[str, Any]:
         name: [{"solutions": r.solutions, "area": r.area, "volume": r.volume, "point": r.point} for r in found]
         for name, found in (("regions", ws.regions), ("voids", ws.voids))
     }
-    numbers = {"area": ws.area, "volume": ws.volume, "r_min": ws.r_min, "r_max": ws.r_max, "redundant": ws.redundant}
+    numbers: dict[str, Any] = {
+        "area": ws.area,
+        "volume": ws.volume,
+        "r_min": ws.r_min,
+        "r_max": ws.r_max,
+        "redundant": ws.redundant,
+    }
+    numbers |= {"volume_error": ws.volume_error, "resolution": ws.resolution, "cusps": ws.cusps, "nodes": ws.nodes}
     reach = {"nearest": ws.nearest, "farthest": ws.farthest, "coordinates": ws.coordinates}
     return numbers | reach | regions | {"boundary": [_curve_as_json(curve) for curve in ws.boundary]}
 
 
 def _curve_as_json(curve: "BoundaryCurve") -> dict[str, Any]:
-    return vars(curve) | {"kind": "segment" if curve.center is None else "arc"}
+    return vars(curve) | {"kind": curve.kind}

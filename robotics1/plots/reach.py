@@ -12,6 +12,7 @@ from robotics1.plots.figures import drawn, legend_text, line_style, new_axes
 from robotics1.workspaces.result import Workspace, WorkspaceRegion
 
 HATCHES = {0: "", 1: "//", 2: "", 3: "..", 4: "xx"}  # so that regions differ without colour
+SMALL = 1e-3  # of the whole area: a region without a number in it
 COLORS = {1: "#fdd49e", 2: "#9ecae1", 3: "#c7e9c0", 4: "#bcbddc"}  # of the number of solutions
 
 
@@ -20,7 +21,8 @@ def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = N
 
     Each region has the number of its solutions written in it, and a colour and hatching by this number; of a redundant
     arm it says "reached". The curves of the boundary have one kind of line for each reason, which the legend tells: a
-    joint at a limit, or joints that are singular together. Of an arm in space it is the section, see `Workspace`.
+    joint at a limit, or joints that are singular together. Cusps are stars, and
+    crossings of singular curves squares. Of an arm in space it is the section, see `Workspace`.
 
     Args:
         ws: what `workspaces.workspace` returns.
@@ -36,20 +38,28 @@ def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = N
         raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
     panel = new_axes(ax, 2)
     for region in ws.regions:
-        _fill(panel, region, ws.redundant)
+        _fill(panel, region, ws.area, ws.redundant)
     reasons = list(dict.fromkeys(curve.reason for curve in ws.boundary))
     for i, reason in enumerate(reasons):
         lines = [np.vstack([curve.points, [[np.nan, np.nan]]]) for curve in ws.boundary if curve.reason == reason]
         panel.plot(*np.vstack(lines).T, label=legend_text(reason), color=f"C{i}", linewidth=1.8, **line_style(i))
+    panel.autoscale_view()
     x, y = ws.coordinates
     panel.set_aspect("equal", adjustable="datalim")
     panel.set(xlabel=f"{x} [m]", ylabel=f"{y} [m]", title=title)
     panel.grid(visible=True, alpha=0.4)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, fontsize="small")
+    for points, marker, label in (
+        (ws.cusps, "k*", "cusp: three solutions meet"),
+        (ws.nodes, "ks", "critical curves cross"),
+    ):
+        if len(points):
+            panel.plot(*points.T, marker, label=label, markersize=6, markerfacecolor="white")
+    if panel.get_legend_handles_labels()[0]:
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, fontsize="small")
     return drawn(panel, file)
 
 
-def _fill(panel: Any, region: WorkspaceRegion, redundant: bool) -> None:
+def _fill(panel: Any, region: WorkspaceRegion, area: float, redundant: bool) -> None:
     """Fill a region but its holes, and write its number of solutions into it."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path as Outline
@@ -57,6 +67,8 @@ def _fill(panel: Any, region: WorkspaceRegion, redundant: bool) -> None:
     outline = Outline.make_compound_path(*[Outline(line, closed=True) for line in _closed(region.outline)])
     color, hatch = COLORS.get(region.solutions, "0.85"), HATCHES.get(region.solutions, "++")
     panel.add_patch(PathPatch(outline, facecolor=color, edgecolor="0.55", hatch=hatch, linewidth=0.6))
+    if region.area < SMALL * area:
+        return
     word = "reached" if redundant else str(region.solutions)
     box = {"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
     panel.text(*region.point, word, ha="center", va="center", fontsize="small", bbox=box)

@@ -3,6 +3,8 @@
 from .dexterous import DexterousWorkspace, dexterous_workspace
 from .find import workspace
 from .fitting import FittingCircle, largest_circle
+from .formulas_of_reach import WorkspaceFormulas, workspace_formulas
+from .membership import Membership, is_reached
 from .needed_ranges import JointRanges, joint_ranges
 from .optimized_reach import ExtremeReach, extreme_reach
 from .passages import Passages, crossings
@@ -21,17 +23,20 @@ __all__ = [
     "ExtremeReach",
     "FittingCircle",
     "JointRanges",
+    "Membership",
     "Passages",
     "Placements",
     "PoseStatus",
     "ReachabilityMap",
     "Workspace",
+    "WorkspaceFormulas",
     "WorkspaceRegion",
     "WristDexterity",
     "best_placements",
     "crossings",
     "dexterous_workspace",
     "extreme_reach",
+    "is_reached",
     "joint_ranges",
     "largest_circle",
     "map_difference",
@@ -40,4 +45,5 @@ __all__ = [
     "read_map",
     "save_map",
     "workspace",
+    "workspace_formulas",
 ]

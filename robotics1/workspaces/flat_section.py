@@ -9,6 +9,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.distances import distance_to_curve
+from robotics1.workspaces.naming import configuration_in_units
 from robotics1.workspaces.reading import ReadArm
 from robotics1.workspaces.revolution import HalfPlane
 from robotics1.workspaces.section import Section
@@ -34,6 +35,29 @@ class FlatSection:
         return any(whole.count(w) > 0 for w in mirrored) or (
             any(distance_to_curve(curve, w) < ON_BOUNDARY for curve in self.edges for w in self._drawn(mirrored))
         )
+
+    def configurations(self, p: npt.ArrayLike) -> Array:
+        """Return configurations (k, nq) that reach a point (m,); some, if there are infinitely many."""
+        arm = self.arm
+        z, height, sides = self._place(p)
+        whole = self.section.section if isinstance(self.section, HalfPlane) else self.section
+        found = []
+        for side in sides if height else ():
+            for q in whole.configurations(z if side > 0 else -z.conjugate()):
+                values = configuration_in_units(arm, q)
+                if arm.slide is not None:
+                    values[arm.slide.number] = self._height(p)
+                if arm.base is not None:
+                    turn = self._around(p) + (0.0 if side > 0 else np.pi)
+                    values[arm.base.number] = arm.base.lower + (turn - arm.base.lower) % (2 * np.pi)
+                found.append(values)
+        return np.array(found).reshape(-1, len(arm.neutral))
+
+    def _around(self, p: npt.ArrayLike) -> float:
+        """Return the angle of a point about the axis of the base, from the plane at q = 0 [rad]."""
+        arm = self.arm
+        offset = arm.rows.T @ real_array("p", p, (len(arm.rows),)) - arm.origin
+        return float(np.arctan2(offset @ np.cross(arm.second, arm.first), offset @ arm.first))
 
     def _drawn(self, places: list[complex]) -> list[complex]:
         """Return places of a point in the section as its boundary is drawn: mirrored to ρ ≥ 0 in a half plane."""
@@ -91,6 +115,6 @@ class FlatSection:
             return arm.in_plane(point), True, (1,)
         offset = (point - arm.origin) / arm.size
         x, y = offset @ arm.first, offset @ np.cross(arm.second, arm.first)
-        around = float(np.arctan2(y, x))
+        around = self._around(p)
         sides = tuple(side for side in (1, -1) if arm.base.turns_to(around + (0.0 if side > 0 else np.pi)))
         return complex(np.hypot(x, y), offset @ arm.second), True, sides

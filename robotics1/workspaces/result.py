@@ -21,6 +21,9 @@ class PlacedSection(Protocol):
     def distance(self, p: npt.ArrayLike) -> float:
         """Return the distance of a point (m,) from the boundary [m]."""
 
+    def configurations(self, p: npt.ArrayLike) -> Array:
+        """Return configurations (k, nq) that reach a point (m,), some if there are infinitely many."""
+
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative where it is outside."""
 
@@ -157,6 +160,19 @@ class Workspace(Frozen):
             InputError: p has another shape or is not finite.
         """
         return self.section.contains(p)
+
+    def configurations(self, p: npt.ArrayLike) -> Array:
+        """Return configurations (k, nq) that reach a point inside the limits [rad or m]: they prove that it is reached.
+
+        Of a redundant arm they are some of infinitely many, and there may be none where the others are not critical.
+
+        Args:
+            p: (m,) the task's coordinates [m].
+
+        Raises:
+            InputError: p has another shape or is not finite.
+        """
+        return self.section.configurations(p)
 
     def distance(self, p: npt.ArrayLike) -> float:
         """Return the distance of a point from the boundary [m], whether it is inside or outside.

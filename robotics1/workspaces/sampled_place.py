@@ -28,6 +28,7 @@ class SampledPlace:
         base: the joint that moves the section, or None.
         rows: (m, 3) the rows of the task.
         origin, frame: (3,) and (3, 3): the section's coordinates are those of frame (P − origin).
+        neutral: (nq,) the values of the joints that do not move the point.
         seed: of the random configurations.
     """
 
@@ -37,6 +38,7 @@ class SampledPlace:
     rows: Array
     origin: Array
     frame: Array
+    neutral: Array
     seed: int
 
     def local(self, p: npt.ArrayLike) -> Array:
@@ -48,18 +50,30 @@ class SampledPlace:
         """Return whether a configuration was found that reaches a point (m,)."""
         return bool(self.reaches(self.local(p)[None])[0])
 
+    def configurations(self, p: npt.ArrayLike) -> Array:
+        """Return the configuration (1, nq) that was found for a point (m,), or (0, nq)."""
+        q, found = self._found(self.local(p)[None])
+        values = np.tile(self.neutral, (int(found.sum()), 1))
+        values[:, [axis.number for axis in self.whole.axes]] = q[found]
+        return values
+
     def reaches(self, points: Array) -> npt.NDArray[np.bool_]:
         """Return at which points (k, 3) of the section's frame a configuration was found."""
+        return self._found(points)[1]
+
+    def _found(self, points: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
+        """Return the joints' values (k, n), and at which points (k, 3) they were found."""
         tree, q = self._nearest
         wanted = points[:, : len(self.rows)]
         near = np.reshape(tree.query(wanted, NEAREST)[1], (len(points), NEAREST))
         found, possible = np.zeros(len(points), dtype=bool), self._near_reached_cells(points)
+        ends = np.zeros((len(points), q.shape[1]))
         for column in near.T:
             left = np.flatnonzero(~found & possible)
             if not len(left):
                 break
-            found[left] = descend(self.whole, False, q[column[left]], wanted[left], self.section.side)[1]
-        return found
+            ends[left], found[left] = descend(self.whole, False, q[column[left]], wanted[left], self.section.side)
+        return ends, found
 
     def _near_reached_cells(self, points: Array) -> npt.NDArray[np.bool_]:
         """Return which points (k, 3) are at most two cells away from a reached one in the section."""

@@ -42,7 +42,8 @@ def sampled_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Arra
     about_axis = base is not None and base.revolute
     chain = ChainMap(whole.axes[1:], whole.tip) if base is not None else whole
     section = sampled_section(chain, about_axis, CELLS, seed)
-    place = SampledPlace(section, whole, base, rows, origin, frame, seed)
+    neutral = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
+    place = SampledPlace(section, whole, base, rows, origin, frame, neutral, seed)
     regions, voids = _components(section)
     area = float(section.reached.sum()) * section.side**2
     volume, error = _volume(place)
@@ -151,7 +152,7 @@ def _extreme(robot: Robot, place: SampledPlace, *, largest: bool) -> tuple[float
     across = np.diag([1.0, 1.0, 0.0])
     values, found = extremes_of(place.whole, Measure(across, np.zeros(3)), STARTS, largest=largest)
     best = int(np.argmax(values) if largest else np.argmin(values))
-    q = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
+    q = place.neutral.copy()
     q[[axis.number for axis in place.whole.axes]] = found[best]
     value = float(values[best])
     return value if value > SMALL * robot.reach else 0.0, q[None]

@@ -1,0 +1,173 @@
+"""Sizes of workspaces as formulas in the lengths of links and the ends of strokes.
+
+The lengths come from the columns of J: the mean of |∂p/∂qₖ|² over the joints after k is the sum of the squares of the
+lengths from k on.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import product
+from math import pi, tau
+from typing import Any
+
+import sympy
+
+from robotics1.workspaces.planar_joints import PlanarJoint
+
+THIRDS = (0, 2 * sympy.pi / 3, 4 * sympy.pi / 3)  # over these the mean of a harmonic of order 1 or 2 is 0
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """What is known of an arm's workspace in the plane: None where it is not.
+
+    Attributes:
+        r_min, r_max: distances from the first joint's axis.
+        area: of the workspace.
+        lengths: of the links that count.
+        conditions: what decides between cases, in words.
+    """
+
+    r_min: Any
+    r_max: Any
+    area: Any
+    lengths: tuple[Any, ...]
+    conditions: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class PlaneFormulas:
+    """The position (2, 1) of a planar chain as a formula in q.
+
+    Attributes:
+        value: the position.
+        q: the symbols of all joints.
+        joints: the joints of the chain.
+    """
+
+    value: Any
+    q: Sequence[Any]
+    joints: Sequence[PlanarJoint]
+
+    @property
+    def kinds(self) -> str:
+        """Letters R and P, the first for the joint nearest to the base."""
+        return "".join("R" if joint.revolute else "P" for joint in self.joints)
+
+    def end(self, k: int, name: str) -> Any:
+        """Return the symbol of a limit of joint k of the chain: "min" or "max"."""
+        return sympy.Symbol(f"{self.q[self.joints[k].number]}_{name}", real=True)
+
+    def stroke(self, k: int) -> Any:
+        """Return upper − lower of joint k."""
+        return self.end(k, "max") - self.end(k, "min")
+
+    def speed_squared(self, k: int) -> Any:
+        """Return |∂p/∂qₖ|², with the joints before k at 0."""
+        column = self.value.diff(self.q[self.joints[k].number])
+        before = {self.q[joint.number]: 0 for joint in self.joints[: k + 1]}
+        return sympy.expand((column.T * column)[0].subs(before))
+
+    def lengths(self) -> list[Any]:
+        """Return the distance from each revolute joint to the next one, the last to the tip."""
+        turning = [k for k, joint in enumerate(self.joints) if joint.revolute]
+        sums = [
+            self._mean(self.speed_squared(k), [self.q[self.joints[j].number] for j in turning if j > k])
+            for k in turning
+        ]
+        return [_root(a - b) for a, b in zip(sums, [*sums[1:], 0], strict=True)]
+
+    def _mean(self, expression: Any, over: list[Any]) -> Any:
+        picks = list(product(THIRDS, repeat=len(over)))
+        values = [expression.subs(dict(zip(over, pick, strict=True))) for pick in picks]
+        return sympy.simplify(sympy.expand(sum(values) / len(picks)))
+
+
+def _root(square: Any) -> Any:
+    """Return the root of a square of a length, whose names are positive."""
+    square = sympy.factor(sympy.simplify(square))
+    positive = {s: sympy.Symbol(s.name, positive=True) for s in square.free_symbols if "_m" not in s.name}
+    back = {p: s for s, p in positive.items()}
+    return sympy.sqrt(square.subs(positive)).subs(back)
+
+
+def closed_form(arm: PlaneFormulas) -> ClosedForm | None:
+    """Return the sizes of a planar chain, or None."""
+    turns_fully = all(joint.circular for joint in arm.joints if joint.revolute)
+    if set(arm.kinds) == {"R"} and turns_fully:
+        return _links(arm)
+    cases: dict[str, Callable[[PlaneFormulas], ClosedForm | None]] = {
+        "RR": _about_the_first, "RP": _about_the_first, "PP": _parallelogram, "PR": _swept_circle, "PRR": _swept_circle,
+    }  # fmt: skip
+    return cases[arm.kinds](arm) if arm.kinds in cases else None
+
+
+def _links(arm: PlaneFormulas) -> ClosedForm:
+    """Return the annulus of revolute joints that turn fully."""
+    lengths = arm.lengths()
+    outer = sum(lengths)
+    if len(lengths) == 2:
+        inner = sympy.Abs(lengths[0] - lengths[1])
+        words = (f"There is no hole if {lengths[0]} = {lengths[1]}.",)
+    else:
+        inner = sympy.Max(0, *(2 * length - outer for length in lengths))
+        words = ("There is no hole if no link is longer than all others together.",)
+    area = sympy.pi * (outer**2 - inner**2)
+    return ClosedForm(inner, outer, sympy.factor(area) if len(lengths) == 2 else area, tuple(lengths), words)
+
+
+def _about_the_first(arm: PlaneFormulas) -> ClosedForm | None:
+    """Return the annulus or sector between the extremes of r(q2) = |∂p/∂q1|."""
+    q2, joint = arm.q[arm.joints[1].number], arm.joints[1]
+    square = arm.speed_squared(0)
+    low, high = ({q2: arm.end(1, name)} for name in ("min", "max"))
+    ends = [_root(sympy.simplify(square.subs(low))), _root(sympy.simplify(square.subs(high)))]
+    if joint.revolute:
+        lengths = arm.lengths()
+        if (
+            sympy.simplify(square - lengths[0] ** 2 - lengths[1] ** 2 - 2 * lengths[0] * lengths[1] * sympy.cos(q2))
+            != 0
+        ):
+            return None
+        stretched, folded = _inside(joint, 0.0), _inside(joint, pi)
+        outer = sum(lengths) if stretched else sympy.Max(*ends)
+        inner = sympy.Abs(lengths[0] - lengths[1]) if folded else sympy.Min(*ends)
+        crosses = stretched or folded
+    else:
+        foot = sympy.solve(sympy.diff(square, q2), q2)[0]
+        lengths = [_root(sympy.simplify(square.subs(q2, foot)))]
+        if not foot.is_number:
+            return None
+        crosses = joint.lower < float(foot) < joint.upper
+        outer = sympy.Max(*ends)
+        inner = lengths[0] if crosses else sympy.Min(*ends)
+    first = arm.joints[0]
+    area = sympy.pi * (outer**2 - inner**2)
+    if not first.circular:
+        area = None if crosses else arm.stroke(0) / 2 * (outer**2 - inner**2)
+    return ClosedForm(inner, outer, area, tuple(lengths))
+
+
+def _inside(joint: PlanarJoint, angle: float) -> bool:
+    """Return whether an angle, but for whole turns, is strictly inside a joint's range, or the joint turns fully."""
+    beyond = (angle - joint.lower) % tau
+    return joint.circular or 1e-12 < beyond < joint.upper - joint.lower - 1e-12
+
+
+def _parallelogram(arm: PlaneFormulas) -> ClosedForm:
+    columns = [arm.value.diff(arm.q[joint.number]) for joint in arm.joints]
+    sine = sympy.Abs(sympy.simplify(sympy.Matrix.hstack(*columns).det()))
+    return ClosedForm(None, None, sine * arm.stroke(0) * arm.stroke(1), ())
+
+
+def _swept_circle(arm: PlaneFormulas) -> ClosedForm | None:
+    """Return the area of a circle or annulus of full turns along a stroke s: 2Rs + πR² − lens(r)."""
+    if not all(joint.circular for joint in arm.joints[1:]):
+        return None
+    lengths, s = arm.lengths(), arm.stroke(0)
+    outer = sum(lengths)
+    inner = outer if len(lengths) == 1 else sympy.Abs(lengths[0] - lengths[1])
+    lens = 2 * inner**2 * sympy.acos(s / (2 * inner)) - s / 2 * sympy.sqrt(4 * inner**2 - s**2)
+    hole = sympy.Piecewise((lens, s < 2 * inner), (0, True))
+    words = (f"There is no void if the stroke {s} is at least {2 * inner}.",)
+    return ClosedForm(None, None, 2 * outer * s + sympy.pi * outer**2 - hole, tuple(lengths), words)

@@ -1,0 +1,142 @@
+"""The sizes of an arm's workspace as formulas, compared with the exact workspace before they are given."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import sympy
+
+from robotics1.errors import TaskError
+from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.kinematics import forward_kinematics
+from robotics1.results import Frozen
+from robotics1.robot.model import Robot
+from robotics1.symbolic.tasks.formula import formulas
+from robotics1.tasks.task import Task
+from robotics1.workspaces.axes import axes_to, require_moving
+from robotics1.workspaces.closed_forms import ClosedForm, PlaneFormulas, closed_form
+from robotics1.workspaces.find import workspace
+from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
+
+AGREE = 1e-9  # relative, between a formula and the exact workspace
+
+
+@dataclass(frozen=True, eq=False)
+class WorkspaceFormulas(Frozen):
+    """Formulas in the named lengths and in the ends of ranges, as q2_min and q2_max.
+
+    Attributes:
+        r_min, r_max: the smallest and largest distance from the first joint's axis [m]; None where it is not known.
+        area: [m²], of an arm in a plane; else None.
+        volume: [m³], of an arm in space; else None.
+        lengths: of the links that count [m].
+        conditions: what decides between cases, in sentences. Lengths are taken to be positive.
+        values: the names in the formulas and their values.
+    """
+
+    r_min: Any
+    r_max: Any
+    area: Any
+    volume: Any
+    lengths: tuple[Any, ...]
+    conditions: tuple[str, ...]
+    values: Mapping[str, float]
+
+    def number(self, formula: Any) -> float:
+        """Return the value of one of the formulas with the robot's own lengths and limits."""
+        return float(formula.subs({s: self.values[s.name] for s in formula.free_symbols}))
+
+    def explain(self) -> str:
+        """Return the formulas and their conditions, one a line."""
+        names = ("r_min", "r_max", "area", "volume")
+        lines = [f"{name} = {getattr(self, name)}" for name in names if getattr(self, name) is not None]
+        return "\n".join([*lines, *self.conditions])
+
+
+def workspace_formulas(
+    robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]] | None = None
+) -> WorkspaceFormulas:
+    """Return the radii and the area or volume of a workspace as formulas.
+
+    Known are: planar arms of revolute joints that turn fully, r from Max(0, 2 l_max − Σ l) to Σ l; RR with limits and
+    RP, from the extremes of r(q2); PP; PR and PRR along a stroke; these times a slide across their plane (SCARA,
+    cylindrical, gantry); the spherical shells of anthropomorphic and polar arms, 4/3 π (R³ − r³). Each formula is
+    compared with the exact workspace, at the robot's own lengths and at others.
+
+    Args:
+        robot: the arm, with named lengths where these shall stay.
+        task: two or three coordinates of a point.
+        box: joint name → (lower, upper) [rad or m], inside the limits.
+
+    Raises:
+        TaskError: no formula is known of this arm.
+        InputError: a prismatic joint has no limits.
+    """
+    a_robot_and_a_task(robot, task)
+    robot.require_single_coordinates("have a workspace")
+    rows, frame = position_rows(task)
+    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
+    axes = axes_to(robot, frame, tip, box)
+    require_moving(axes, robot)
+    arm = read_arm(robot, axes, tip, rows)
+    symbolic = formulas(robot, task)
+    found = None
+    if arm is not None:
+        flat = closed_form(_plane(arm, symbolic))
+        found = None if flat is None else _sized(arm, flat, symbolic)
+    if found is None:
+        raise TaskError(
+            f"no formula is known of the workspace of robot {robot.name!r}; workspace(robot, task) has its numbers"
+        )
+    values = dict(robot.parameters)
+    for axis in axes:
+        q = str(symbolic.q[axis.number])
+        values |= {f"{q}_min": axis.lower, f"{q}_max": axis.upper}
+    result = WorkspaceFormulas(**found, values=values)
+    _compare(robot, task, box, result)
+    if robot.parameters:
+        others = {name: value * (1 + 0.03 * (i + 1)) for i, (name, value) in enumerate(robot.parameters.items())}
+        _compare(robot.with_parameters(others), task, box, replace(result, values=values | others))
+    return result
+
+
+def _plane(arm: ReadArm, symbolic: Any) -> PlaneFormulas:
+    """Return the position in the plane of the chain; a joint that turns the plane stands at 0."""
+    value = symbolic.value
+    if arm.base is not None or arm.slide is not None:
+        value = _exact(np.array([arm.first, arm.second]) @ arm.rows.T) * value
+    if arm.base is not None:
+        value = value.subs(symbolic.q[arm.base.number], 0)
+    return PlaneFormulas(sympy.Matrix(value), list(symbolic.q), arm.joints)
+
+
+def _exact(numbers: Array) -> Any:
+    return sympy.Matrix([[sympy.nsimplify(float(x), rational=True) for x in row] for row in numbers])
+
+
+def _sized(arm: ReadArm, flat: ClosedForm, symbolic: Any) -> dict[str, Any] | None:
+    """Return r_min, r_max, area, volume, lengths and conditions, in the plane or in space."""
+    known: dict[str, Any] = {"r_min": flat.r_min, "r_max": flat.r_max, "area": None, "volume": None}
+    known |= {"lengths": flat.lengths, "conditions": flat.conditions}
+    if arm.slide is not None:
+        q = symbolic.q[arm.slide.number]
+        stroke = sympy.Symbol(f"{q}_max", real=True) - sympy.Symbol(f"{q}_min", real=True)
+        return known | {"volume": None if flat.area is None else flat.area * stroke}
+    if arm.base is None:
+        return known | {"area": flat.area}
+    if not arm.base.circular or not arm.joints[0].circular or flat.r_max is None:
+        return None
+    return known | {"r_min": None, "volume": sympy.Rational(4, 3) * sympy.pi * (flat.r_max**3 - flat.r_min**3)}
+
+
+def _compare(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None, found: WorkspaceFormulas) -> None:
+    """Raise TaskError if a formula has another value than the exact workspace."""
+    exact = workspace(robot, task, box=box)
+    for name in ("r_min", "r_max", "area", "volume"):
+        formula, value = getattr(found, name), getattr(exact, name)
+        if formula is not None and abs(found.number(formula) - value) > AGREE * max(1.0, abs(value)):
+            raise TaskError(
+                f"no formula is known of the workspace of robot {robot.name!r}: that of {name} does not hold for its "
+                "offsets; workspace(robot, task) has its numbers"
+            )

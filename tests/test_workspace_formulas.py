@@ -1,0 +1,100 @@
+"""Formulas of workspaces: those of the books, and numbers at other lengths."""
+
+from math import pi
+
+import pytest
+import sympy
+from planar_chains import XY, XYZ
+
+import robotics1 as r1
+from robotics1.workspaces import workspace, workspace_formulas
+
+l1, l2, l3, d = sympy.symbols("l1 l2 l3 d", real=True)
+LENGTHS = {"l1": 0.5, "l2": 0.3, "l3": 0.15, "d": 0.2}
+
+
+def named(rows, **limits):
+    names = {word for row in rows for word in row[1:] if isinstance(word, str)}
+    return r1.robot_from_dh(rows, parameters={name: LENGTHS[name] for name in names}, **limits)
+
+
+def links(n, **limits):
+    return named([("R", f"l{i}", 0, 0, 0) for i in range(1, n + 1)], **limits)
+
+
+def test_two_links_have_the_radii_of_their_sum_and_difference_and_the_area_4_pi_l1_l2():
+    found = workspace_formulas(links(2), XY)
+    assert found.r_max == l1 + l2
+    assert found.r_min == sympy.Abs(l1 - l2)
+    assert sympy.simplify(found.area - 4 * sympy.pi * l1 * l2) == 0
+    assert found.lengths == (l1, l2)
+    assert "no hole if l1 = l2" in found.explain()
+
+
+def test_three_links_have_the_inner_radius_of_the_exam():
+    found = workspace_formulas(links(3), XY)
+    book = sympy.Max(sympy.Abs(l1 - l2) - l3, sympy.Abs(l2 - l3) - l1, sympy.Abs(l1 - l3) - l2, 0)
+    for values in ((1, 0.5, 0.25), (0.25, 0.5, 1), (0.5, 0.4, 0.3), (0.1, 0.9, 0.2)):
+        at = dict(zip((l1, l2, l3), values, strict=True))
+        assert float(found.r_min.subs(at)) == pytest.approx(float(book.subs(at)))
+    assert found.r_max == l1 + l2 + l3
+
+
+def test_rp_with_an_offset_has_the_radii_of_the_exam():
+    rows = [("R", "d", -pi / 2, 0, 0), ("P", 0, 0, 0, 0)]
+    found = workspace_formulas(named(rows, lower=[-pi / 2, -0.8], upper=[pi / 2, 0.8]), XY)
+    high = sympy.Symbol("q2_max", real=True)
+    assert found.r_min == d
+    assert found.r_max.subs({sympy.Symbol("q2_min", real=True): -high}) == sympy.sqrt(d**2 + high**2)
+    assert found.area is None  # both signs of q2 overlap
+
+
+@pytest.mark.parametrize(
+    ("rows", "lower", "upper", "task"),
+    [
+        ([("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], [-pi, -2], [pi, 2.2], XY),
+        ([("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], [-1, 0.2], [1.4, 2], XY),
+        ([("R", "d", -pi / 2, 0, 0), ("P", 0, 0, 0, 0)], [-pi, -0.3], [pi, 0.8], XY),
+        ([("R", "d", -pi / 2, 0, 0), ("P", 0, 0, 0, 0)], [-1, 0.1], [1, 0.8], XY),
+        ([("R", "l1", 0, 0, 0), ("R", "l2", pi, 0, 0), ("P", 0, 0, 0, 0)], [-pi, -pi, 0], [pi, pi, 0.2], XYZ),
+        ([("R", 0, pi / 2, "d", 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], None, None, XYZ),
+        ([("R", 0, pi / 2, "d", 0), ("R", 0, pi / 2, 0, pi / 2), ("P", 0, 0, 0, 0)], [-pi, -pi, 0.3], [pi, pi, 1], XYZ),
+    ],
+)
+def test_numbers_at_other_lengths_are_those_of_the_exact_workspace(rows, lower, upper, task):
+    arm = named(rows, lower=lower, upper=upper)
+    found = workspace_formulas(arm, task)
+    other = {name: 1.37 * value + 0.01 for name, value in arm.parameters.items()}
+    exact = workspace(arm.with_parameters(other), task)
+    values = dict(found.values) | other
+    checked = 0
+    for name in ("r_min", "r_max", "area", "volume"):
+        formula = getattr(found, name)
+        if formula is not None:
+            at = {s: values[s.name] for s in formula.free_symbols}
+            assert float(formula.subs(at)) == pytest.approx(getattr(exact, name), rel=1e-9, abs=1e-12)
+            checked += 1
+    assert checked >= 2
+
+
+@pytest.mark.parametrize("stroke", [0.1, 2.5])
+def test_a_circle_along_a_stroke_has_a_void_if_the_stroke_is_short(stroke):
+    box = {"q1": (-stroke / 2, stroke / 2)}
+    arm = r1.load_robot("prr", parameters={"l2": 0.5, "l3": 0.2})
+    found = workspace_formulas(arm, XY, box=box)
+    assert found.number(found.area) == pytest.approx(workspace(arm, XY, box=box).area, rel=1e-9)
+    assert "no void if the stroke" in found.explain()
+
+
+def test_a_gantry_has_the_volume_of_its_strokes():
+    rows = [("P", 0, pi / 2, 0, 0), ("P", 0, pi / 2, 0, pi / 2), ("P", 0, 0, 0, 0)]
+    found = workspace_formulas(r1.robot_from_dh(rows, lower=[0, -1, 2], upper=[0.5, 1, 2.4]), XYZ)
+    assert found.number(found.volume) == pytest.approx(0.5 * 2 * 0.4)
+
+
+def test_an_arm_with_offsets_has_no_formula_and_is_told_so():
+    rows = [("R", "d", pi / 2, 0, 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)]
+    with pytest.raises(r1.TaskError, match="no formula is known"):
+        workspace_formulas(named(rows), XYZ)
+    with pytest.raises(r1.TaskError, match="no formula is known"):
+        workspace_formulas(named([("R", "l1", 0.3, 0, 0), *rows[1:]]), XYZ)
