@@ -144,9 +144,9 @@ def test_a_process_that_dies_ends_the_call_and_nothing_is_lost(tmp_path, whole):
             killed.append(next(iter(pool._processes)))
             os.kill(killed[0], signal.SIGKILL)
 
-    with ProcessPoolExecutor(1) as pool:
-        with pytest.raises(r1.InputError, match=r"a worker of the executor has died .* goes on from there"):
-            asked(path, executor=pool, progress=kill_one)
+    died = pytest.raises(r1.InputError, match=r"a worker of the executor has died .* goes on from there")
+    with ProcessPoolExecutor(1) as pool, died:
+        asked(path, executor=pool, progress=kill_one)
     asked(path)
     assert files(path) == files(whole)
 
