@@ -14,7 +14,7 @@ from robotics1.kernels.compilation import threads
 Chunk = TypeVar("Chunk")
 Answer = TypeVar("Answer")
 
-AHEAD = 4  # chunks for each worker that are handed out before their answers are needed
+AHEAD = 2  # chunks for each worker that are handed out before their answers are needed
 JOINED = 8  # answers that a worker of a cluster joins, before one goes to the client
 UNKNOWN = 256  # chunks for an executor that does not tell how many workers it has
 SERVES = "an executor of concurrent.futures, a Dask client, or the address of a Dask scheduler"

@@ -47,7 +47,8 @@ class Description(NamedTuple):
     @property
     def parts(self) -> list[slice]:
         """The positions of each chunk."""
-        k, size = len(self.positions), positions_in_a_chunk(len(self.orientations))
+        k = len(self.positions)
+        size = positions_in_a_chunk(k, len(self.orientations))
         return [slice(start, min(start + size, k)) for start in range(0, k, size)]
 
 
@@ -195,7 +196,7 @@ def _write_description(folder: Path, identity: Identity, description: Descriptio
     for name in ("positions", "orientations"):
         given = getattr(description, name)
         root.create_array(name, data=given, compressors=_codecs(), chunks=given.shape)
-    size = positions_in_a_chunk(len(description.orientations))
+    size = positions_in_a_chunk(len(description.positions), len(description.orientations))
     for name, values in zip(ChunkOfMap._fields, empty_chunk(1, len(description.orientations), nq).arrays, strict=True):
         root.create_array(
             name,
