@@ -45,7 +45,8 @@ OVERHEAD_RULES = """\
 What handing out a chunk costs the one process that hands out: {empty} chunks with the arrays of {chunk} poses, 100
 orientations at each position, and an answer of that size, but no work. Such a chunk, the largest of a map, takes a
 worker {seconds:.2f} s here; so the largest number of workers that one client keeps 90 % busy is 0.9 times the
-quotient. The clock of the wall counts what else the machine did, the processor's time does not; of Dask it has the scheduler's."""
+quotient. The clock of the wall counts what else the machine did, the processor's time does not; of Dask it has that of
+the scheduler."""
 
 
 Opened = tuple[Any, Callable[[], list[int]]]  # an executor, and the numbers of its processes
