@@ -43,8 +43,9 @@ def positions_in_a_chunk(k: int, o: int) -> int:
     return min(max(1, poses // o), LEAST)
 
 
-def chunk_of_map(packed: bytes, coordinates: str, orientations: Array, positions: Array) -> ChunkOfMap:
-    """Return what is known of some positions (k, d): this runs in the workers."""
+def chunk_of_map(packed: bytes, coordinates: str, orientations: Array, place: tuple[int, Array]) -> ChunkOfMap:
+    """Return what is known of some positions, given as the number of the first and (k, d): this runs in the workers."""
+    _, positions = place
     k, o = len(positions), len(orientations)
     answer = evaluator_of(packed).answers(goals_of(coordinates, positions, orientations))
     manipulability = answer.manipulability.reshape(k, o)
