@@ -15,7 +15,7 @@ distributed = pytest.importorskip("distributed")
 
 @pytest.fixture(scope="module")
 def cluster():
-    options = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    options = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": ":0"}
     with distributed.LocalCluster(**options, silence_logs=50) as cluster:
         yield cluster
 
@@ -47,7 +47,8 @@ def alone():
 
 def test_a_scan_by_a_client_and_by_an_address_is_the_scan_of_this_process(client):
     def scan(executor):
-        return r1.scan_singularities(arm("planar_3r"), r1.PositionTask("xy"), samples=200_000, executor=executor)
+        samples = 400_000  # 25 chunks: four answers of workers that have joined those of eight
+        return r1.scan_singularities(arm("planar_3r"), r1.PositionTask("xy"), samples=samples, executor=executor)
 
     here = scan(None)
     for executor in (client, client.scheduler.address):

@@ -146,7 +146,7 @@ def test_the_answer_is_the_same_on_one_thread_two_threads_and_in_other_processes
         assert same_maps(alone, r1.reachability_map(*asked))
         assert same_maps(alone, r1.reachability_map(*asked, executor=processes))
     assert progress[-1] == (18000, 18000)
-    assert len(progress) == 2
+    assert len(progress) == 3
 
 
 def test_a_redundant_arm_is_not_counted_and_what_is_not_found_is_not_called_unreachable():

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any, TypeVar
 
 from robotics1.errors import InputError, MissingExtraError
@@ -13,7 +14,8 @@ from robotics1.kernels.compilation import threads
 Chunk = TypeVar("Chunk")
 Answer = TypeVar("Answer")
 
-AHEAD = 4  # chunks for each worker that are handed out before their answers are needed
+AHEAD = 2  # chunks for each worker that are handed out before their answers are needed
+JOINED = 8  # answers that a worker of a cluster joins, before one goes to the client
 UNKNOWN = 256  # chunks for an executor that does not tell how many workers it has
 SERVES = "an executor of concurrent.futures, a Dask client, or the address of a Dask scheduler"
 
@@ -25,10 +27,12 @@ class Workers:
     Attributes:
         executor: where they go; None for this thread.
         ahead: how many may wait for their turn, or be done and wait for an earlier one: it bounds the memory.
+        client: of Dask, if the executor is its.
     """
 
     executor: Executor | None
     ahead: int
+    client: Any = None
 
     def in_order(
         self, work: Callable[[Chunk], Answer], chunks: Iterator[Chunk], most: int = UNKNOWN
@@ -54,6 +58,34 @@ class Workers:
                 f"a worker of the executor has died ({error}); with checkpoint= what was done is kept, and another "
                 f"call goes on from there"
             ) from error
+        finally:
+            for future in waiting:
+                future.cancel()
+
+    def joined_in_order(
+        self,
+        work: Callable[[Chunk], Answer],
+        join: Callable[[list[Answer]], Answer],
+        chunks: Iterator[Chunk],
+        most: int,
+    ) -> Iterator[Answer]:
+        """Yield answers that make up those of all chunks, in their order: on a cluster some are joined by its workers.
+
+        Raises:
+            InputError: as `in_order` does.
+        """
+        if self.client is None:
+            yield from self.in_order(work, chunks, most)
+            return
+        waiting: deque[Any] = deque()
+        try:
+            while some := list(islice(chunks, JOINED)):
+                leaves = [self.client.submit(work, chunk, pure=False) for chunk in some]
+                waiting.append(self.client.submit(join, leaves, pure=False))
+                if JOINED * len(waiting) >= min(self.ahead, most):
+                    yield waiting.popleft().result()
+            while waiting:
+                yield waiting.popleft().result()
         finally:
             for future in waiting:
                 future.cancel()
@@ -129,4 +161,4 @@ def _is_dask_client(value: Any) -> bool:
 def _dask_workers(client: Any) -> Workers:
     """Return the workers of a cluster; Dask itself gives the chunks of a lost worker to another."""
     count = sum(client.nthreads().values())
-    return Workers(client.get_executor(pure=False), max(UNKNOWN, AHEAD * count))
+    return Workers(client.get_executor(pure=False), max(UNKNOWN, AHEAD * count), client)

@@ -164,12 +164,20 @@ def reduction_from(arrays: Mapping[str, npt.NDArray[Any]], measures: tuple[str, 
     return Reduction(count, undefined, distributions, arrays["worst"], arrays["worst_values"])
 
 
+def joined_together(keep: int, parts: list[Reduction]) -> Reduction:
+    """Return the reduction of all chunks of some reductions, in their order."""
+    total = parts[0]
+    for part in parts[1:]:
+        total = total.joined(part, keep)
+    return total
+
+
 def reduced_together(
     measurement: "Measurement", measures: tuple[str, ...], keep: int, chunks: tuple[Chunk, ...]
 ) -> Reduction:
     """Return what is kept of some chunks, joined where they were measured: this runs in the workers."""
     total = reduced(measurement, measures, keep, chunks[0])
-    for chunk in chunks[1:]:
+    for chunk in chunks[1:]:  # one at a time, so that the memory does not grow
         total = total.joined(reduced(measurement, measures, keep, chunk), keep)
     return total
 

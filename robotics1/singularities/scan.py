@@ -18,7 +18,7 @@ from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
 from robotics1.robot.given import RobotLike
 from robotics1.singularities.points import MOVES, SingularPoints, singular_points
-from robotics1.singularities.reduction import MEASURES, Reduction, reduced_together, reduction_from
+from robotics1.singularities.reduction import MEASURES, Reduction, joined_together, reduced_together, reduction_from
 from robotics1.singularities.refinement import refine as refine_worst
 from robotics1.singularities.samples import CHUNK, METHODS, Chunk, samples_of
 from robotics1.singularities.scan_result import SingularityScan
@@ -114,7 +114,8 @@ def scan_singularities(
     work = partial(reduced_together, measurement, chosen, keep)
     groups = _in_groups(islice(chunks, _chunks(begun), None), 1 if method == "sobol" else _together(count))
     with workers_of(executor, sendable=measurement.sendable) as workers:
-        answers = workers.in_order(work, groups, OF_SOBOL if method == "sobol" else workers.ahead)
+        join, most = partial(joined_together, keep), OF_SOBOL if method == "sobol" else workers.ahead
+        answers = workers.joined_in_order(work, join, groups, most)
         total = _joined(begun, answers, keep, count, file, progress)
     return SingularityScan(
         robot,

@@ -9,7 +9,8 @@ from robotics1.inputs import Array
 from robotics1.workspaces.reachability.evaluation import Codes, PoseStatus, evaluator_of
 from robotics1.workspaces.reachability.poses import goals_of
 
-CHUNK = 2**14  # poses, or those of one position if these are more
+CHUNKS = 256  # of a map of middle size
+LEAST, MOST = 2**13, 2**17  # poses in a chunk, or those of one position if these are more; and the most positions
 
 
 class ChunkOfMap(NamedTuple):
@@ -33,13 +34,18 @@ class ChunkOfMap(NamedTuple):
         return tuple(self)
 
 
-def positions_in_a_chunk(orientations: int) -> int:
-    """Return how many positions make up a chunk: it depends on the number of orientations only."""
-    return max(1, CHUNK // orientations)
+def positions_in_a_chunk(k: int, o: int) -> int:
+    """Return how many of k positions with o orientations make up a chunk: it depends on nothing else.
+
+    A small map has chunks for every core; in a large one they are so long that handing them out costs little.
+    """
+    poses = min(max(k * o // CHUNKS, LEAST), MOST)
+    return min(max(1, poses // o), LEAST)
 
 
-def chunk_of_map(packed: bytes, coordinates: str, orientations: Array, positions: Array) -> ChunkOfMap:
-    """Return what is known of some positions (k, d): this runs in the workers."""
+def chunk_of_map(packed: bytes, coordinates: str, orientations: Array, place: tuple[int, Array]) -> ChunkOfMap:
+    """Return what is known of some positions, given as the number of the first and (k, d): this runs in the workers."""
+    _, positions = place
     k, o = len(positions), len(orientations)
     answer = evaluator_of(packed).answers(goals_of(coordinates, positions, orientations))
     manipulability = answer.manipulability.reshape(k, o)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from robotics1.chunks.identity import identity
 from robotics1.chunks.workers import Workers, check_executor, workers_of
@@ -14,11 +14,13 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.workspaces.reachability.chunk import ChunkOfMap, chunk_of_map, empty_chunk
 from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of, question_of
+from robotics1.workspaces.reachability.kept import chunk_kept
 from robotics1.workspaces.reachability.poses import Poses, poses_of, task_of_map
 from robotics1.workspaces.reachability.result import ReachabilityMap
 from robotics1.workspaces.reachability.saved import Description, MapFolder, map_folder
 
 Progress = Callable[[int, int], None]
+Answer = TypeVar("Answer")
 
 
 def reachability_map(
@@ -56,7 +58,8 @@ def reachability_map(
         tolerance: on |e| of a descent [m, rad].
         executor: who works: None for threads on all cores; an executor of concurrent.futures; a Dask client; or the
             address of a Dask scheduler.
-        checkpoint: a folder in which what is done is kept, as Zarr arrays: the same call goes on where it was.
+        checkpoint: a folder in which what is done is kept, as Zarr arrays: the same call goes on where it was. Workers
+            that see the folder, as on a disk that a cluster shares, write to it themselves.
         progress: called after each chunk with the poses done and their number.
 
     Raises:
@@ -93,7 +96,8 @@ def _fields(poses: Poses) -> tuple[str, Array, Array, tuple[Array, ...] | None]:
 def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progress: Progress | None) -> ChunkOfMap:
     """Return what is known of all positions."""
     found = empty_chunk(len(asked.positions), len(asked.orientations), len(asked.joint_names))
-    for part, answer in _answers(packed, asked, asked.parts, workers, progress):
+    work = partial(chunk_of_map, packed, asked.coordinates, asked.orientations)
+    for part, answer in _answers(work, asked, asked.parts, workers, progress):
         for array, values in zip(found.arrays, answer.arrays, strict=True):
             array[part] = values
     return found
@@ -102,22 +106,29 @@ def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progres
 def _done_in_a_folder(
     folder: MapFolder, packed: bytes, asked: Description, workers: Workers, progress: Progress | None
 ) -> ChunkOfMap:
-    """Return the same, after what is missing in a folder has been written to it."""
-    done = folder.done()
-    left = [part for number, part in enumerate(asked.parts) if number not in done]
-    for part, answer in _answers(packed, asked, left, workers, progress):
+    """Return the same, after what is missing in a folder has been written to it: by the workers, if they see it."""
+    work = partial(chunk_of_map, packed, asked.coordinates, asked.orientations)
+    kept = partial(chunk_kept, packed, asked.coordinates, asked.orientations, str(folder.path), folder.token)
+    for part, answer in _answers(kept, asked, folder.left(), workers, progress):
+        if answer is not None:
+            folder.write(part, answer)
+    for part, answer in _answers(work, asked, folder.left(), workers, progress):  # written where only a worker sees it
         folder.write(part, answer)
+    folder.tidy()
     return folder.read()
 
 
 def _answers(
-    packed: bytes, asked: Description, parts: list[slice], workers: Workers, progress: Progress | None
-) -> Iterator[tuple[slice, ChunkOfMap]]:
-    """Yield parts of the positions, and what is known of them, in their order."""
+    work: Callable[[tuple[int, Array]], Answer],
+    asked: Description,
+    parts: list[slice],
+    workers: Workers,
+    progress: Progress | None,
+) -> Iterator[tuple[slice, Answer]]:
+    """Yield parts of the positions, and the answers of the work to them, in their order."""
     o, k = len(asked.orientations), len(asked.positions)
     done = k - sum(part.stop - part.start for part in parts)
-    work = partial(chunk_of_map, packed, asked.coordinates, asked.orientations)
-    answers = workers.in_order(work, (asked.positions[part] for part in parts))
+    answers = workers.in_order(work, ((part.start, asked.positions[part]) for part in parts))
     for part, answer in zip(parts, answers, strict=True):
         yield part, answer
         done += part.stop - part.start

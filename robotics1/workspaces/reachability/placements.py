@@ -21,7 +21,7 @@ from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.robot.placements import homogeneous
 from robotics1.tasks.task import PoseError, Task
-from robotics1.workspaces.reachability.chunk import CHUNK
+from robotics1.workspaces.reachability.chunk import positions_in_a_chunk
 from robotics1.workspaces.reachability.evaluation import (
     Codes,
     PoseAnswers,
@@ -166,7 +166,7 @@ def tried(packed: bytes, goals: Array, moved: Array) -> PoseAnswers:
 def _tried(
     question: PoseQuestion, goals: Array, moved: Array, executor: Any, progress: Callable[[int, int], None] | None
 ) -> list[PoseAnswers]:
-    size, found = max(1, CHUNK // len(goals)), []
+    size, found = positions_in_a_chunk(len(moved), len(goals)), []
     packed = question.packed()
     sendable = evaluator_of(packed).measurement.sendable
     with workers_of(executor, sendable=sendable) as workers:

@@ -4,6 +4,7 @@ Each chunk of an array is a file with a checksum, which takes its place as a who
 arrays have its chunk; so it does not matter when a process is killed.
 """
 
+import hashlib
 import os
 import secrets
 import shutil
@@ -47,7 +48,8 @@ class Description(NamedTuple):
     @property
     def parts(self) -> list[slice]:
         """The positions of each chunk."""
-        k, size = len(self.positions), positions_in_a_chunk(len(self.orientations))
+        k = len(self.positions)
+        size = positions_in_a_chunk(k, len(self.orientations))
         return [slice(start, min(start + size, k)) for start in range(0, k, size)]
 
 
@@ -57,12 +59,23 @@ class MapFolder:
     Attributes:
         path: the folder.
         description: what the map is of.
+        token: by which a worker knows the folder again.
     """
 
     def __init__(self, path: Path, description: Description) -> None:
         self.path, self.description = path, description
         with _readable(path):
-            self._arrays = {name: _opened(path)[name] for name in ChunkOfMap._fields}
+            self._arrays, self.token = arrays_of(path), token_of(path)
+
+    def left(self) -> list[slice]:
+        """Return the parts that are not done."""
+        done = self.done()
+        return [part for number, part in enumerate(self.description.parts) if number not in done]
+
+    def tidy(self) -> None:
+        """Remove what processes that were killed have left half written."""
+        for rest in self.path.rglob("*.partial"):
+            rest.unlink(missing_ok=True)
 
     def done(self) -> set[int]:
         """Return the numbers of the parts that are done."""
@@ -80,14 +93,7 @@ class MapFolder:
         Raises:
             InputError: it cannot be written, as on a full disk; what was written before stays.
         """
-        try:
-            for name, values in zip(ChunkOfMap._fields, found, strict=True):
-                self._arrays[name][part] = values
-        except OSError as error:
-            raise InputError(
-                f"the checkpoint {str(self.path)!r} cannot be written: {error.strerror or error}; what was written "
-                f"before is kept, and the same call goes on from there"
-            ) from error
+        write_part(self.path, self._arrays, part, found)
 
     def read(self) -> ChunkOfMap:
         """Return what is known of all positions.
@@ -97,6 +103,33 @@ class MapFolder:
         """
         with _readable(self.path):
             return ChunkOfMap(*(np.asarray(self._arrays[name][:]) for name in ChunkOfMap._fields))
+
+
+def arrays_of(folder: Path) -> dict[str, Any]:
+    """Return the arrays of a folder that the chunks of a map are written to."""
+    root = _opened(folder)
+    return {name: root[name] for name in ChunkOfMap._fields}
+
+
+def token_of(folder: Path) -> str:
+    """Return a digest of what a folder says of its map."""
+    return hashlib.sha256((folder / "zarr.json").read_bytes()).hexdigest()
+
+
+def write_part(folder: Path, arrays: dict[str, Any], part: slice, found: ChunkOfMap) -> None:
+    """Write what is known of a part of the positions to the arrays of a folder.
+
+    Raises:
+        InputError: it cannot be written, as on a full disk; what was written before stays.
+    """
+    try:
+        for name, values in zip(ChunkOfMap._fields, found.arrays, strict=True):
+            arrays[name][part] = values
+    except OSError as error:
+        raise InputError(
+            f"the checkpoint {str(folder)!r} cannot be written: {error.strerror or error}; what was written before is "
+            f"kept, and the same call goes on from there"
+        ) from error
 
 
 def map_folder(path: str | Path, identity: Identity, description: Description) -> MapFolder:
@@ -112,9 +145,9 @@ def map_folder(path: str | Path, identity: Identity, description: Description) -
         _make(folder, identity, description)
     kept = _attributes(folder)
     refuse_another(path, kept.get("question"), identity)
-    for rest in folder.rglob("*.partial"):  # of a process that was killed
-        rest.unlink(missing_ok=True)
-    return MapFolder(folder, description)
+    made = MapFolder(folder, description)
+    made.tidy()
+    return made
 
 
 def read_map(path: str | Path) -> ReachabilityMap:
@@ -136,7 +169,7 @@ def read_map(path: str | Path) -> ReachabilityMap:
         grid = None if kept["grid"] is None else tuple(np.array(axis) for axis in kept["grid"])
         description = Description(*names, positions, orientations, grid, kept["counts"])
     made = MapFolder(folder, description)
-    left = len(description.parts) - len(made.done())
+    left = len(made.left())
     if left:
         raise InputError(
             f"the map in {str(path)!r} is not finished, {left} of {len(description.parts)} parts are missing; the "
@@ -195,7 +228,7 @@ def _write_description(folder: Path, identity: Identity, description: Descriptio
     for name in ("positions", "orientations"):
         given = getattr(description, name)
         root.create_array(name, data=given, compressors=_codecs(), chunks=given.shape)
-    size = positions_in_a_chunk(len(description.orientations))
+    size = positions_in_a_chunk(len(description.positions), len(description.orientations))
     for name, values in zip(ChunkOfMap._fields, empty_chunk(1, len(description.orientations), nq).arrays, strict=True):
         root.create_array(
             name,
