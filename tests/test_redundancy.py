@@ -382,6 +382,21 @@ def test_levels_and_limits_on_a_robot_of_every_kind(name):
         assert held.scale == pytest.approx(min(1.0, float((np.abs(J) @ limit)[0]) / abs(v[0])), abs=1e-7)
 
 
+def test_a_level_with_a_part_out_of_range_is_realised_in_its_range():
+    """The rows of a pointing task are dependent: r itself is in the left null space."""
+    robot = arm("six_r")
+    q = random_q(robot, 5)
+    task = r1.PointingTask()
+    r = task.value(robot, q)
+    turn = np.cross([0.1, 0.2, 0.3], r)
+    found = saturated_priority_velocity(robot, [(task, turn + 0.5 * r)], q, limits=5.0)
+    assert found.scales == (1.0,)
+    assert task.jacobian(robot, q) @ found.joints == pytest.approx(turn, abs=1e-9)
+    assert found.residuals[0] == pytest.approx(0.5 * r, abs=1e-9)
+    with pytest.raises(r1.NotConverged):
+        found.require()
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [

@@ -129,7 +129,7 @@ def largest_scale(A: Array, b: Array, low: Array, high: Array, above: tuple[Arra
     cost = np.append(np.zeros(A.shape[1]), -1.0)
     bounds = [*zip(_open(low), _open(high), strict=True), (0.0, 1.0)]
     found = linprog(cost, A_eq=rows, b_eq=right, bounds=bounds, method="highs-ds")
-    return float(found.x[-1]) if found.status == 0 else float("nan")
+    return max(0.0, float(found.x[-1])) if found.status == 0 else float("nan")
 
 
 def shortest_within(A: Array, b: Array, low: Array, high: Array) -> Array | None:
@@ -177,14 +177,17 @@ def _open(limits: Array) -> list[float | None]:
 def saturated_levels(levels: Sequence[tuple[Array, Array]], low: Array, high: Array) -> tuple[Array, tuple[float, ...]]:
     """Return the shortest x within its limits with Aᵢ x = sᵢ bᵢ, level by level the largest sᵢ, and the sᵢ.
 
-    A level that no scale from 0 to 1 realises has nan, and is left out.
+    Of bᵢ the part in the range of Aᵢ counts. A level that no scale from 0 to 1 realises has nan, and is left out.
     """
     n = len(low)
     A: Array = np.zeros((0, n))
     b: Array = np.zeros(0)
     x: Array = np.zeros(n)
     scales: list[float] = []
-    for J, rate in levels:
+    for J, asked in levels:
+        U, sigma, _ = np.linalg.svd(J, full_matrices=False)
+        U = U[:, : numeric_rank(sigma)]
+        rate = U @ (U.T @ asked)
         s, found = _scaled_level(J, rate, low, high, (A, b))
         if found is not None:
             A, b, x = np.vstack([A, J]), np.concatenate([b, s * rate]), found
