@@ -151,6 +151,21 @@ def test_tangent_and_normal_errors_have_their_own_rates_also_in_space():
     assert_allclose(second.error_in_axes, closed(second.t), atol=1e-6)
 
 
+def test_axes_that_turn_by_themselves_have_their_own_rates():
+    """A conveyor that turns about z: R(t), with the errors along it, across and up."""
+    arm = r1.robot_from_dh([("P", 0, -pi / 2, 0, -pi / 2), ("P", 0, pi / 2, 0, pi / 2), ("P", 0, 0, 0, 0)])
+    xyz, turning = r1.PositionTask(), r1.curves.turn_path(np.eye(3), [0, 0, 1], 1.2)
+    motion = r1.quintic([0.1, 0.2, 0.3], [0.4, 0.1, 0.5], 2.0)
+    axes = r1.curves.PathTrajectory(turning, r1.quintic(0, turning.end, 2.0))
+    for D in (None, [3.0, 4.0, 5.0]):
+        law = cartesian_law(arm, xyz, motion, [1.0, 4.0, 6.0], D, axes=axes)
+        rest = None if D is None else np.zeros(3)
+        run = simulate_law(law, [0.3, 0.2, 0.1], samples=9)
+        assert_allclose(run.error_in_axes, law.decay([0.3, 0.2, 0.1], rest)(run.t), atol=1e-6)
+    with pytest.raises(r1.InputError, match=r"a motion R\(t\) of three axes"):
+        cartesian_law(TWO, XY, ROUND, 1.0, axes=axes)
+
+
 def test_along_a_line_the_normal_is_a_quarter_turn_to_the_left():
     line = r1.line_path([0.5, 0.5], [1.1, 1.3])
     motion = r1.curves.PathTrajectory(line, r1.cubic(0, line.end, 2.0))

@@ -271,6 +271,26 @@ def test_saturation_in_the_null_space_stays_within_limits_and_below_the_optimum(
     assert len(sns.steps) <= 4
 
 
+@given(seeds, st.sampled_from([1e-6, 1.0, 1e6]))
+def test_the_unit_of_the_rates_does_not_matter(seed, unit):
+    """Also with joints that are held, and limits that are not the same to both sides."""
+    rng = np.random.default_rng(seed)
+    J, b = rng.normal(size=(2, 5)), 3 * rng.normal(size=2)
+    high, low = (rng.uniform(0, 1.5, 5) * (rng.random(5) > 0.2) for _ in range(2))
+    task = r1.FunctionTask(lambda p, R, q: J @ q, 2, lambda p, R, q: J)
+    arm = r1.textbook_robots.planar_arm("RRRRR", [1.0] * 5)
+    ask = {"limits": unit * high, "lower": -unit * low}
+    found = saturated_velocity(arm, task, unit * b, np.zeros(5), **ask)
+    assert found.scale == pytest.approx(largest(J, b, -low, high), abs=1e-6)
+    assert J @ found.joints == pytest.approx(found.scale * unit * b, abs=1e-7 * unit)
+    sns = saturated_velocity(arm, task, unit * b, np.zeros(5), **ask, method="sns")
+    assert J @ sns.joints == pytest.approx(sns.scale * unit * b, abs=1e-7 * unit)
+    assert sns.scale <= found.scale + 1e-7
+    for x in (found.joints, sns.joints):
+        assert (x <= unit * high).all()
+        assert (x >= -unit * low).all()
+
+
 @pytest.mark.sweep
 def test_saturation_in_the_null_space_misses_the_largest_scale_in_some_six_percent_of_cases():
     """Three rows and seven joints, rates that exceed the limits: what docs/redundancy.md says of the algorithm."""
