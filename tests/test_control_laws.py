@@ -15,6 +15,7 @@ from robotics1.control import (
     gains_for_decay,
     joint_law,
     largest_gains,
+    law_formula,
     lyapunov_rate,
     simulate_law,
 )
@@ -148,6 +149,21 @@ def test_tangent_and_normal_errors_have_their_own_rates_also_in_space():
     )
     closed = cartesian_law(arm, xyz, motion, [1.0, 4.0, 8.0], [2.0, 4.0, 6.0], axes="frenet").decay(q0, np.zeros(3))
     assert_allclose(second.error_in_axes, closed(second.t), atol=1e-6)
+
+
+def test_axes_that_turn_by_themselves_have_their_own_rates():
+    """A conveyor that turns about z: R(t), with the errors along it, across and up."""
+    arm = r1.robot_from_dh([("P", 0, -pi / 2, 0, -pi / 2), ("P", 0, pi / 2, 0, pi / 2), ("P", 0, 0, 0, 0)])
+    xyz, turning = r1.PositionTask(), r1.curves.turn_path(np.eye(3), [0, 0, 1], 1.2)
+    motion = r1.quintic([0.1, 0.2, 0.3], [0.4, 0.1, 0.5], 2.0)
+    axes = r1.curves.PathTrajectory(turning, r1.quintic(0, turning.end, 2.0))
+    for D in (None, [3.0, 4.0, 5.0]):
+        law = cartesian_law(arm, xyz, motion, [1.0, 4.0, 6.0], D, axes=axes)
+        rest = None if D is None else np.zeros(3)
+        run = simulate_law(law, [0.3, 0.2, 0.1], samples=9)
+        assert_allclose(run.error_in_axes, law.decay([0.3, 0.2, 0.1], rest)(run.t), atol=1e-6)
+    with pytest.raises(r1.InputError, match=r"a motion R\(t\) of three axes"):
+        cartesian_law(TWO, XY, ROUND, 1.0, axes=axes)
 
 
 def test_along_a_line_the_normal_is_a_quarter_turn_to_the_left():
@@ -287,6 +303,32 @@ def test_the_law_is_printed():
         assert law.formula() == text
     assert "A K Aᵀ" in cartesian_law(TWO, XY, ROUND, [1, 2], axes="frenet").formula()
     assert "ë = −D ė − K e" in cartesian_law(TWO, XY, ROUND, 4, 5).explain()
+
+
+def test_the_law_in_symbols_has_the_numbers_of_the_command():
+    qdot, time = np.array([0.3, -0.5]), 1.3
+    laws = {
+        "first": cartesian_law(TWO, XY, ROUND, K2),
+        "second": cartesian_law(TWO, XY, ROUND, K2, D2),
+        "turned": cartesian_law(TWO, XY, ROUND, [1.0, 2.0], axes=[[0.6, -0.8], [0.8, 0.6]]),
+        "gradient": cartesian_law(TWO, XY, [0.9, 0.5], K2, method="gradient"),
+        "at rest": cartesian_law(TWO, XY, [0.9, 0.5], K2),
+        "joints": joint_law(TWO, r1.quintic([0, 0], [1, -1], 2.0), [2.0, 3.0], [4.0, 5.0]),
+    }
+    for law in laws.values():
+        motion = law.motion
+        wanted = [law.target] + [np.zeros(2)] * 2 if motion is None else [motion.derivative(time, k) for k in range(3)]
+        values = dict(zip(("q1", "q2", "qdot1", "qdot2"), [*Q, *qdot], strict=True))
+        for name, numbers in zip(("rd", "rd_dot", "rd_ddot"), wanted, strict=True):
+            values |= {f"{name}_{i + 1}": x for i, x in enumerate(numbers)}
+        for name, G in (("K", law.K), ("D", law.D)):
+            values |= {} if G is None else {f"{name}_{i + 1}{j + 1}": G[i, j] for i in range(2) for j in range(2)}
+        formula = law_formula(law)
+        numbers = formula.subs({symbol: values[symbol.name] for symbol in formula.free_symbols})
+        found = law.command(Q, qdot if law.order == 2 else None, t=time).joints
+        assert_allclose(np.array(numbers.evalf(), dtype=float).ravel(), found, atol=1e-9)
+    with pytest.raises(r1.FormulaError, match="fixed axes"):
+        law_formula(cartesian_law(TWO, XY, ROUND, 1.0, axes="frenet"))
 
 
 @pytest.mark.parametrize(

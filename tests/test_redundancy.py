@@ -4,7 +4,7 @@ from math import cos, sin
 
 import numpy as np
 import pytest
-from arms import arm, random_q
+from arms import ARMS, arm, random_q
 from differences import derivative
 from hypothesis import given, strategies as st
 
@@ -146,6 +146,16 @@ def test_a_ppr_arm_by_hand():
     assert least.joints == pytest.approx(J.T @ np.linalg.solve(J @ J.T, [0.3, -0.2]), abs=1e-12)
 
 
+def test_weights_of_stacked_rates_make_the_least_weighted_squares():
+    q, weights = [0.3, 0.6, -0.9, 0.7], [1, 4, 9]
+    elbow, first = r1.PositionTask("xy", frame="link3"), r1.PositionTask("x", frame="link2")
+    levels = [(XY, [1.0, 0.5]), (elbow, [-1.0, 2.0]), (first, [0.3])]
+    found = priority_velocity(FOUR, levels, q, method="stacked", weights=weights)
+    A = np.vstack([np.sqrt(w) * task.jacobian(FOUR, q) for w, (task, _) in zip(weights, levels, strict=True)])
+    b = np.concatenate([np.sqrt(w) * np.array(rate) for w, (_, rate) in zip(weights, levels, strict=True)])
+    assert found.joints == pytest.approx(np.linalg.lstsq(A, b)[0], abs=1e-9)
+
+
 def test_what_the_first_level_takes_is_a_conflict_and_what_no_joint_can_do_is_out_of_range():
     both = [(XY, [0.3, -0.2]), (r1.PositionTask("x"), [1.0])]
     found = priority_velocity(THREE, both, Q)
@@ -261,6 +271,26 @@ def test_saturation_in_the_null_space_stays_within_limits_and_below_the_optimum(
     assert len(sns.steps) <= 4
 
 
+@given(seeds, st.sampled_from([1e-6, 1.0, 1e6]))
+def test_the_unit_of_the_rates_does_not_matter(seed, unit):
+    """Also with joints that are held, and limits that are not the same to both sides."""
+    rng = np.random.default_rng(seed)
+    J, b = rng.normal(size=(2, 5)), 3 * rng.normal(size=2)
+    high, low = (rng.uniform(0, 1.5, 5) * (rng.random(5) > 0.2) for _ in range(2))
+    task = r1.FunctionTask(lambda p, R, q: J @ q, 2, lambda p, R, q: J)
+    arm = r1.textbook_robots.planar_arm("RRRRR", [1.0] * 5)
+    ask = {"limits": unit * high, "lower": -unit * low}
+    found = saturated_velocity(arm, task, unit * b, np.zeros(5), **ask)
+    assert found.scale == pytest.approx(largest(J, b, -low, high), abs=1e-6)
+    assert J @ found.joints == pytest.approx(found.scale * unit * b, abs=1e-7 * unit)
+    sns = saturated_velocity(arm, task, unit * b, np.zeros(5), **ask, method="sns")
+    assert J @ sns.joints == pytest.approx(sns.scale * unit * b, abs=1e-7 * unit)
+    assert sns.scale <= found.scale + 1e-7
+    for x in (found.joints, sns.joints):
+        assert (x <= unit * high).all()
+        assert (x >= -unit * low).all()
+
+
 @pytest.mark.sweep
 def test_saturation_in_the_null_space_misses_the_largest_scale_in_some_six_percent_of_cases():
     """Three rows and seven joints, rates that exceed the limits: what docs/redundancy.md says of the algorithm."""
@@ -346,6 +376,47 @@ def test_priorities_within_limits_are_those_of_quadratic_programs(seed):
         assert K @ found.joints == pytest.approx(found.scales[1] * w, abs=1e-7)
 
 
+# --- robots of every kind
+
+KINDS = [name for name in ARMS if arm(name).nq == arm(name).nv > 0 and arm(name).tool is not None]
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_levels_and_limits_on_a_robot_of_every_kind(name):
+    """Spatial, prismatic, skew, mimicking arms, with a point beside the tool: against the quadratic program."""
+    robot, rng = arm(name), np.random.default_rng(7)
+    q = random_q(robot, 7)
+    top = r1.PositionTask("z", point=(0.1, 0.05, 0.02))
+    low = r1.PositionTask("x", point=(0.1, 0.05, 0.02))
+    J, K = top.jacobian(robot, q), low.jacobian(robot, q)
+    v, w, limit = J @ rng.uniform(-1, 1, robot.nv), K @ rng.uniform(-1, 1, robot.nv), rng.uniform(0.2, 0.8, robot.nv)
+    found = priority_velocity(robot, [(top, v), (low, w)], q)
+    assert J @ found.joints == pytest.approx(v, abs=1e-9)
+    if np.linalg.matrix_rank(np.vstack([J, K])) == 2:
+        assert K @ found.joints == pytest.approx(w, abs=1e-7)
+        assert found.joints == pytest.approx(np.linalg.pinv(np.vstack([J, K])) @ [*v, *w], abs=1e-7)
+    held = saturated_velocity(robot, top, v, q, limits=limit)
+    assert (np.abs(held.joints) <= limit).all()
+    assert J @ held.joints == pytest.approx(held.scale * v, abs=1e-8)
+    if np.linalg.norm(J) > 1e-9:
+        assert held.scale == pytest.approx(min(1.0, float((np.abs(J) @ limit)[0]) / abs(v[0])), abs=1e-7)
+
+
+def test_a_level_with_a_part_out_of_range_is_realised_in_its_range():
+    """The rows of a pointing task are dependent: r itself is in the left null space."""
+    robot = arm("six_r")
+    q = random_q(robot, 5)
+    task = r1.PointingTask()
+    r = task.value(robot, q)
+    turn = np.cross([0.1, 0.2, 0.3], r)
+    found = saturated_priority_velocity(robot, [(task, turn + 0.5 * r)], q, limits=5.0)
+    assert found.scales == (1.0,)
+    assert task.jacobian(robot, q) @ found.joints == pytest.approx(turn, abs=1e-9)
+    assert found.residuals[0] == pytest.approx(0.5 * r, abs=1e-9)
+    with pytest.raises(r1.NotConverged):
+        found.require()
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -356,6 +427,8 @@ def test_priorities_within_limits_are_those_of_quadratic_programs(seed):
         (lambda: priority_velocity(THREE, [(V, XY)], Q), "the task must be a task"),
         (lambda: priority_velocity(THREE, [(XY, V)], Q, method="levels", damping=-1), "damping"),
         (lambda: priority_velocity(THREE, [(XY, V)], Q, method="stacked", damping=0.1), "damping belongs to"),
+        (lambda: priority_velocity(THREE, [(XY, V)], Q, weights=[1]), "weights belong to method='stacked'"),
+        (lambda: priority_velocity(THREE, [(XY, V)], Q, method="stacked", weights=[0]), "weights must be positive"),
         (lambda: priority_velocity(THREE, [(XY, V)], Q, method="order"), "method must be one of"),
         (lambda: projected_gradient(THREE, XY, V, Q, "w"), r"the objective must have value\(q\)"),
         (lambda: projected_gradient(THREE, XY, V, Q, NearObjective([0, 0])), r"q must have shape"),

@@ -3,6 +3,7 @@
 from .decay import ErrorDecay
 from .gain_choice import Gains, gains_for_decay, largest_gains
 from .law import ControlCommand, ControlLaw
+from .law_formulas import law_formula
 from .laws import cartesian_law, joint_law
 from .lyapunov import LyapunovRate, LyapunovStatus, lyapunov_rate
 from .simulation import ControlRun, simulate_law
@@ -23,6 +24,7 @@ __all__ = [
     "gains_for_decay",
     "joint_law",
     "largest_gains",
+    "law_formula",
     "lyapunov_rate",
     "simulate_law",
     "simulate_tracking",

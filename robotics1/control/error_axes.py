@@ -34,15 +34,21 @@ class ErrorAxes:
         fixed: A where it is constant; None where it moves.
         motion: the path and its timing, where the axes go along.
         turning: the Frenet frame of a path in space.
+        given: a motion R(t) of the user's, whose columns are the axes.
     """
 
     m: int
     fixed: Array | None
     motion: PathTrajectory | None = None
     turning: FrenetRotation | None = None
+    given: Curve | None = None
 
     def at(self, t: float, side: Side = "right") -> AxesAt:
         """Return A, Ȧ and Ä."""
+        if self.given is not None:
+            R = np.asarray(self.given(t))
+            omega, slope = (cross_matrix(self.given.derivative(t, order, side=side)) for order in (1, 2))
+            return AxesAt(R, omega @ R, (slope + omega @ omega) @ R)
         if self.fixed is not None or self.motion is None:
             A = np.eye(self.m) if self.fixed is None else self.fixed
             return AxesAt(A, np.zeros((self.m, self.m)), np.zeros((self.m, self.m)))
@@ -54,7 +60,7 @@ class ErrorAxes:
 
 
 def error_axes(value: Any, m: int, motion: Curve | None) -> ErrorAxes:
-    """Return the axes that a law is given: None for the world's, an (m, m) rotation, or "frenet".
+    """Return the axes that a law is given: None for the world's, an (m, m) rotation, a motion R(t), or "frenet".
 
     Raises:
         InputError: they are none, or the error or the trajectory has no such axes.
@@ -71,8 +77,14 @@ def error_axes(value: Any, m: int, motion: Curve | None) -> ErrorAxes:
         if m == 3 and frenet_frame(path, 0.0).normal is None:
             return ErrorAxes(3, _about(frenet_frame(path, 0.0).tangent))
         return ErrorAxes(m, None, motion, frenet_path(path) if m == 3 else None)
+    if isinstance(value, Curve):
+        if m != 3 or value.of_points or value.shape != (3,) or np.shape(value(0.0)) != (3, 3):
+            raise InputError("axes that move are a motion R(t) of three axes: PathTrajectory(turn_path(...), law)")
+        return ErrorAxes(m, None, given=value)
     if isinstance(value, str):
-        raise InputError(f"axes must be None, an ({m}, {m}) rotation matrix, or 'frenet'; it is {value!r}")
+        raise InputError(
+            f"axes must be None, an ({m}, {m}) rotation matrix, a motion R(t), or 'frenet'; it is {value!r}"
+        )
     A = real_array("axes", value, (m, m), "a rotation matrix whose columns are the axes")
     if not np.allclose(A.T @ A, np.eye(m), atol=ORTHONORMAL):
         raise InputError(f"axes must be orthonormal: AᵀA = 1; they are {A.tolist()}")

@@ -82,8 +82,9 @@ def cartesian_law(
         wanted: r_d(t), a motion, or r_d at rest, in the form of the task's value.
         K: gains, one number, (m,) or (m, m), positive definite [1/s, or 1/s² of second order].
         D: gains of the velocity error [1/s]; None for a law of first order.
-        axes: in which the gains count: None for those of the task; an (m, m) rotation whose columns they are; or
-            "frenet", the tangent and normals of the path of a PathTrajectory.
+        axes: in which the gains count: None for those of the task; an (m, m) rotation whose columns they are; a motion
+            R(t) of three axes, as PathTrajectory(turn_path(...), law); or "frenet", the tangent and normals of the
+            path of a PathTrajectory.
         method: "newton", with J#; or "gradient", q̇ = Jᵀ K e, of first order and for a target at rest.
         feedforward: whether ṙ_d, or r̈_d, is added.
         resolution: which inverse J# is taken; by default the pseudoinverse, which is J⁻¹ of a square J.

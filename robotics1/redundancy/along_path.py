@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,10 @@ from robotics1.trajectories.following.integration import integrated
 
 PRECISION = 1e-9  # of the integration, relative, and in radians and reaches
 FOLLOWED = 1e-5  # |e| in radians and reaches: less is no error
+STEPS = 200  # within limits, of the whole motion
 MOST_STEPS = 5000  # of a segment: more are needed only where the joints run away
+
+Rates = Callable[[float, Array, Side], tuple[Array, Array]]  # (t, q, side) → q̇ and the scales
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +83,7 @@ def follow_by_priority(
     """Return the motion of q̇ by priority for ṙᵢ = ṙ_d,ᵢ(t) + Kᵢ (r_d,ᵢ(t) − fᵢ(q)) from q(0) = q0.
 
     Without limits q̇ is that of `priority_velocity`, with k ∇H in what is left of the null space; with limits it is that
-    of `saturated_priority_velocity`.
+    of `saturated_priority_velocity`, integrated in steps of 1/200 of the duration, or less.
 
     Args:
         robot: an arm of revolute and prismatic joints.
@@ -119,21 +123,50 @@ def follow_by_priority(
         wish = 0.0 if objective is None else found.null @ (found.null.T @ (gain * gradient_of(objective, q, n)))
         return found.x + wish, np.ones(len(rows))
 
+    times = np.linspace(0.0, end, counting_number("samples", samples, least=2))
+    if bounds is None:
+        states, complete = _integrated(rates, ends, q0, times, robot)
+    else:
+        states, complete = _stepped(rates, ends, q0, times), True  # rates within limits do not run away
+    return _run(robot, tracks, times[: len(states)], states, rates, complete=complete)
+
+
+def _integrated(rates: Rates, ends: Sequence[float], q0: Array, times: Array, robot: Robot) -> tuple[list[Array], bool]:
+    """Return q at the times, as far as the joints do not run away, and whether that is the end."""
+    end = ends[-1]
     segments = integrated(
         lambda t, q, side: rates(t, q, side)[0],
         ends,
         q0,
         method="DOP853",
-        rtol=PRECISION if bounds is None else 1e-6,
-        atol=(PRECISION if bounds is None else 1e-7) * robot.units,
+        rtol=PRECISION,
+        atol=PRECISION * robot.units,
         max_step=end / 20,
         most_steps=MOST_STEPS,
         stop=lambda rate: bool((np.abs(rate) > 1e4 * robot.units / end).any()),
     )
-    times = np.linspace(0.0, end, counting_number("samples", samples, least=2))
-    times = times[times <= segments[-1].end] if segments else times[:1]
-    states = [next(s.state(t) for s in segments if t <= s.end) if segments else q0 for t in times]
-    return _run(robot, tracks, times, states, rates, complete=bool(segments) and segments[-1].end >= end)
+    reached = segments[-1].end if segments else 0.0
+    states = [next((s.state(t) for s in segments if t <= s.end), q0) for t in times[times <= reached]]
+    return states, reached >= end
+
+
+def _stepped(rates: Rates, ends: Sequence[float], q0: Array, times: Array) -> list[Array]:
+    """Return q at the times, by Runge and Kutta's fourth order in at least 200 steps.
+
+    Where a joint comes to its limit the rates have a kink, at which an adaptive step would shrink without end.
+    """
+    fine = np.linspace(0.0, ends[-1], len(times) + (len(times) - 1) * (STEPS // max(1, len(times) - 1)))
+    grid = np.unique(np.concatenate([times, fine, ends]))
+    found, q = [q0], q0
+    for a, b in pairwise(grid):
+        h, middle = b - a, 0.5 * (a + b)
+        k1 = rates(a, q, "right")[0]
+        k2 = rates(middle, q + 0.5 * h * k1, "right")[0]
+        k3 = rates(middle, q + 0.5 * h * k2, "right")[0]
+        k4 = rates(b, q + h * k3, "left")[0]
+        q = q + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        found.append(q)
+    return [found[i] for i in np.searchsorted(grid, times)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,7 +193,7 @@ def _run(
     tracks: Sequence[Track],
     times: Array,
     states: Sequence[Array],
-    rates: Callable[[float, Array, Side], tuple[Array, Array]],
+    rates: Rates,
     *,
     complete: bool,
 ) -> PriorityRun:

@@ -51,8 +51,7 @@ def by_levels(levels: Sequence[Level], n: int, *, damping: float = 0.0) -> Hiera
         sigma = np.linalg.svd(A, compute_uv=False)
         U, s, Vt = np.linalg.svd(A @ N)
         r = int(np.count_nonzero(s > RANK_TOLERANCE * sigma[:1]))  # of the size of A, else rounding would count
-        soft = damping if number else 0.0
-        y = s[:r] / (s[:r] ** 2 + soft**2) * (U[:, :r].T @ (b - A @ x))
+        y = s[:r] / (s[:r] ** 2 + (damping if number else 0.0) ** 2) * (U[:, :r].T @ (b - A @ x))
         x = x + N @ (Vt[:r].T @ y)
         N = N @ Vt[r:].T
         ranks.append(numeric_rank(sigma))

@@ -73,7 +73,7 @@ def saturate_step_by_step(A: Array, b: Array, low: Array, high: Array) -> Satura
         inverse = np.linalg.pinv(free, rcond=RANK_TOLERANCE)
         per_scale, constant = inverse @ b, x_held - inverse @ (A @ x_held)
         x = np.asarray(per_scale + constant, dtype=float)
-        inside = np.abs(A @ x - b).max(initial=0.0) <= 1e-8 * max(1.0, np.abs(b).max(initial=0.0))
+        inside = np.abs(A @ x - b).max(initial=0.0) <= 1e-8 * np.abs(b).max(initial=0.0)
         scale, critical = _scale(per_scale, constant, low, high, ~held)
         done = inside and _within(x, low, high)
         steps.append(
@@ -94,7 +94,7 @@ def saturate_step_by_step(A: Array, b: Array, low: Array, high: Array) -> Satura
 
 
 def _within(x: Array, low: Array, high: Array) -> bool:
-    room = ROUNDING * max(1.0, float(np.abs(x).max(initial=0.0)))
+    room = ROUNDING * max(_size(low, high), float(np.abs(x).max(initial=0.0)))
     return bool((x >= low - room).all() and (x <= high + room).all())
 
 
@@ -120,6 +120,9 @@ def largest_scale(A: Array, b: Array, low: Array, high: Array, above: tuple[Arra
     """
     from scipy.optimize import linprog
 
+    size = _size(low, high)  # the solver's tolerances are absolute
+    low, high, b = low / size, high / size, b / size
+    above = None if above is None else (above[0], above[1] / size)
     rows: Array = np.column_stack([A, -b])
     right: Array = np.zeros(len(b))
     if above is not None:
@@ -129,7 +132,7 @@ def largest_scale(A: Array, b: Array, low: Array, high: Array, above: tuple[Arra
     cost = np.append(np.zeros(A.shape[1]), -1.0)
     bounds = [*zip(_open(low), _open(high), strict=True), (0.0, 1.0)]
     found = linprog(cost, A_eq=rows, b_eq=right, bounds=bounds, method="highs-ds")
-    return float(found.x[-1]) if found.status == 0 else float("nan")
+    return max(0.0, float(found.x[-1])) if found.status == 0 else float("nan")
 
 
 def shortest_within(A: Array, b: Array, low: Array, high: Array) -> Array | None:
@@ -166,8 +169,13 @@ def _independent(A: Array, b: Array) -> tuple[Array, Array]:
     """Return as many combinations of the equations A x = b as are independent: they have the same solutions."""
     _, sigma, Vt = np.linalg.svd(np.column_stack([A, b]), full_matrices=False)
     r = numeric_rank(sigma)
-    both = sigma[:r, None] * Vt[:r]
-    return both[:, :-1], both[:, -1]
+    return Vt[:r, :-1], Vt[:r, -1]
+
+
+def _size(low: Array, high: Array) -> float:
+    """Return the largest finite limit; 1 if there is none but zero."""
+    limits = np.abs(np.concatenate([low, high]))
+    return float(limits[np.isfinite(limits)].max(initial=0.0)) or 1.0
 
 
 def _open(limits: Array) -> list[float | None]:
@@ -177,14 +185,17 @@ def _open(limits: Array) -> list[float | None]:
 def saturated_levels(levels: Sequence[tuple[Array, Array]], low: Array, high: Array) -> tuple[Array, tuple[float, ...]]:
     """Return the shortest x within its limits with Aᵢ x = sᵢ bᵢ, level by level the largest sᵢ, and the sᵢ.
 
-    A level that no scale from 0 to 1 realises has nan, and is left out.
+    Of bᵢ the part in the range of Aᵢ counts. A level that no scale from 0 to 1 realises has nan, and is left out.
     """
     n = len(low)
     A: Array = np.zeros((0, n))
     b: Array = np.zeros(0)
     x: Array = np.zeros(n)
     scales: list[float] = []
-    for J, rate in levels:
+    for J, asked in levels:
+        U, sigma, _ = np.linalg.svd(J, full_matrices=False)
+        U = U[:, : numeric_rank(sigma)]
+        rate = U @ (U.T @ asked)
         s, found = _scaled_level(J, rate, low, high, (A, b))
         if found is not None:
             A, b, x = np.vstack([A, J]), np.concatenate([b, s * rate]), found

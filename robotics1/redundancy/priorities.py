@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, a_task, moderate, one_of, real_array, real_number
+from robotics1.inputs import Array, a_robot, a_task, moderate, one_of, positive_numbers, real_array, real_number
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
@@ -97,6 +97,7 @@ def priority_velocity(
     method: str = "levels",
     null_velocity: npt.ArrayLike | None = None,
     damping: float = 0.0,
+    weights: npt.ArrayLike | None = None,
 ) -> Priorities:
     """Return the joint velocities of several tasks by priority: each as well as those before it allow.
 
@@ -107,7 +108,7 @@ def priority_velocity(
                                                               those with the least |ṙᵢ − Jᵢ q̇|
     "projection"  J₁⁺ṙ₁ + P₁ J₂⁺ṙ₂ + P₂ J₃⁺ṙ₃ + ...          bounded where levels are in conflict; lower
                                                               levels are met in part only
-    "stacked"     [J₁; J₂; ...]⁺ (ṙ₁, ṙ₂, ...)                no priority: least squares of all rows
+    "stacked"     [J₁; J₂; ...]⁺ (ṙ₁, ṙ₂, ...)                no priority: least Σ wᵢ |ṙᵢ − Jᵢ q̇|²
     ============  ==========================================  ============================================
 
     Pᵢ is the projector into the null space of the augmented Jacobian [J₁; ...; Jᵢ]; a null velocity is projected there.
@@ -119,6 +120,7 @@ def priority_velocity(
         method: one of those above.
         null_velocity: (nv,) q̇₀, whose part that no level sees is added.
         damping: λ of the inverses of "levels" after the first: near an algorithmic singularity q̇ stays bounded.
+        weights: of "stacked", wᵢ > 0 of each task; None for 1. They matter where not all can be realised.
 
     Raises:
         InputError: there is no level, a task stands in two of them, a shape is wrong, or damping is given to a method
@@ -131,7 +133,7 @@ def priority_velocity(
     tasks, rates = checked_levels(robot, levels, "ṙ")
     q = robot.configuration(q)
     rows = [(task.jacobian(robot, q), b) for task, b in zip(tasks, rates, strict=True)]
-    return _solved(robot, rows, rates, method, null_velocity, damping)
+    return _solved(robot, rows, rates, method, null_velocity, damping, weights)
 
 
 def priority_acceleration(
@@ -173,18 +175,28 @@ def priority_acceleration(
 
 
 def _solved(
-    robot: Robot, rows: Sequence[tuple[Array, Array]], asked: list[Array], method: str, wish: Any, damping: float
+    robot: Robot,
+    rows: Sequence[tuple[Array, Array]],
+    asked: list[Array],
+    method: str,
+    wish: Any,
+    damping: float,
+    weights: Any = None,
 ) -> Priorities:
     n, one = robot.nv, one_of("method", method, METHODS)
     soft = real_number("damping", damping, non_negative=True)
     if soft and one != "levels":
         raise InputError(f"damping belongs to method='levels'; the method is {one!r}")
+    if weights is not None and one != "stacked":
+        raise InputError(f"weights belong to method='stacked', which has no priorities; the method is {one!r}")
     exact = by_levels(rows, n)
     found: Hierarchy = exact
     if one == "projection":
         found = by_projection(rows, n)
     elif one == "stacked":
-        found = by_levels([(np.vstack([A for A, _ in rows]), np.concatenate([b for _, b in rows]))], n)
+        w = np.sqrt(np.ones(len(rows)) if weights is None else positive_numbers("weights", weights, len(rows)))
+        A, b = (np.concatenate([x * row[i] for x, row in zip(w, rows, strict=True)]) for i in (0, 1))
+        found = by_levels([(A, b)], n)
     elif soft:
         found = by_levels(rows, n, damping=soft)
     x = found.x

@@ -14,6 +14,8 @@ from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
+REALISED = 1e-7  # a residual that is rounding, in SI units
+
 
 @dataclass(frozen=True, eq=False)
 class SaturatedPriorities(Frozen):
@@ -21,7 +23,8 @@ class SaturatedPriorities(Frozen):
 
     Attributes:
         joints: (nv,) q̇.
-        scales: sᵢ of each level, from 0 to 1; nan of a level that no scale realises, which is left out.
+        scales: sᵢ of each level, from 0 to 1, of the part in the range of its Jacobian; nan of a level that no scale
+            realises, which is left out.
         saturated: (nv,) whether a joint is at a limit.
         lower, upper: (nv,) the limits.
         residuals: of each level, ṙᵢ − Jᵢ q̇.
@@ -46,9 +49,10 @@ class SaturatedPriorities(Frozen):
         """Return self if every level is realised.
 
         Raises:
-            NotConverged: one is not.
+            NotConverged: one is slowed down, left out, or has a part out of the range of its Jacobian.
         """
-        return require(self, all(s == 1 for s in self.scales))
+        left = max(float(np.abs(residual).max(initial=0.0)) for residual in self.residuals)
+        return require(self, all(s == 1 for s in self.scales) and left <= REALISED)
 
 
 def saturated_priority_velocity(
