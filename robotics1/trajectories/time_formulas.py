@@ -236,7 +236,7 @@ def _double_s(symbols: Mapping[str, Any]) -> list[TimeCase]:
     if V is not None and A is not None:
         reached, needed = sympy.Ge(V * J, A**2), sympy.expand(V**2 / A + V * A / J)
         ramp = sympy.expand(V / A + A / J)
-        conditions = (reached, sympy.Ge(d, needed))
+        conditions: tuple[Any, ...] = (reached, sympy.Ge(d, needed))
         cases.append(_phases("both bounds are reached", conditions, A / J, V / A, d / V - ramp, J))
     if A is not None:
         v = (-(A**2) / J + sympy.sqrt(A**4 / J**2 + 4 * A * d)) / 2
