@@ -88,7 +88,7 @@ def test_the_page_on_formulas_names_attributes_that_exist():
 def test_the_page_on_orientation_says_what_it_finds(run):
     after, _ = run("orientation")
     page = after[-1]
-    assert len(after) == 9
+    assert len(after) == 11
     assert after[1].found.solutions == pytest.approx(np.array([[0.4, 0.7, -0.9], [-2.7416, 2.4416, 2.2416]]), abs=1e-4)
     assert f"{after[1].rpy.correction:.1e}" == "2.2e-05"
     assert after[2].found.combination == (1, 0, -1)

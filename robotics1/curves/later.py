@@ -83,7 +83,7 @@ class LaterMotion(Frozen):
         slack = 1e-9 * max(1.0, abs(self.start), abs(self.end))
         if instants.size and (instants.min() < self.start - slack or instants.max() > self.end + slack):
             raise InputError(f"the instant must be in [{self.start:.10g}, {self.end:.10g}]; it is {instants.tolist()}")
-        return np.clip(instants - self.start, 0.0, self.trajectory.end)
+        return np.asarray(np.clip(instants - self.start, 0.0, self.trajectory.end))
 
 
 def starting_at(motion: Any, start: float) -> LaterMotion:

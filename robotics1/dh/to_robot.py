@@ -62,7 +62,7 @@ def _printed_angles(table: DHTable) -> tuple[DHTable, tuple[str, ...]]:
     """Return the table with multiples of π/12 in place of angles that round them, and a sentence about each."""
     rows, sentences = [], []
     for i, row in enumerate(table.rows, 1):
-        exact = {}
+        exact: dict[str, Any] = {}
         for name in ("alpha", "theta"):
             angle = getattr(row, name)
             k = None if isinstance(angle, str) else printed_twelfths_of_pi(angle)

@@ -137,7 +137,7 @@ def _rounding(x: float) -> float:
 
 def _conditions(known: Array, names: Any) -> list[tuple[Array, float]]:
     """Return (W, x) with Σ W ∘ R = x of each known entry, and of each pair of entries with one name."""
-    found = []
+    found: list[tuple[Array, float]] = []
     for place, value in np.ndenumerate(known):
         if not np.isnan(value):
             W = np.zeros((3, 3))
@@ -155,13 +155,13 @@ def _slopes(conditions: list[tuple[Array, float]], R: Array) -> Array:
     """Return the derivatives of the conditions along turns of each R (s, 3, 3) about the world's axes, (s, k, 3)."""
     W = np.array([w for w, _ in conditions]).reshape(-1, 3, 3)
     turned = np.array([cross_matrix(e) for e in np.eye(3)])
-    return np.einsum("kij,aim,smj->ska", W, turned, R)
+    return np.asarray(np.einsum("kij,aim,smj->ska", W, turned, R))
 
 
 def _gaps(conditions: list[tuple[Array, float]], R: Array) -> Array:
     """Return what each condition lacks at each R, (s, k)."""
     W = np.array([w for w, _ in conditions]).reshape(-1, 3, 3)
-    return np.array([x for _, x in conditions]) - np.einsum("kij,sij->sk", W, R)
+    return np.asarray(np.array([x for _, x in conditions]) - np.einsum("kij,sij->sk", W, R))
 
 
 def _from_everywhere(conditions: list[tuple[Array, float]], accepted: float) -> Array:
@@ -170,7 +170,7 @@ def _from_everywhere(conditions: list[tuple[Array, float]], accepted: float) -> 
 
     R = Rotation.random(STARTS, rng=np.random.default_rng(0)).as_matrix()
     if not conditions:
-        return R
+        return np.asarray(R)
     for _ in range(ROUNDS):
         steps = np.einsum("sak,sk->sa", np.linalg.pinv(_slopes(conditions, R), rcond=1e-8), _gaps(conditions, R))
         lengths = np.linalg.norm(steps, axis=1, keepdims=True)

@@ -147,7 +147,7 @@ class TransformChain:
         at = "base"
         seen: dict[int, float] = {}  # q → the factor it first comes with
         for i, step in enumerate(self.steps, 1):
-            x, y, z, *rpy = placement_of(step.numbers).at(self.parameters).tolist()
+            x, y, z, roll, pitch, yaw = placement_of(step.numbers).at(self.parameters).tolist()
             child, kind = f"link{i}", "fixed"
             name, leader, multiplier, axis, limits = f"step{i}", f"step{i}", 1.0, (0.0, 0.0, 1.0), (-np.inf, np.inf)
             if step.joint:
@@ -157,8 +157,8 @@ class TransformChain:
                 else:
                     name, axis, limits = leader, _axis(step.axis, step.factor), self.limits[step.joint - 1]
                     seen[step.joint] = step.factor
-            placed = {"xyz": (x, y, z), "rpy": tuple(rpy), "axis": axis, "lower": limits[0], "upper": limits[1]}
-            found.append(Joint(name, kind, at, child, leader=leader, multiplier=multiplier, **placed))
+            fixed = Joint(name, kind, at, child, (x, y, z), (roll, pitch, yaw), axis, *limits)
+            found.append(replace(fixed, leader=leader, multiplier=multiplier))
             at = child
         return [*found, Joint("tip", "fixed", at, "tool", leader="tip")]
 

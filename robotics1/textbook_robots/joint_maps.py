@@ -27,6 +27,16 @@ class JointMap(Frozen):
     matrix: Array
     offset: Array
 
+    def __post_init__(self) -> None:
+        """Check the shapes, and copy the arrays.
+
+        Raises:
+            InputError: they are no matrix and no vector of as many rows.
+        """
+        vars(self)["matrix"] = real_array("matrix", self.matrix, (None, None), "one row for each new coordinate")
+        vars(self)["offset"] = real_array("offset", self.offset, (len(self.matrix),), "one number for each row")
+        super().__post_init__()
+
     def __call__(self, q: npt.ArrayLike) -> Array:
         """Return θ = M q + c, (m,), of q (n,)."""
         return self.matrix @ self._vector("q", q, 1) + self.offset

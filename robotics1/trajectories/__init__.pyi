@@ -23,7 +23,8 @@ from .scaling import TimeScaling, minimum_duration, scale_to_limits
 from .splines import cubic_hermite_spline, cubic_spline, knot_times, spline_path
 from .symbolic_polynomial import PolynomialFormula, polynomial_formula
 from .target_motion import FunctionMotion, LinearMotion, TargetMotion
-from .time_formulas import TimeCase, TimeFormula, time_formula
+from .time_cases import TimeCase
+from .time_formulas import TimeFormula, time_formula
 
 __all__ = [
     "AccelerationSplit",

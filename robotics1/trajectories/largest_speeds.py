@@ -185,7 +185,8 @@ def _points(path: Curve, samples: int) -> tuple[Array, list[Side]]:
     for a, b in pairwise(path.ends):
         count = max(4, round(samples * (b - a) / path.end))
         s += np.linspace(a, b, count + 1).tolist()
-        sides += [*["right"] * count, "left"]
+        sides += ["right" for _ in range(count)]
+        sides.append("left")
     return np.array(s), sides
 
 
