@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from contextlib import suppress
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,7 @@ from robotics1.inputs import Array, one_of, real_array, true_or_false
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
 
+JacobianKind = Literal["mixed", "space", "body"]
 KINDS = {"mixed": pin.LOCAL_WORLD_ALIGNED, "space": pin.WORLD, "body": pin.LOCAL}
 
 
@@ -42,7 +44,7 @@ def frame_jacobian(
     *,
     frame: str | None = None,
     reference: str = "world",
-    kind: str = "mixed",
+    kind: JacobianKind = "mixed",
     angular_first: bool = False,
 ) -> Array:
     """Return J(q), (6, nv), with (v, ω) = J q̇: the velocity [m/s] of a point over the angular velocity [rad/s] of the

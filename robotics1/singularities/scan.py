@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, Future
 from functools import partial
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +21,7 @@ from robotics1.singularities.scan_result import SingularityScan
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import turns_of
 
+Sampling = Literal["random", "sobol", "grid"]
 KEPT = 10  # worst configurations, or as many as are refined
 WAITING = 32  # chunks handed to an executor at a time: of Sobol's sequence 30 MB for seven joints
 
@@ -30,7 +32,7 @@ def scan_singularities(
     *,
     samples: int | float | Sequence[int],
     measures: Sequence[str] = ("sigma_min",),
-    method: str = "random",
+    method: Sampling = "random",
     seed: int = 0,
     refine: int = 0,
     executor: Executor | None = None,
