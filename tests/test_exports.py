@@ -1,4 +1,4 @@
-"""What leaves the package: samples as arrays, CSV, pandas and ROS's message; formulas in Python, C, MATLAB and LaTeX."""
+"""What leaves the package: motions as arrays, CSV, pandas and ROS's message; formulas in C, MATLAB and LaTeX."""
 
 import csv
 import ctypes

@@ -95,7 +95,7 @@ def manipulability(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Ma
     Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985.
     """
     robot, task = robot_and_task(robot, task)
-    J = task.jacobian(robot, q)
+    J = task.jacobian(robot, robot.configuration(q))
     return Manipulability(J, velocity_ellipsoid(J), force_ellipsoid(J), subspaces(J))
 
 
