@@ -209,6 +209,35 @@ def test_a_model_with_other_joints_is_refused(joint, reason):
         r1.load_robot(model)
 
 
+MJCF = """<mujoco model="arm"><compiler angle="radian"/><worldbody><body name="link1" pos="0 0 0.3">
+<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><joint name="q1" type="hinge" axis="0 0 1" range="-1 2"
+ limited="true"/>
+<body name="link2" pos="0.5 0 0"><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
+<joint name="q2" type="slide" axis="0 1 0"/><site name="tool" pos="0.4 0 0"/></body></body></worldbody></mujoco>"""
+
+
+def test_mjcf_is_read_where_it_is_trusted(tmp_path):
+    path = tmp_path / "arm.xml"
+    path.write_text(MJCF)
+    robot = r1.load_robot(path, trusted=True)
+    assert (robot.name, robot.tool, robot.joint_names) == ("arm", "tool", ("q1", "q2"))
+    assert (robot.lower[0], robot.upper[0], robot.upper[1]) == (-1, 2, np.inf)
+    p = r1.forward_kinematics(robot, [pi / 2, 0.2]).translation
+    assert p == pytest.approx([-0.2, 0.9, 0.3])
+    with pytest.raises(r1.InputError, match="trusted=True"):
+        r1.load_robot(path)
+
+
+@pytest.mark.parametrize(
+    "text", ["<mujoco/>", "<mujoco><worldbody><body/></worldbody></mujoco>", "<mujoco><worldbody>"]
+)
+def test_mjcf_that_cannot_be_read_is_an_error_of_the_file(tmp_path, text):
+    path = tmp_path / "arm.xml"
+    path.write_text(text)
+    with pytest.raises(r1.RobotFileError):
+        r1.load_robot(path, trusted=True)
+
+
 # --- warnings
 
 

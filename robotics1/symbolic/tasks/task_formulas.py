@@ -74,7 +74,10 @@ class Formulas(Frozen):
 
     def _repr_html_(self) -> str:
         named = {"r": self.value, "J": self.jacobian, **self._determinant()}
-        return "\n".join(f"<div>{name} = {mathml_text(formula)}</div>" for name, formula in named.items())
+        return "\n".join(
+            f'<div style="display: flex; align-items: center">{name} = {mathml_text(formula)}</div>'
+            for name, formula in named.items()
+        )
 
     def _determinant(self) -> dict[str, sympy.Expr]:
         """Return the determinant by its name, where J is square and it is found."""
