@@ -1,7 +1,6 @@
 """Where a frame is and how fast it moves: forward kinematics, the frame Jacobian and its rate of change."""
 
 from collections.abc import Mapping
-from contextlib import suppress
 from typing import Literal
 
 import numpy as np
@@ -182,9 +181,12 @@ def velocity_of_joints(robot: Robot, name: str, value: npt.ArrayLike) -> Array:
 
 def is_batch(q: ConfigurationLike) -> bool:
     """Whether q is several configurations, (k, nq)."""
-    with suppress(TypeError, ValueError):
+    if isinstance(q, np.ndarray):
+        return q.ndim == 2
+    try:
         return not isinstance(q, str | Mapping) and np.ndim(q) == 2
-    return False  # no array at all, which is said where it is read
+    except (TypeError, ValueError):
+        return False  # no array at all, which is said where it is read
 
 
 def _is(reference: str, name: str) -> bool:
