@@ -39,9 +39,9 @@ def warn_of_degrees(
         values: (..., n).
         turns: (n,) which of them are angles [rad]; the others are lengths.
     """
-    size = np.abs(values)
-    if not size.size or size.max() < FEWEST:
+    if max(map(abs, values.ravel().tolist()), default=0.0) < FEWEST:  # at each call: NumPy would take longer
         return
+    size = np.abs(values)
     typed = (size >= FEWEST) & (size <= MOST) & (2 * values == np.round(2 * values)) & turns
     if typed.any():
         angle = float(values[typed][0])

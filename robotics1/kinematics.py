@@ -1,7 +1,7 @@
 """Where a frame is and how fast it moves: forward kinematics, the frame Jacobian and its rate of change."""
 
 from collections.abc import Mapping
-from contextlib import suppress
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,7 @@ from robotics1.inputs import Array, one_of, real_array, true_or_false
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
 
+JacobianKind = Literal["mixed", "space", "body"]
 KINDS = {"mixed": pin.LOCAL_WORLD_ALIGNED, "space": pin.WORLD, "body": pin.LOCAL}
 
 
@@ -50,7 +51,7 @@ def frame_jacobian(
     *,
     frame: str | None = None,
     reference: str = "world",
-    kind: str = "mixed",
+    kind: JacobianKind = "mixed",
     angular_first: bool = False,
     point: npt.ArrayLike | None = None,
 ) -> Array:
@@ -219,9 +220,12 @@ def velocity_of_joints(robot: Robot, name: str, value: npt.ArrayLike) -> Array:
 
 def is_batch(q: ConfigurationLike) -> bool:
     """Whether q is several configurations, (k, nq)."""
-    with suppress(TypeError, ValueError):
+    if isinstance(q, np.ndarray):
+        return q.ndim == 2
+    try:
         return not isinstance(q, str | Mapping) and np.ndim(q) == 2
-    return False  # no array at all, which is said where it is read
+    except (TypeError, ValueError):
+        return False  # no array at all, which is said where it is read
 
 
 def _is(reference: str, name: str) -> bool:

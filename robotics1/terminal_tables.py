@@ -2,13 +2,11 @@
 
 from collections.abc import Iterable, Sequence
 
-import numpy as np
-import pinocchio as pin
 from rich.table import Table
 
 from robotics1.ik.iterate import IKIteration
 from robotics1.inputs import Array
-from robotics1.notation import number, vector
+from robotics1.notation import number
 
 
 def table(
@@ -34,10 +32,5 @@ def matrix_table(values: Array, rows: tuple[str, ...] = (), columns: tuple[str, 
 
 def iteration_table(run: IKIteration, title: str = "") -> Table:
     """Return the iterates as the exam prints them: k, q, r, |e|, and det J or σ_min."""
-    square = not np.isnan(run.table[0].det)
-    rows = []
-    for row in run.table:
-        r = row.r.translation if isinstance(row.r, pin.SE3) else row.r
-        last = row.det if square else row.sigma_min
-        rows.append((str(row.k), vector(row.q), vector(r), f"{row.error_norm:.5f}", number(last)))
-    return table(("k", "q", "r", "|e|", "det J" if square else "σ_min"), rows, title)
+    (iterates,) = run._tables()
+    return table(iterates.headings, iterates.rows, title)

@@ -427,6 +427,7 @@ INSTANCES = {
     ],
     "SingularAngle": lambda: list(r1.orientation.euler_formulas("ZYZ").singular),
     "SingularBranch": lambda: [branch for found in singular_sets() for branch in found.branches],
+    "MotionSamples": lambda: [cubic().sample(10)],
     "SingularSet": singular_sets,
     "SingularTarget": lambda: list(inverse().singular_if),
     "SingularityScan": lambda: [scan()],

@@ -121,6 +121,37 @@ def test_several_configurations_give_several_poses_and_jacobians(spatial):
     assert r1.forward_kinematics(spatial, np.zeros((0, 5))).shape == (0, 4, 4)
 
 
+def test_every_task_takes_several_configurations(spatial):
+    several = np.array([SPATIAL_Q, -SPATIAL_Q])
+    function = r1.FunctionTask(lambda p, R, q: [p @ p, q[0]], 2)
+    for task in (
+        r1.PoseTask(),
+        function,
+        r1.StackedTask(["position:xy", function]),
+        r1.PositionTask("z", frame="link3"),
+    ):
+        every = task.jacobian(spatial, several)
+        assert every == pytest.approx(np.array([task.jacobian(spatial, q) for q in several]), abs=1e-12)
+    values = r1.PoseTask().value(spatial, several)
+    assert values == pytest.approx(np.array([r1.PoseTask().value(spatial, q).homogeneous for q in several]))
+    assert r1.PositionTask().value(spatial, several).shape == (2, 3)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda robot, q: r1.PositionTask().error(robot, q, [1, 1, 1]),
+        lambda robot, q: r1.StackedTask(["position:xy", "position:z"]).value(robot, q),
+        lambda robot, q: r1.singularities.manipulability(robot, "position", q),
+        lambda robot, q: r1.frame_jacobian_rate(robot, q, SPATIAL_Q),
+        lambda robot, q: r1.solve_ik(robot, "position", [1, 1, 1], q),
+    ],
+)
+def test_what_is_asked_at_one_configuration_refuses_several(spatial, call):
+    with pytest.raises(r1.InputError, match=r"must have shape \(5,\)"):
+        call(spatial, np.zeros((2, 5)))
+
+
 def test_sigma_min_of_a_planar_2r_vanishes_where_it_is_stretched(planar_2r):
     assert r1.singularities.sigma_min(planar_2r, "position:xy", [0.4, 0]) == pytest.approx(0, abs=1e-15)
     least = r1.singularities.sigma_min(planar_2r, "position:xy", [[0.4, 0], [0.4, 1], [0.4, pi]])
@@ -176,6 +207,35 @@ def test_a_model_with_other_joints_is_refused(joint, reason):
         model.addJoint(0, joint, pin.SE3.Identity(), "ball")
     with pytest.raises(r1.InputError, match=reason):
         r1.load_robot(model)
+
+
+MJCF = """<mujoco model="arm"><compiler angle="radian"/><worldbody><body name="link1" pos="0 0 0.3">
+<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><joint name="q1" type="hinge" axis="0 0 1" range="-1 2"
+ limited="true"/>
+<body name="link2" pos="0.5 0 0"><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
+<joint name="q2" type="slide" axis="0 1 0"/><site name="tool" pos="0.4 0 0"/></body></body></worldbody></mujoco>"""
+
+
+def test_mjcf_is_read_where_it_is_trusted(tmp_path):
+    path = tmp_path / "arm.xml"
+    path.write_text(MJCF)
+    robot = r1.load_robot(path, trusted=True)
+    assert (robot.name, robot.tool, robot.joint_names) == ("arm", "tool", ("q1", "q2"))
+    assert (robot.lower[0], robot.upper[0], robot.upper[1]) == (-1, 2, np.inf)
+    p = r1.forward_kinematics(robot, [pi / 2, 0.2]).translation
+    assert p == pytest.approx([-0.2, 0.9, 0.3])
+    with pytest.raises(r1.InputError, match="trusted=True"):
+        r1.load_robot(path)
+
+
+@pytest.mark.parametrize(
+    "text", ["<mujoco/>", "<mujoco><worldbody><body/></worldbody></mujoco>", "<mujoco><worldbody>"]
+)
+def test_mjcf_that_cannot_be_read_is_an_error_of_the_file(tmp_path, text):
+    path = tmp_path / "arm.xml"
+    path.write_text(text)
+    with pytest.raises(r1.RobotFileError):
+        r1.load_robot(path, trusted=True)
 
 
 # --- warnings

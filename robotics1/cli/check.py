@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -51,7 +51,7 @@ def check(
     found = check_robot(robot, tool=tool, trusted=trusted, **given)
     difference = None
     if dh is not None and found.robot is not None:
-        difference = _difference_from(found.robot, robot_from_dh(read_dh_table(dh), convention=convention))
+        difference = _difference_from(found.robot, robot_from_dh(read_dh_table(dh), convention=cast(Any, convention)))
     sound = found.sound and (difference is None or difference <= AGREES)
     if json:
         write_json(_as_json(found, difference, sound))

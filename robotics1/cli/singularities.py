@@ -1,7 +1,7 @@
 """The command `robotics1 singularities`: in sentences, as LaTeX, as Python, as JSON."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -44,7 +44,9 @@ def singularities(
         raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
     arm, out = arguments.parse_robot(robot, param, tool, packages, lock), PlainConsole()
     with PlainConsole(stderr=True).status("searching"):
-        found = find_singularities(arm, arguments.task_for(arm, task, frame), method=method, time_limit=time_limit)
+        found = find_singularities(
+            arm, arguments.task_for(arm, task, frame), method=cast(Any, method), time_limit=time_limit
+        )
         if latex or python:
             text = _in_latex(found) if latex else _in_python(found)
             if json:

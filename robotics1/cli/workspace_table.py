@@ -11,8 +11,6 @@ from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, R
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from robotics1.robot.model import Robot
     from robotics1.tasks.position import PositionTask
     from robotics1.workspaces.result import BoundaryCurve, Workspace
@@ -62,6 +60,7 @@ def workspace(
 ) -> None:
     """What an arm reaches: area or volume, smallest and largest reach, regions, and the boundary with its reasons."""
     from robotics1.cli.output import PlainConsole, write_json
+    from robotics1.terminal_tables import table
     from robotics1.workspaces.find import workspace as found_workspace
 
     arm, ranges = arguments.parse_robot(robot, param, tool, packages, lock), _ranges(box)
@@ -85,8 +84,8 @@ def workspace(
         return
     out = PlainConsole()
     out.print(ws.explain().split("\nThe boundary")[0])
-    if ws.boundary:
-        out.print(_table(ws))
+    for boundary in ws._tables() if ws.boundary else ():
+        out.print(table(boundary.headings, boundary.rows, boundary.title, left=boundary.headings))
     for _, answer in answers:
         out.print(answer.explain())
 
@@ -146,25 +145,6 @@ def _ranges(texts: Sequence[str] | None) -> dict[str, tuple[float, float]] | Non
             raise InputError(f"{text[:100]!r} is not a range of a joint; write it like q2=0.2:1.5")
         ranges[name.strip()] = (arguments.parse_number(low), arguments.parse_number(high))
     return ranges or None
-
-
-def _table(ws: "Workspace") -> "Table":
-    """Return the curves of the boundary, one a row."""
-    from rich.table import Table
-
-    table = Table(title=f"boundary, in ({', '.join(ws.coordinates)}) [m]")
-    for heading in ("where", "curve", "from", "to"):
-        table.add_column(heading)
-    for curve in ws.boundary:
-        kind = curve.kind if curve.center is None else f"arc, r = {curve.radius:.4g}"
-        where = [f"{name} {limit}" for name, limit in curve.limits.items()]
-        where += [f"{', '.join(curve.singular)} singular"] if curve.singular else []
-        table.add_row("; ".join(where), kind, _point(curve.start), _point(curve.end))
-    return table
-
-
-def _point(p: Any) -> str:
-    return f"({p[0] + 0.0:.4f}, {p[1] + 0.0:.4f})"
 
 
 def _as_json(ws: "Workspace") -> dict[str, Any]:

@@ -11,6 +11,7 @@ from .piecewise_polynomial import PiecewisePolynomial
 from .polyline import parabolic_blends, polyline_path
 from .pose_path import PosePath, pose_line, screw_path
 from .rotations import euler_path, slerp_path, turn_path
+from .samples import MotionSamples
 from .sequence import CurveSequence, Join
 from .stack import JointTrajectory, StackedCurve, stacked_path
 from .symbolic_path import FormulaPath, FrenetFormulas, formula_path, frenet_formulas
@@ -26,6 +27,7 @@ __all__ = [
     "Join",
     "JointTrajectory",
     "LaterMotion",
+    "MotionSamples",
     "PathTrajectory",
     "PiecewisePolynomial",
     "PosePath",

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.curves.drawing import DrawnCurve
 from robotics1.curves.interpolants import Extreme, interpolants, largest
+from robotics1.curves.samples import MotionSamples, motion_samples
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, dimensions, one_of, real_array
 
@@ -111,6 +112,18 @@ class Curve(DrawnCurve, ABC):
     def dimension(self) -> int:
         """The number of coordinates of a derivative, n."""
         return int(np.prod(self.shape))
+
+    def sample(self, rate: float, names: Sequence[str] | None = None) -> MotionSamples:
+        """Return values, velocities and accelerations at t = 0, 1/rate, 2/rate, ..., and at the end.
+
+        Args:
+            rate: samples a second [Hz].
+            names: of the coordinates, such as `robot.joint_names`; by default q1, q2, ...
+
+        Raises:
+            InputError: the rate is not positive, or the curve is of orientations or poses.
+        """
+        return motion_samples(self, rate, names)
 
     # --- extremes
 

@@ -1,6 +1,7 @@
 """Polylines: straight from point to point, with the corners cut by arcs or parabolas; and motions along them."""
 
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,7 @@ from robotics1.curves.sequence import CurveSequence
 from robotics1.errors import InputError
 from robotics1.inputs import LARGEST, Array, moderate, moderate_array, non_negative_numbers, one_of, positive_numbers
 
+Blend = Literal["circular", "parabolic"]
 SHORT = 1e-9  # of a segment: what is left of it between two blends, if it is less, is rounding
 
 
@@ -20,7 +22,7 @@ def polyline_path(
     *,
     blend: npt.ArrayLike = 0.0,
     radius: npt.ArrayLike | None = None,
-    kind: str = "circular",
+    kind: Blend = "circular",
 ) -> Curve:
     """Return the polyline through the points, each corner passed over by a blend that begins and ends at a distance d.
 

@@ -7,6 +7,8 @@ steps S_0 S_1 ⋯ S_n, S_i = Z_i X_i, with the brackets put in another place:
     modified:  T_base = Z_0,      A_i = X_{i−1} Z_i
 """
 
+from typing import Literal
+
 import numpy as np
 import pinocchio as pin
 
@@ -18,13 +20,14 @@ from robotics1.inputs import one_of, real_number
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 
+Convention = Literal["standard", "modified"]
 PARALLEL = 1e-8  # sine of an angle; nearer to parallel, the common normal is so far away that rounding loses more
 COINCIDENT = 1e-12  # m
 SAMPLES = 8  # configurations at which the table is held against the robot
 
 
 def urdf_to_dh(
-    robot: RobotLike, *, tool: str | None = None, convention: str = "standard", tolerance: float | None = None
+    robot: RobotLike, *, tool: str | None = None, convention: Convention = "standard", tolerance: float | None = None
 ) -> DHTable:
     """Return a DH table of the chain from the world to the tool, in the robot's own joint values.
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import pi
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import pinocchio as pin
 
@@ -17,12 +17,14 @@ from robotics1.robot.building import build_model
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placements
 
+Convention = Literal["standard", "modified"]
+
 
 def robot_from_dh(
     rows: Sequence[Sequence[Any]],
     *,
     parameters: Mapping[str, float] | None = None,
-    convention: str = "standard",
+    convention: Convention = "standard",
     base_placement: Any = None,
     tool_placement: Any = None,
     lower: Limits = None,

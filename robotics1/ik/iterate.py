@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from robotics1.tables import Table, table_of
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
+Method = Literal["newton", "pseudoinverse", "gradient", "damped"]
 METHODS = ("newton", "pseudoinverse", "gradient", "damped")
 TOO_FAR = 1e6  # a joint value beyond this says that the iteration diverges [rad, or lengths of the arm and of the way]
 
@@ -102,7 +103,7 @@ def iterate_ik(
     target: Any,
     q0: ConfigurationLike,
     *,
-    method: str = "newton",
+    method: Method = "newton",
     tolerance: float = 1e-4,
     max_iterations: int = 50,
     gain: float | None = None,

@@ -9,7 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
+from robotics1.notation import vector
 from robotics1.results import Frozen, require, tuple_with_arrays
+from robotics1.tables import in_html
 
 
 class IKStatus(Enum):
@@ -50,6 +52,12 @@ class IKResult(NamedTuple):
     def converged(self) -> bool:
         """Whether `q` is a solution: |e| is within the tolerance, and all joints are inside their limits."""
         return self.status is IKStatus.CONVERGED
+
+    def __str__(self) -> str:
+        return f"{self.explain()}\nq = {vector(self.q)}"
+
+    def _repr_html_(self) -> str:
+        return in_html(str(self), ())
 
     def explain(self) -> str:
         """Return the status with |e| and the number of starts, in a sentence."""

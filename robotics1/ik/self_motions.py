@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -19,6 +19,7 @@ from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 
+Criteria = Literal["manipulability", "middle", "near"]
 CRITERIA = ("manipulability", "middle", "near")
 Criterion = Callable[[Array], float]
 
@@ -95,7 +96,7 @@ def self_motion(
     task: TaskLike,
     target: Any,
     *,
-    criterion: str = "manipulability",
+    criterion: Criteria = "manipulability",
     q0: ConfigurationLike | None = None,
     samples: int = 50,
     box: Mapping[str, tuple[float, float]] | None = None,

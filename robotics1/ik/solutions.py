@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import lru_cache
-from typing import Any
+from typing import Any, Literal
 
 from robotics1.ik.prepared import Prepared, prepare
 from robotics1.ik.scaled_task import never_changes
@@ -16,13 +16,15 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
+Method = Literal["auto", "search"]
+
 
 def ik_solutions(
     robot: RobotLike,
     task: TaskLike,
     target: Any,
     *,
-    method: str = "auto",
+    method: Method = "auto",
     windings: bool = False,
     box: Mapping[str, tuple[float, float]] | None = None,
     locked: Mapping[str, float] | None = None,

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from time import perf_counter
-from typing import Any
+from typing import Any, Literal
 
 import numpy.typing as npt
 
@@ -16,6 +16,7 @@ from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 
+Preference = Literal["any", "near", "middle"]
 PREFERENCES = ("any", "near", "middle")
 
 
@@ -51,7 +52,7 @@ class IKSolver:
         seed: int = 0,
         time_limit: float = 0.5,
         tolerance: float = 1e-6,
-        prefer: str = "any",
+        prefer: Preference = "any",
     ) -> None:
         robot, task = robot_and_task(robot, task)
         self.robot, self.task = robot, task
@@ -131,7 +132,7 @@ def solve_ik(
     seed: int = 0,
     time_limit: float = 0.5,
     tolerance: float = 1e-6,
-    prefer: str = "any",
+    prefer: Preference = "any",
 ) -> IKResult:
     """Return a solution of f(q) = r_d inside the joint limits, or the nearest miss and why.
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from robotics1.tasks.pose import PoseTask
 from robotics1.trajectories.following.task_rates import TaskTrajectory
 from robotics1.trajectories.target_motion import TargetMotion
 
+Projection = Literal["3d", "projections"]
 AXIS = 0.12  # length of a drawn axis, of the size of the path
 SPATIAL = 0.82  # of the figure, so that the labels of three axes have room
 Line = tuple[str, Array, dict[str, Any]]  # the label, the points (k, n), how they are drawn
@@ -30,7 +31,7 @@ def plot_path(
     ax: Any = None,
     *,
     robot: RobotLike | None = None,
-    projection: str = "3d",
+    projection: Projection = "3d",
     file: str | Path | None = None,
     frames: int = 0,
     target: TargetMotion | None = None,

@@ -1,7 +1,7 @@
 """A robot as a product of exponentials: from the screws of its joints, and back."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +20,7 @@ from robotics1.robot.joints import Joint, Triple, placed
 from robotics1.robot.model import Robot
 from robotics1.robot.placements import homogeneous
 
+Axes = Literal["space", "body"]
 UNIT = 1e-6  # by which the length of a unit vector may be off
 NO_PITCH = 1e-9  # m/rad, of the larger of 1 and |v|: a pitch that rounding leaves
 AGREES = 1e-9  # of the larger of 1 and the reach: entries of poses that are the same
@@ -74,7 +75,7 @@ def robot_from_screws(
     return robot_of_joints("screws", [*joints, placed(mount, last)])
 
 
-def screws(robot: RobotLike, *, kind: str = "space", frame: str | None = None) -> Array:
+def screws(robot: RobotLike, *, kind: Axes = "space", frame: str | None = None) -> Array:
     """Return the screws (ω, v) of a robot's joints at q = 0, (n, 2, 3), with T(q) = e^([S₁] q₁) ⋯ e^([Sₙ] qₙ) M.
 
     M = `forward_kinematics(robot, 0)`; `robot_from_screws(M, space=screws(robot))` moves alike. Of kind "body" they

@@ -16,7 +16,7 @@ LARGEST_CHARACTER = 4  # bytes
 OTHER_FILES = {
     **dict.fromkeys((".stl", ".dae", ".obj", ".glb", ".ply"), "the mesh of a link"),
     **dict.fromkeys((".step", ".stp", ".iges", ".sldasm", ".f3d"), "a drawing of a CAD program, which can export one"),
-    **dict.fromkeys((".sdf", ".mjcf", ".usd"), "a robot for a simulator (`pin.buildModelFromMJCF` reads MJCF)"),
+    **dict.fromkeys((".sdf", ".usd"), "a robot for a simulator"),
     **dict.fromkeys((".py", ".ipynb", ".csv", ".json", ".toml", ".yaml", ".yml", ".html", ".pdf"), "of another kind"),
     ".srdf": "what MoveIt knows of a robot; its URDF stands beside it",
 }

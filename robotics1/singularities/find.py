@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from robotics1.tasks.task import Task, turns_of
 if TYPE_CHECKING:
     from robotics1.singularities.symbolic import Found
 
+Method = Literal["auto", "symbolic", "numeric"]
 METHODS = ("auto", "symbolic", "numeric")
 WORTH_TELLING = 1e-8  # [rad]
 EXACT, DRAWN = 0.75, 0.85  # parts of the time, for equations, and for them and configurations that satisfy them
@@ -30,7 +31,7 @@ def find_singularities(
     robot: RobotLike,
     task: TaskLike,
     *,
-    method: str = "auto",
+    method: Method = "auto",
     box: Mapping[str, tuple[float, float]] | None = None,
     samples: int = 200,
     seed: int = 0,

@@ -5,7 +5,7 @@ from concurrent.futures import Executor
 from functools import partial
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -25,6 +25,7 @@ from robotics1.singularities.scan_result import SingularityScan
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import turns_of
 
+Sampling = Literal["random", "sobol", "grid"]
 KEPT = 10  # worst configurations, or as many as are refined
 TOGETHER = 256  # chunks at most that a worker joins before it answers: some seconds of work
 AT_LEAST = 64  # answers, so that all workers have something to do and the progress is seen
@@ -38,7 +39,7 @@ def scan_singularities(
     *,
     samples: int | float | Sequence[int],
     measures: Sequence[str] = ("sigma_min",),
-    method: str = "random",
+    method: Sampling = "random",
     seed: int = 0,
     refine: int = 0,
     executor: Executor | Any | None = None,
@@ -107,7 +108,14 @@ def scan_singularities(
 
     measurement = measurement_of(robot, task, points.rank, length)
     keep = max(KEPT, refine)
-    asked = {"measures": chosen, "method": method, "samples": count, "seed": seed, "worst": keep, "length": length}
+    asked: dict[str, Any] = {
+        "measures": chosen,
+        "method": method,
+        "samples": count,
+        "seed": seed,
+        "worst": keep,
+        "length": length,
+    }
     asked |= {"box": [where.lower, where.upper], "grid": np.asarray(samples) if method == "grid" else None}
     file = None if checkpoint is None else StateFile(checkpoint, identity("a scan", robot, task, asked))
     begun = _begun(file, chosen)

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, by_name, counting_number, real_array, real_number
-from robotics1.kinematics import forward_kinematics, point_of_frame
+from robotics1.kinematics import forward_kinematics, is_batch, point_of_frame
 from robotics1.orientation.expressions import wrapped
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -108,8 +108,11 @@ class FunctionTask:
         return self._difference(self.target(target), self.value(robot, q))
 
     def jacobian(self, robot: RobotLike, q: ConfigurationLike) -> Array:
-        """Return ∂f/∂q, (m, nv): the given one, else by central differences."""
+        """Return ∂f/∂q, (m, nv): the given one, else by central differences; of several q (k, nq), (k, m, nv)."""
         robot = robot_from(robot)
+        if is_batch(q):
+            every = [self.jacobian(robot, one) for one in robot.configurations(q)]
+            return np.reshape(every, (len(every), self.rows, robot.nv))
         if self.derivative is None:
             r = self.value(robot, q)  # from which an angle differs little, also where it jumps from π to −π
             return configuration_derivative(lambda x: self._difference(self.value(robot, x), r), robot, q)

@@ -56,6 +56,7 @@ class StackedTask:
     def value(self, robot: RobotLike, q: ConfigurationLike) -> Any:
         """Return r, (m,), or a tuple with the value of each task where one is no (mᵢ,)."""
         robot = robot_from(robot)
+        q = robot.configuration(q)
         return _joined(self.tasks, tuple(task.value(robot, q) for task in self.tasks))
 
     def target(self, target: Any) -> Any:
@@ -73,9 +74,9 @@ class StackedTask:
         return np.concatenate([task.error(robot, q, part) for task, part in zip(self.tasks, parts, strict=True)])
 
     def jacobian(self, robot: RobotLike, q: ConfigurationLike) -> Array:
-        """Return [J₁; J₂; ...], (m, nv)."""
+        """Return [J₁; J₂; ...], (m, nv); of several configurations (k, nq), (k, m, nv)."""
         robot = robot_from(robot)
-        return np.vstack([task.jacobian(robot, q) for task in self.tasks])
+        return np.concatenate([task.jacobian(robot, q) for task in self.tasks], axis=-2)
 
     def check(self, robot: Robot) -> None:
         """Raise TaskError if one of the tasks does not fit the robot."""

@@ -217,9 +217,12 @@ class FrameTask:
         return len(self.row_names)
 
     def value(self, robot: RobotLike, q: ConfigurationLike) -> Any:
-        """Return r = g(T(q))."""
+        """Return r = g(T(q)); of several configurations (k, nq), an array of k values, poses as matrices (4, 4)."""
         robot = robot_from(robot)
         self.check(robot)
+        if is_batch(q):
+            every = [self.value(robot, one) for one in robot.configurations(q)]
+            return np.array([getattr(value, "homogeneous", value) for value in every])
         T = self._pose(robot, q)
         return self.g(T.translation, T.rotation)
 
@@ -230,7 +233,8 @@ class FrameTask:
             InputError: the target has the wrong form.
             TaskError: the task does not fit the robot.
         """
-        return self.difference(self.target(target), self.value(robot, q))
+        robot = robot_from(robot)
+        return self.difference(self.target(target), self.value(robot, robot.configuration(q)))
 
     def jacobian(self, robot: RobotLike, q: ConfigurationLike) -> Array:
         """Return J(q) = S(T) ʳJ(q), (m, nv); of several configurations (k, nq), (k, m, nv).

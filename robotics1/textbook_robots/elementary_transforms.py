@@ -15,11 +15,11 @@ from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import by_name, real_number
 from robotics1.notation import joint_value
 from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.findings import LARGEST
 from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint, Triple
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import HIGHEST_DEGREE, Parameters, Placements, Polynomial, placement_of
-from robotics1.robot.report import LARGEST
 
 STEP = re.compile(r"([RT])([xyz])\((.*)\)")
 JOINT = re.compile(r"q[1-9]\d*")

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import inf
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +16,7 @@ from robotics1.results import Frozen
 from robotics1.trajectories.law_kinds import KINDS, SAME_DURATION, JointMove, LawKind
 from robotics1.trajectories.limits import BOUNDS, LimitUse, MotionLimits
 
+Coordination = Literal["synchronized", "straight", "independent"]
 COORDINATIONS = ("synchronized", "straight", "independent")
 
 
@@ -58,7 +60,7 @@ def minimum_time(
     *,
     v0: npt.ArrayLike = 0.0,
     v1: npt.ArrayLike = 0.0,
-    coordination: str = "synchronized",
+    coordination: Coordination = "synchronized",
 ) -> MinimumTime:
     """Return the motion from (q0, v0) to (q1, v1) of the shortest duration, for one kind of timing law.
 

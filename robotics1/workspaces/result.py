@@ -144,7 +144,7 @@ class Workspace(Frozen):
     def _tables(self) -> tuple[Table, ...]:
         rows = []
         for curve in self.boundary:
-            kind = "segment" if curve.center is None else f"arc, r = {curve.radius:.4g}"
+            kind = curve.kind if curve.center is None else f"arc, r = {curve.radius:.4g}"
             where = [f"{name} {limit}" for name, limit in curve.limits.items()]
             where += [f"{', '.join(curve.singular)} singular"] if curve.singular else []
             rows.append((printable("; ".join(where)), kind, vector(curve.start), vector(curve.end)))

@@ -157,7 +157,7 @@ def _robot(table: dict[str, Any], place: Place, lengths: dict[str, float]) -> Ro
     tool = text_of(table["tool"], place, "tool") if "tool" in table else None
     try:
         if "dh" in table:
-            convention = text_of(table.get("convention", "standard"), place, "convention")
+            convention: Any = text_of(table.get("convention", "standard"), place, "convention")
             rows = [[_entry(entry, lengths) for entry in row] for row in table["dh"]]
             return robot_from_dh(rows, parameters=lengths, convention=convention)
         if "robot" in table:

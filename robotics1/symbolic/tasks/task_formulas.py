@@ -76,7 +76,10 @@ class Formulas(Frozen):
 
     def _repr_html_(self) -> str:
         named = {"r": self.value, "J": self.jacobian, **self._determinant()}
-        return "\n".join(f"<div>{name} = {mathml_text(formula)}</div>" for name, formula in named.items())
+        return "\n".join(
+            f'<div style="display: flex; align-items: center">{name} = {mathml_text(formula)}</div>'
+            for name, formula in named.items()
+        )
 
     def _determinant(self) -> dict[str, sympy.Expr]:
         """Return the determinant by its name, where J is square and it is found."""
@@ -229,16 +232,48 @@ class Formulas(Frozen):
         Raises:
             InputError: there is no such formula.
         """
+        return python_function(name, *self._as_function(name))
+
+    def c(self, name: str = "jacobian") -> str:
+        """Return the source of a function of C99: `void name(const double *q, double l2, ..., double *out)`.
+
+        Raises:
+            InputError: there is no such formula.
+        """
+        from robotics1.symbolic.writing.other_languages import c_function
+
+        return c_function(name, *self._as_function(name))
+
+    def matlab(self, name: str = "jacobian") -> str:
+        """Return the source of a function of MATLAB, and of GNU Octave: `function out = name(q, l2, ...)`.
+
+        Raises:
+            InputError: there is no such formula.
+        """
+        from robotics1.symbolic.writing.other_languages import matlab_function
+
+        return matlab_function(name, *self._as_function(name))
+
+    def latex(self, name: str = "jacobian") -> str:
+        """Return a formula in LaTeX.
+
+        Raises:
+            InputError: there is no such formula.
+        """
+        return latex_text(getattr(self, one_of("name", name, tuple(PRINTED))))
+
+    def _as_function(self, name: str) -> tuple[Any, dict[str, Any], dict[str, float | None], str]:
+        """Return a formula, its arguments that are vectors, its parameters with their values, and what it is."""
         one_of("name", name, tuple(PRINTED))
         formula = getattr(self, name)
         column = name == "velocity_product" or (name == "value" and formula.cols == 1)
-        vectors = {"q": self.q}
+        vectors: dict[str, Any] = {"q": self.q}
         if name in ("jacobian_rate", "velocity_product"):
             vectors["qdot"] = self.qdot
         values = {key: None if key in self.unvalued else value for key, value in self.robot.parameters.items()}
         rows = f"; rows {', '.join(self.row_names)}" if name in ("jacobian", "jacobian_rate") else ""
         summary = f"{PRINTED[name]} of {self.robot.name}, joints {', '.join(self.robot.joint_names)}{rows}"
-        return python_function(name, list(formula) if column else formula, vectors, values, summary)
+        return list(formula) if column else formula, vectors, values, summary
 
     @cached_property
     def _trials(self) -> Trials:

@@ -1,0 +1,56 @@
+"""Types for a user: a script made of the README's blocks passes mypy as strictly as it can check."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+USER = """
+import numpy as np
+import robotics1 as r1
+
+robot = r1.load_robot("prr")
+reveal_type(robot)
+reveal_type(r1.forward_kinematics)
+several = r1.frame_jacobian("prr", np.zeros((4, 3)))
+reveal_type(several)
+r1.frame_jacobian("prr", {"q1": 0.1, "q2": 0.2, "q3": 0.3}, kind="space")
+r1.ik_solutions("planar_2r", "position:xy", (1, 1)).require()
+"""
+
+
+def mypy(tmp_path, script):
+    """Return what mypy prints of a script, and whether it passes; of this package it follows types only."""
+    path = tmp_path / "script.py"
+    path.write_text(script, encoding="utf-8")
+    flags = ["--strict", "--allow-redefinition", "--follow-imports=silent", f"--cache-dir={tmp_path / 'cache'}"]
+    command = [sys.executable, "-m", "mypy", *flags, str(path)]
+    ended = subprocess.run(
+        command, capture_output=True, text=True, cwd=tmp_path, env={"MYPYPATH": str(ROOT)}, check=False
+    )
+    return ended.stdout, ended.returncode == 0
+
+
+def test_a_script_of_the_readme_is_typed(tmp_path):
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), flags=re.DOTALL)
+    script = "\n".join(blocks).replace("].formulas.", "].require_formulas().")  # a branch found by numbers has none
+    said, passes = mypy(tmp_path, script)
+    assert passes, said
+
+
+def test_types_are_known_and_misspelled_options_are_errors(tmp_path):
+    said, passes = mypy(tmp_path, USER)
+    assert passes, said
+    assert 'Revealed type is "robotics1.robot.model.Robot"' in said
+    assert "numpy.ndarray" in said
+    said, passes = mypy(tmp_path, USER.replace('kind="space"', 'kind="spatial"'))
+    assert not passes
+    assert "Literal['mixed', 'space', 'body']" in said
+
+
+@pytest.mark.parametrize("name", ["robotics1/py.typed", "robotics1/__init__.pyi", "robotics1/ik/__init__.pyi"])
+def test_the_package_says_that_it_is_typed(name):
+    assert (ROOT / name).is_file()
