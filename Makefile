@@ -58,7 +58,7 @@ coverage: $(INSTALLED)  ## tests with a coverage report
 # What a user installs; the developers' tools come on top, when they are needed.
 $(USED): pyproject.toml constraints.txt
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[viewer,plots]'
+	$(BIN)/python -m pip install --quiet --no-compile --constraint constraints.txt --editable '.[viewer,plots]'
 	touch $@
 
 $(INSTALLED): $(USED)
