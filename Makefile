@@ -1,6 +1,7 @@
 # Everything runs in .venv, made on first use from the versions in constraints.txt.
 PYTHON ?= python3
 BIN := .venv/bin
+USED := .venv/used-installed
 INSTALLED := .venv/installed
 PEERS := .venv/peers-installed
 # The checker of the pages' scripts, of package.json; only where npm is.
@@ -11,9 +12,9 @@ WORDS := check cli dh documents errors exam fuzz malformed misuse notebooks page
 # Bytecode is kept: without it each process of a test compiles the package again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: exam test sweep portable check notebooks pictures coverage fuzz bench clean
+.PHONY: exam test sweep portable check notebooks pictures docs coverage fuzz bench clean
 
-exam: $(INSTALLED)  ## solve the exam of 13 January 2025 and check every published value
+exam: $(USED)  ## solve the exam of 13 January 2025 and check every published value
 	$(BIN)/robotics1 exam
 
 test: $(INSTALLED)  ## the tests, in minutes; pictures of the pages are kept in build/pictures
@@ -48,11 +49,19 @@ pictures: $(INSTALLED)  ## the pictures of the pages in docs/pictures, made by t
 	ROBOTICS1_PICTURES=docs/pictures $(BIN)/python -m pytest -m "" tests/test_page_robots.py tests/test_page_motion.py \
 	    -k "ur5 or rendezvous"
 
+docs: $(INSTALLED)  ## the pages as a site, in build/docs; a warning, as of a broken link, is an error
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs build/docs
+
 coverage: $(INSTALLED)  ## tests with a coverage report
 	$(BIN)/python -m pytest -n auto --dist loadfile --cov --cov-report=term-missing:skip-covered
 
-$(INSTALLED): pyproject.toml constraints.txt
+# What a user installs; the developers' tools come on top, when they are needed.
+$(USED): pyproject.toml constraints.txt
 	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --no-compile --constraint constraints.txt --editable '.[viewer,plots]'
+	touch $@
+
+$(INSTALLED): $(USED)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev]'
 	touch $@
 
@@ -71,4 +80,4 @@ $(PEERS): $(INSTALLED)
 	touch $@
 
 clean:
-	rm -rf .venv node_modules build dist exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf .venv node_modules build dist docs/_made docs/reference exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

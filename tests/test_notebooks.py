@@ -6,7 +6,7 @@ from nbclient import NotebookClient
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 
-PICTURES = {"exercise_1": 1, "exercise_2": 0, "exercise_3": 0}  # figures made by the run
+PICTURES = {"exercise_1": 1, "exercise_2": 0, "exercise_3": 0, "arm_ur5": 1, "arm_panda": 0, "own_urdf": 0}  # figures
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -29,5 +29,5 @@ def test_the_notebook_is_thin_stripped_and_runs(path):
     assert len(pictures) == PICTURES[path.stem[:10]]
 
 
-def test_there_is_one_notebook_an_exercise():
-    assert [path.stem[:10] for path in NOTEBOOKS] == ["exercise_1", "exercise_2", "exercise_3"]
+def test_there_is_one_notebook_an_exercise_and_one_a_real_arm():
+    assert {path.stem[:10] for path in NOTEBOOKS} == set(PICTURES)
