@@ -9,7 +9,6 @@ from robotics1.curves.given import as_curve
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import (
     Array,
-    a_robot_and_a_task,
     counting_number,
     one_of,
     positive_bound,
@@ -19,8 +18,9 @@ from robotics1.inputs import (
 )
 from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
 from robotics1.results import tuple_with_arrays
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 CRITERIA = ("error", "smallest", "common")
 Bounds = list[tuple[float, float | None]]
@@ -70,10 +70,10 @@ def gains_for_decay(ratio: float, time: float, *, order: int = 1, damping_ratio:
 
 
 def largest_gains(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     wanted: Any,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     *,
     limits: npt.ArrayLike | None = None,
     criterion: str = "error",
@@ -104,7 +104,7 @@ def largest_gains(
         InputError: the feedforward alone is beyond the limits, the rates have no limit, or a shape is wrong.
         TaskError: J has not full row rank at q.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     if not robot.nv:
         raise TaskError(f"robot {robot.name!r} has no joint to control")
     q, kind = robot.configuration(q), one_of("criterion", criterion, CRITERIA)

@@ -10,9 +10,11 @@ from robotics1.control.gain_matrix import gain_matrix
 from robotics1.control.law import ControlLaw
 from robotics1.curves.given import as_curve
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot, a_robot_and_a_task, one_of, true_or_false
+from robotics1.inputs import Array, one_of, true_or_false
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.function import FunctionTask
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, Wish, resolution_or_default
 
@@ -30,7 +32,7 @@ def their_derivative(p: Array, R: Array, q: Array) -> Array:
 
 
 def joint_law(
-    robot: Robot,
+    robot: RobotLike,
     wanted: Any,
     K: npt.ArrayLike,
     D: npt.ArrayLike | None = None,
@@ -51,7 +53,7 @@ def joint_law(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7, with joint errors.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     robot.require_single_coordinates("have a joint law")
     task = FunctionTask(the_joints, robot.nv, their_derivative, frame=robot.frame_names[0]) if robot.nv else None
     if task is None:
@@ -60,8 +62,8 @@ def joint_law(
 
 
 def cartesian_law(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     wanted: Any,
     K: npt.ArrayLike,
     D: npt.ArrayLike | None = None,
@@ -97,7 +99,7 @@ def cartesian_law(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, sections 3.7.1 (Newton), 3.7.2 (gradient), 3.7.4
     (second order).
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("have a Cartesian law")
     if not robot.nv:
         raise TaskError(f"robot {robot.name!r} has no joint to control")

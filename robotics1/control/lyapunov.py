@@ -8,12 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.control.gain_matrix import gain_matrix
-from robotics1.inputs import Array, a_robot_and_a_task, one_of
+from robotics1.inputs import Array, one_of
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.results import Frozen
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike
 from robotics1.singularities.spaces import subspaces
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 
 class LyapunovStatus(Enum):
@@ -54,10 +55,10 @@ class LyapunovRate(Frozen):
 
 
 def lyapunov_rate(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     target: Any,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     K: npt.ArrayLike = 1.0,
     *,
     method: str = "gradient",
@@ -82,7 +83,7 @@ def lyapunov_rate(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.2.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     law = one_of("method", method, ("gradient", "newton"))
     gain: Array = gain_matrix("K", K, task.rows, symmetric=law == "gradient")
     e, J = task.error(robot, q, target), task.jacobian(robot, q)

@@ -13,8 +13,9 @@ from robotics1.data_sheet.markup import note
 from robotics1.data_sheet.worker import NoAnswer, Worker
 from robotics1.errors import InputError
 from robotics1.files import check_file
-from robotics1.inputs import Array, a_robot, a_task, real_number, text
+from robotics1.inputs import Array, a_task, real_number, text
 from robotics1.notation import vector
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.viewer.arm_data import default_task
@@ -26,7 +27,7 @@ Progress = Callable[[int, int], None]
 
 
 def report(
-    robot: Robot,
+    robot: RobotLike,
     file: str | Path | None = None,
     *,
     task: Task | None = None,
@@ -60,7 +61,7 @@ def report(
         InputError: q has the wrong shape or is not finite, or the file cannot be written there.
         TaskError: the task does not fit the robot.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     if task is not None:
         a_task(task)
         task.check(robot)

@@ -21,9 +21,11 @@ from robotics1.ik.solution_search import SAME, SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.structure import FixedChain, fixed_chain
 from robotics1.ik.subproblems import Z, inverse, motion, moved, orientation, placed
-from robotics1.inputs import Array, a_robot_and_a_task, real_number
+from robotics1.inputs import Array, real_number
 from robotics1.robot.box import nearest_turn
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import PoseError, Task
 
 APART = 1e-3  # of the arm's length, by which the axes of a shoulder or a wrist may miss a common point
@@ -158,13 +160,13 @@ def _axes(along: Array, elbow: Array, axis: Array, length: float) -> tuple[Array
     return along, across / np.linalg.norm(across)
 
 
-def human_arm(robot: Robot, task: Task) -> HumanArm:
+def human_arm(robot: RobotLike, task: TaskLike) -> HumanArm:
     """Return the arm whose pose a task is.
 
     Raises:
         TaskError: the task is no pose, or the arm has no shoulder, elbow and wrist.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     form, problem = task.frame_map(), scaled_task(robot, task)
     if not problem.moving.any():
         raise TaskError("no joint moves the task: there is no arm angle")

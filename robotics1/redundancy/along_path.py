@@ -11,13 +11,14 @@ import numpy.typing as npt
 from robotics1.curves.curve import Curve, Side
 from robotics1.curves.given import as_curve
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, a_task, counting_number, non_negative_numbers
+from robotics1.inputs import Array, a_task, counting_number, non_negative_numbers
 from robotics1.redundancy.hierarchy import by_levels
 from robotics1.redundancy.null_motion import gradient_of
 from robotics1.redundancy.null_saturation import saturated_levels
 from robotics1.redundancy.objectives import Objective
 from robotics1.redundancy.saturation import limits_of
 from robotics1.results import Frozen, require
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task, unitless_rows
 from robotics1.trajectories.following.integration import integrated
@@ -70,7 +71,7 @@ class PriorityRun(Frozen):
 
 
 def follow_by_priority(
-    robot: Robot,
+    robot: RobotLike,
     levels: Sequence[tuple[Task, Any] | tuple[Task, Any, npt.ArrayLike]],
     q0: npt.ArrayLike,
     *,
@@ -102,7 +103,7 @@ def follow_by_priority(
 
     Source: Siciliano, Slotine, ICAR 1991; Flacco, De Luca, Khatib, IROS 2012.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     robot.require_single_coordinates("can follow trajectories")
     q0, tracks = robot.configuration(q0), _tracks(robot, levels)
     motions = [track.motion for track in tracks if track.motion is not None]

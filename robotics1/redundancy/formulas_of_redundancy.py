@@ -8,7 +8,7 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError, TaskError
-from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.inputs import Array
 from robotics1.redundancy.weighted import (
     null_vectors,
     pivot_columns,
@@ -16,10 +16,10 @@ from robotics1.redundancy.weighted import (
     weighted_pseudoinverse,
     weighted_pseudoinverse_formula,
 )
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.symbolic.tasks.task_formulas import Formulas
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 AGREES = 1e-8  # largest difference of a formula from NumPy, relative
 TRIALS = 3
@@ -126,7 +126,7 @@ class RedundancyFormulas:
                 raise FormulaError(f"the formula of {name} differs from NumPy by {apart:.1e}")
 
 
-def redundancy_formulas(robot: Robot, task: Task, *, weights: Any = None) -> RedundancyFormulas:
+def redundancy_formulas(robot: RobotLike, task: TaskLike, *, weights: Any = None) -> RedundancyFormulas:
     """Return the closed formulas of a redundant task: J#, a basis of N(J), 1 − J⁺J, √det(J Jᵀ).
 
     They are short for small arms, as the PPR or the planar 3R arm; for others the numbers are the answer.
@@ -142,7 +142,7 @@ def redundancy_formulas(robot: Robot, task: Task, *, weights: Any = None) -> Red
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.5.1.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     if not robot.nv:
         raise TaskError(f"robot {robot.name!r} has no joint: nothing is redundant")
     found = formulas(robot, task)

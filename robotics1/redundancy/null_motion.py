@@ -6,15 +6,16 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot_and_a_task, real_array, real_number
+from robotics1.inputs import Array, real_array, real_number
 from robotics1.least_squares import numeric_rank
 from robotics1.redundancy.objectives import Objective
 from robotics1.redundancy.weighted import null_vectors, pivot_columns
 from robotics1.results import Frozen, require
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.function import FunctionTask
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.stacked import StackedTask
-from robotics1.tasks.task import Task
 from robotics1.trajectories.following.joint_rates import JointVelocity, joint_velocity
 from robotics1.trajectories.following.resolution import Resolution
 
@@ -59,10 +60,10 @@ class ProjectedGradient(Frozen):
 
 
 def projected_gradient(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     rdot: npt.ArrayLike,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     objective: Objective,
     *,
     gain: float = 1.0,
@@ -87,8 +88,8 @@ def projected_gradient(
 
     Source: Liégeois, IEEE Trans. SMC 7, 1977; Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.5.1.
     """
-    a_robot_and_a_task(robot, task)
-    k = real_number("gain", gain)
+    robot, task = robot_and_task(robot, task)
+    q, k = robot.configuration(q), real_number("gain", gain)
     slope = gradient_of(objective, q, robot.nv)
     found = joint_velocity(robot, task, rdot, q, resolution=resolution, null_velocity=k * slope)
     alone = joint_velocity(robot, task, rdot, q, resolution=resolution)
@@ -122,10 +123,10 @@ def gradient_of(objective: Objective, q: npt.ArrayLike, n: int) -> Array:
 
 
 def reduced_gradient(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     rdot: npt.ArrayLike,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     objective: Objective,
     *,
     gain: float = 1.0,
@@ -149,8 +150,8 @@ def reduced_gradient(
 
     Source: De Luca, Oriolo, The reduced gradient method for solving redundancy in robot arms, Robotersysteme 7, 1991.
     """
-    a_robot_and_a_task(robot, task)
-    rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
+    robot, task = robot_and_task(robot, task)
+    q, rdot = robot.configuration(q), real_array("rdot", rdot, (task.rows,), "one number for each row of J")
     J, slope = task.jacobian(robot, q), gradient_of(objective, q, robot.nv)
     k = real_number("gain", gain)
     if not robot.nv:
@@ -166,7 +167,7 @@ def reduced_gradient(
     return qdot
 
 
-def extended_task(robot: Robot, task: Task, objective: Objective) -> StackedTask:
+def extended_task(robot: RobotLike, task: TaskLike, objective: Objective) -> StackedTask:
     """Return the task with n − m further rows, h(q) = vᵢ(q)ᵀ ∇H(q), that vanish where H is the largest for the task.
 
     vᵢ is a basis of N(J) made of its minors. The extended Jacobian is square: with ḣ = 0 the arm tracks the best
@@ -185,7 +186,7 @@ def extended_task(robot: Robot, task: Task, objective: Objective) -> StackedTask
 
     Source: Baillieul, Kinematic programming alternatives for redundant manipulators, ICRA 1985.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("have an extended task")
     task.check(robot)
     if not robot.nv:

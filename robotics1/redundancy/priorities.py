@@ -9,11 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, a_task, moderate, one_of, positive_numbers, real_array, real_number
+from robotics1.inputs import Array, a_task, moderate, one_of, positive_numbers, real_array, real_number
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
 from robotics1.results import Frozen, require
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.task_rates import jacobian_rate
@@ -225,14 +226,14 @@ def _status(A: Array, b: Array, at_best: Array, left: Array) -> LevelStatus:
 
 
 def checked_levels(
-    robot: Robot, levels: Sequence[tuple[Task, npt.ArrayLike]], symbol: str
+    robot: RobotLike, levels: Sequence[tuple[Task, npt.ArrayLike]], symbol: str
 ) -> tuple[list[Task], list[Array]]:
     """Return tasks and rates of the levels.
 
     Raises:
         InputError: the levels are no pairs, there is none, or a task is asked twice.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     if not isinstance(levels, Sequence) or isinstance(levels, str) or not levels:
         raise InputError(f"levels must be a list of pairs (task, {symbol}), the most important first; it is {levels!r}")
     tasks: list[Task] = []

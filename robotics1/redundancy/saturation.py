@@ -10,7 +10,6 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import (
     Array,
-    a_robot_and_a_task,
     dimensions,
     moderate,
     one_of,
@@ -29,9 +28,10 @@ from robotics1.redundancy.null_saturation import (
     shortest_within,
 )
 from robotics1.results import Frozen, require
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.spaces import subspaces
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
 METHODS = ("optimal", "sns", "scaled")
@@ -87,10 +87,10 @@ class SaturatedMotion(Frozen):
 
 
 def saturated_velocity(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     rdot: npt.ArrayLike,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     *,
     limits: npt.ArrayLike | None = None,
     lower: npt.ArrayLike | None = None,
@@ -124,17 +124,17 @@ def saturated_velocity(
     space, ICRA 2012; Flacco, De Luca, Fast redundancy resolution for high-dimensional robots executing prioritized
     tasks under hard bounds in the joint space, IROS 2013 (the quadratic program that it solves).
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
     low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
     return _resolved(task.jacobian(robot, q), rdot, np.zeros(task.rows), low, high, one_of("method", method, METHODS))
 
 
 def saturated_acceleration(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     rddot: npt.ArrayLike,
-    q: npt.ArrayLike,
+    q: ConfigurationLike,
     qdot: npt.ArrayLike,
     *,
     limits: npt.ArrayLike,
@@ -162,7 +162,7 @@ def saturated_acceleration(
     Source: Flacco, De Luca, Khatib, Control of redundant robots under hard joint constraints: saturation in the null
     space, IEEE Trans. Robotics 31, 2015.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
     q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
     low, high = limits_of(robot, limits, lower)

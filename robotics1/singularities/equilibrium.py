@@ -8,15 +8,16 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot, a_robot_and_a_task, joint_rates, positive_bound, real_array
+from robotics1.inputs import Array, joint_rates, positive_bound, real_array
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.notation import enumeration, vector
 from robotics1.results import Frozen
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike, robot_from
+from robotics1.robot.model import ConfigurationLike
 from robotics1.singularities.loads import GRAVITY, Load, Payload, gravity_vector, loads_of, own_weight, point_jacobian
 from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration, singularity_within_rounding
 from robotics1.singularities.spaces import RankStatus, echelon
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +59,8 @@ class StaticTorques(Frozen):
 
 
 def static_torques(
-    robot: Robot,
-    q: npt.ArrayLike,
+    robot: RobotLike,
+    q: ConfigurationLike,
     loads: Load | Sequence[Load] = (),
     *,
     payloads: Payload | Sequence[Payload] = (),
@@ -83,7 +84,7 @@ def static_torques(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, sections 3.8 and 7.1.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     x, g0 = robot.configuration(q), gravity_vector(gravity)
     forces, masses = loads_of(loads, Load, "loads"), loads_of(payloads, Payload, "payloads")
     links = own_weight(robot, x, g0)
@@ -125,8 +126,8 @@ class FreeWrenches(Frozen):
 
 
 def wrenches_without_torque(
-    robot: Robot,
-    q: npt.ArrayLike,
+    robot: RobotLike,
+    q: ConfigurationLike,
     *,
     frame: str | None = None,
     point: npt.ArrayLike = (0, 0, 0),
@@ -145,7 +146,7 @@ def wrenches_without_torque(
         InputError: q or the point has the wrong shape.
         UnknownNameError: there is no such frame or reference.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     c = real_array("point", point, (3,), "in the axes of the link [m]")
     rounded = rounded_configuration(lambda x: point_jacobian(robot, x, frame, c, reference), robot, q)
     return FreeWrenches(rounded.spaces.left_null, rounded)
@@ -193,9 +194,9 @@ class LargestForce(Frozen):
 
 
 def largest_force(
-    robot: Robot,
-    task: Task,
-    q: npt.ArrayLike,
+    robot: RobotLike,
+    task: TaskLike,
+    q: ConfigurationLike,
     direction: npt.ArrayLike,
     *,
     torque: npt.ArrayLike | None = None,
@@ -217,7 +218,7 @@ def largest_force(
 
     Source: Chiu, Task compatibility of manipulator postures, Int. J. Robotics Research 7, 1988.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     if robot.nv == 0:
         raise TaskError("no joint moves the task, so that no motor exerts a force")
     limits = np.array(robot.max_effort) if torque is None else positive_bound("torque", torque, robot.nv)

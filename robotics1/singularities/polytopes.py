@@ -8,13 +8,15 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot_and_a_task, positive_bound, real_array
+from robotics1.inputs import Array, positive_bound, real_array
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.notation import vector
 from robotics1.results import Frozen
-from robotics1.robot.model import Robot
+from robotics1.robot.given import RobotLike
+from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.rounding import RoundedConfiguration, singularity_within_rounding
 from robotics1.singularities.spaces import RankStatus, Subspaces
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 MOST = 12  # joints, whose 4096 corners are tried
@@ -194,9 +196,9 @@ def force_polytope(
 
 
 def _situation(
-    robot: Robot, task: Task, q: npt.ArrayLike, name: str, given: npt.ArrayLike | None
+    robot: RobotLike, task: TaskLike, q: ConfigurationLike, name: str, given: npt.ArrayLike | None
 ) -> tuple[RoundedConfiguration, Array]:
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     n = robot.nv
     if n > MOST:
         raise InputError(f"the corners of {n} joints' bounds are too many; polytopes are for at most {MOST} joints")

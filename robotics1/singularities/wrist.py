@@ -7,9 +7,10 @@ import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, a_robot
+from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics, frame_jacobian
 from robotics1.orientation.elementary import cross_matrix
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.symbolic.tasks.task_formulas import Formulas
@@ -82,7 +83,7 @@ class WristJacobian:
         return self.arm_determinant * self.wrist_determinant
 
 
-def wrist_jacobian(robot: Robot, *, reference: str = "world") -> WristJacobian:
+def wrist_jacobian(robot: RobotLike, *, reference: str = "world") -> WristJacobian:
     """Return the Jacobian of an arm with a spherical wrist in blocks, as formulas.
 
     (ċ, ω) = [[J₁₁, 0], [J₂₁, J₂₂]] q̇, with c the wrist centre, in which the last three axes meet.
@@ -97,7 +98,7 @@ def wrist_jacobian(robot: Robot, *, reference: str = "world") -> WristJacobian:
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.3.1.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     if robot.nv < WRIST:
         raise TaskError(f"no joint moves a wrist: it has three, and the robot has {robot.nv}")
     q = np.random.default_rng(0).uniform(-1, 1, (TRIALS, robot.nq))

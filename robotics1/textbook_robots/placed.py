@@ -7,14 +7,14 @@ from xml.sax.saxutils import quoteattr
 
 import pinocchio as pin
 
-from robotics1.inputs import a_robot
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.joints import Joint, placed, root_of
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placements, constant_placements
 from robotics1.robot.placements import homogeneous
 
 
-def place_robot(robot: Robot, *, base_placement: Any = None, tool_placement: Any = None) -> Robot:
+def place_robot(robot: RobotLike, *, base_placement: Any = None, tool_placement: Any = None) -> Robot:
     """Return the robot on another base and with another tool: T_world_tool = T_base T(q) T_tool.
 
     Joints, limits and named parameters stay. Its root link is fixed to a new one, `world`, and a new link `tool` is
@@ -28,7 +28,7 @@ def place_robot(robot: Robot, *, base_placement: Any = None, tool_placement: Any
     Raises:
         InputError: a placement is none, or the robot has several tips and no tool.
     """
-    a_robot(robot)
+    robot = robot_from(robot)
     base, tool = homogeneous("base_placement", base_placement), homogeneous("tool_placement", tool_placement)
     return PlacedRobot(
         robot, base if base_placement is not None else None, tool if tool_placement is not None else None

@@ -10,9 +10,11 @@ from robotics1.curves.curve import Curve, Side
 from robotics1.curves.given import as_curve
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, a_robot_and_a_task, counting_number, positive_bound
+from robotics1.inputs import Array, counting_number, positive_bound
 from robotics1.results import Frozen
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 ROUNDS = 30  # of Newton's method at one point of the path
@@ -76,8 +78,8 @@ class SpeedAlongPath(Frozen):
 
 
 def speed_along_path(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     path: Curve,
     q0: npt.ArrayLike,
     *,
@@ -102,7 +104,7 @@ def speed_along_path(
         TaskError: the path leaves the workspace, or passes a singularity in a direction that no q̇ realises; the message
             says where.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("follow a path here")
     curve = as_curve("path", path, derivatives=1)
     bounds = np.array(robot.max_velocity) if velocity is None else positive_bound("velocity", velocity, robot.nv)

@@ -8,11 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, a_robot_and_a_task, real_array
+from robotics1.inputs import Array, real_array
 from robotics1.kinematics import forward_kinematics
 from robotics1.results import Frozen
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.arrangement import area_within, dividers, inner_point, outline_of, regions
 from robotics1.workspaces.axes import Axis, all_axes_to, axes_to, require_moving
 from robotics1.workspaces.critical_curves import TOLERANCE, CriticalCurve
@@ -93,7 +94,7 @@ class DexterousWorkspace(Frozen):
 
 
 def dexterous_workspace(
-    robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]] | None = None
+    robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float, float]] | None = None
 ) -> DexterousWorkspace | WristDexterity:
     """Return the points that an arm reaches with every orientation of its last link.
 
@@ -113,7 +114,7 @@ def dexterous_workspace(
 
     Source: Kumar, Waldron, The workspaces of a mechanical manipulator, 1981 (the dexterous workspace).
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("have a workspace")
     rows, frame = position_rows(task)
     tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)

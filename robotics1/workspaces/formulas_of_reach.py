@@ -8,11 +8,13 @@ import numpy as np
 import sympy
 
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
 from robotics1.results import Frozen
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.symbolic.tasks.formula import formulas
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.workspaces.axes import axes_to, require_moving
 from robotics1.workspaces.closed_forms import ClosedForm, PlaneFormulas, closed_form
@@ -55,7 +57,7 @@ class WorkspaceFormulas(Frozen):
 
 
 def workspace_formulas(
-    robot: Robot, task: Task, *, box: Mapping[str, tuple[float, float]] | None = None
+    robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float, float]] | None = None
 ) -> WorkspaceFormulas:
     """Return the radii and the area or volume of a workspace as formulas.
 
@@ -73,7 +75,7 @@ def workspace_formulas(
         TaskError: no formula is known of this arm.
         InputError: a prismatic joint has no limits.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("have a workspace")
     rows, frame = position_rows(task)
     tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)

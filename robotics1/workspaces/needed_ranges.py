@@ -11,10 +11,10 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.ik.solutions import ik_solutions
-from robotics1.inputs import Array, a_robot_and_a_task
+from robotics1.inputs import Array
 from robotics1.results import Frozen
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 
 MOST_COMBINATIONS = 20_000
 SWEEPS = 4
@@ -53,7 +53,7 @@ class JointRanges(Frozen):
         return "\n".join(lines)
 
 
-def joint_ranges(robot: Robot, task: Task, targets: Sequence[Any]) -> JointRanges:
+def joint_ranges(robot: RobotLike, task: TaskLike, targets: Sequence[Any]) -> JointRanges:
     """Return small joint ranges with which all targets can be reached.
 
     Of the solutions of each target one is chosen, so that Σ (upper − lower) is small; a radian counts like a metre.
@@ -66,7 +66,7 @@ def joint_ranges(robot: Robot, task: Task, targets: Sequence[Any]) -> JointRange
     Raises:
         InputError: there is no target, or none has a solution.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     if not len(targets):
         raise InputError("targets must hold at least one target")
     found = [ik_solutions(robot, task, target).q for target in targets]

@@ -8,12 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot_and_a_task, real_array
+from robotics1.inputs import Array, real_array
 from robotics1.kinematics import forward_kinematics
 from robotics1.results import Frozen
 from robotics1.robot.box import refuse_open_range
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.robot.given import RobotLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.axes import axes_to, require_moving
 from robotics1.workspaces.chain_map import ChainMap, chain_map
 from robotics1.workspaces.extremes import Measure, extremes_of
@@ -65,8 +65,8 @@ class ExtremeReach(Frozen):
 
 
 def extreme_reach(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     *,
     origin: npt.ArrayLike = (0.0, 0.0, 0.0),
     direction: npt.ArrayLike | None = None,
@@ -92,7 +92,7 @@ def extreme_reach(
 
     Source: Byrd, Lu, Nocedal, Zhu, SIAM J. Scientific Computing 16, 1995 (L-BFGS-B).
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("have a reach")
     rows, frame = position_rows(task)
     tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)

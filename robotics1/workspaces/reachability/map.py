@@ -9,9 +9,9 @@ from typing import Any, TypeVar
 from robotics1.chunks.identity import identity
 from robotics1.chunks.workers import Workers, check_executor, workers_of
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot_and_a_task
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
+from robotics1.inputs import Array
+from robotics1.robot.given import RobotLike
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.reachability.chunk import ChunkOfMap, chunk_of_map, empty_chunk
 from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of, question_of
 from robotics1.workspaces.reachability.kept import chunk_kept
@@ -24,8 +24,8 @@ Answer = TypeVar("Answer")
 
 
 def reachability_map(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     positions: Any,
     orientations: Any = None,
     *,
@@ -70,7 +70,7 @@ def reachability_map(
     Source: Zacharias, Borst, Hirzinger, Capturing robot workspace structure: representing robot capabilities, IROS
     2007; Vahrenkamp, Asfour, Dillmann, Robot placement based on reachability inversion, ICRA 2013.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     asked, form, error = task_of_map(task, orientations)
     question = question_of(robot, asked, starts, seed, tolerance)
     check_executor(executor)

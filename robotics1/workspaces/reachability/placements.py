@@ -15,12 +15,14 @@ from robotics1.chunks.workers import check_executor, workers_of
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.search import numbered
 from robotics1.ik.solver import list_of_targets
-from robotics1.inputs import Array, a_robot_and_a_task, dimensions, one_of, real_array, real_number
+from robotics1.inputs import Array, dimensions, one_of, real_array, real_number
 from robotics1.notation import count, vector
 from robotics1.results import Frozen, require
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.robot.placements import homogeneous
-from robotics1.tasks.task import PoseError, Task
+from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.task import PoseError
 from robotics1.workspaces.reachability.chunk import positions_in_a_chunk
 from robotics1.workspaces.reachability.evaluation import (
     Codes,
@@ -106,8 +108,8 @@ class Placements(Frozen):
 
 
 def best_placements(
-    robot: Robot,
-    task: Task,
+    robot: RobotLike,
+    task: TaskLike,
     poses: Any,
     places: Any,
     *,
@@ -141,7 +143,7 @@ def best_placements(
 
     Source: Vahrenkamp, Asfour, Dillmann, Robot placement based on reachability inversion, ICRA 2013.
     """
-    a_robot_and_a_task(robot, task)
+    robot, task = robot_and_task(robot, task)
     question = question_of(robot, task, starts, seed, tolerance)
     form = task.frame_map()
     if form is None or form.pose_error is None or form.reference != "world":
