@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, Q, RobotName, Tool
+from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, Q, RobotName, TaskName, Tool
 
 EXAMPLES = ("report prr", "report ur5 --out ur5.html --open")
 
@@ -19,10 +19,7 @@ def report(
         Path | None,
         typer.Option("--out", "-o", help="The page to write; by default ROBOT-sheet.html, of the robot's name."),
     ] = None,
-    task: Annotated[
-        str | None,
-        typer.Option(help=f"The task of the sheet: {', '.join(arguments.TASKS)}; by default by the robot."),
-    ] = None,
+    task: TaskName = None,
     frame: Frame = None,
     q: Q = None,
     time_limit: Annotated[float, typer.Option(help="Of all sections together [s].")] = 60.0,

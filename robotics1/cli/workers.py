@@ -8,7 +8,6 @@ from typing import Annotated, Any
 import typer
 
 from robotics1.errors import InputError
-from robotics1.inputs import counting_number
 
 Workers = Annotated[int | None, typer.Option(help="In how many threads; by default on all cores.")]
 Scheduler = Annotated[
@@ -28,5 +27,7 @@ def opened_executor(workers: int | None, scheduler: str | None) -> Iterator[Any]
     if workers is None:
         yield scheduler
         return
+    from robotics1.inputs import counting_number
+
     with ThreadPoolExecutor(counting_number("--workers", workers, least=1)) as executor:
         yield executor
