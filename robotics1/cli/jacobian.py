@@ -12,12 +12,16 @@ from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Para
 from robotics1.errors import FormulaError, InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import sympy
 
     from robotics1.cli.output import PlainConsole
+    from robotics1.robot.model import Robot
     from robotics1.singularities.rounding import RoundedConfiguration
     from robotics1.singularities.spaces import Subspaces
     from robotics1.symbolic.tasks.task_formulas import Formulas
+    from robotics1.tasks.task import FrameTask
 
 EXAMPLES = (
     "jacobian prr --task planar-pose --q 0.5,pi/2,1",
@@ -59,20 +63,13 @@ def jacobian(
     import numpy as np
 
     from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
-    from robotics1.notation import enumeration, vector
+    from robotics1.notation import vector
     from robotics1.singularities.rounding import rounded_configuration
     from robotics1.terminal_tables import matrix_table
 
     values = arguments.configuration(arm, q, degrees)
     if at is not None:
-        from robotics1.symbolic.kinematics.points import with_point
-
-        named = arm.parameters
-        arm, moved = with_point(arm, what.frame, at)
-        what = replace(what, frame=moved)
-        unvalued = [name for name in arm.parameters if name not in named]
-        if unvalued:
-            raise InputError(f"{enumeration(unvalued)} of the point has no value; type a number, or ask for --symbolic")
+        arm, what = _at_point(arm, what, at)
     places = list(range(what.rows))
     if chosen is not None:
         from robotics1.symbolic.tasks.formula import row_places
@@ -90,6 +87,23 @@ def jacobian(
     title = f"J of ({', '.join(shown)}) at q = {vector(in_degrees(arm, values, degrees))}, world axes"
     out.print(matrix_table(J, shown, joint_names(arm), title))
     _print_rank(out, found, det)
+
+
+def _at_point(arm: Robot, task: FrameTask, at: Sequence[float | str]) -> tuple[Robot, FrameTask]:
+    """Return the robot and the task with a point of the frame instead.
+
+    Raises:
+        InputError: a name in the point has no value.
+    """
+    from robotics1.notation import enumeration
+    from robotics1.symbolic.kinematics.points import with_point
+
+    named = arm.parameters
+    arm, moved = with_point(arm, task.frame, at)
+    unvalued = [name for name in arm.parameters if name not in named]
+    if unvalued:
+        raise InputError(f"{enumeration(unvalued)} of the point has no value; type a number, or ask for --symbolic")
+    return arm, replace(task, frame=moved)
 
 
 def _print_rank(out: PlainConsole, found: RoundedConfiguration, det: float | None) -> None:
