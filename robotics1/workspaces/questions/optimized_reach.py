@@ -15,9 +15,9 @@ from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.workspaces.axes import axes_to, require_moving
-from robotics1.workspaces.chain_map import ChainMap, chain_map
-from robotics1.workspaces.extremes import Measure, extremes_of
 from robotics1.workspaces.reading import position_rows
+from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
+from robotics1.workspaces.sampled.extremes import Measure, extremes_of
 
 STARTS = 32
 SAME = 1e-7  # of values that are one, by the arm's size

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.domain import INSIDE, Domain
-from robotics1.workspaces.level_lines import level_lines, zeros_between
-from robotics1.workspaces.plane_map import PlaneMap
+from robotics1.workspaces.curved.domain import INSIDE, Domain
+from robotics1.workspaces.curved.level_lines import level_lines, zeros_between
+from robotics1.workspaces.curved.plane_map import PlaneMap
 
 EXACT = 1e-8  # rad between a curve and its spline; the image's error is its square
 ROUNDS = 9  # of refinement
