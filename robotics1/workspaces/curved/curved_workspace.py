@@ -80,7 +80,10 @@ def _decomposition(robot: Robot, arm: SpatialArm) -> tuple[list[ImageCurve], lis
         )
     whole = float(size.mean() * np.prod(arm.domain.span))
     for cells in CELLS:
-        images = image_curves(arm.mapped, arm.domain, singular_curves(arm.mapped, arm.domain, cells))
+        singular, clear = singular_curves(arm.mapped, arm.domain, cells)
+        if not clear and cells < CELLS[-1]:
+            continue
+        images = image_curves(arm.mapped, arm.domain, singular)
         pieces, cusps = rising_pieces(images)
         if arm.mapped.about_axis:
             pieces.append(_axis(pieces))
