@@ -88,6 +88,15 @@ def test_a_wrist_that_does_not_move_its_centre_and_a_gripper_leave_the_workspace
     assert whole.volume == pytest.approx(workspace(r1.robot_from_dh(elbow), XYZ).volume, rel=1e-8)
 
 
+def test_branches_that_cross_at_a_small_angle_are_told_apart():
+    """Two branches of D = 0 that leave a crossing three degrees apart, nearer to each other than the grid is fine."""
+    ws = drawn_workspace(1061, kinds="RRR")[1]
+    section = ws.section
+    q = np.random.default_rng(1061).uniform(section.domain.lower, section.domain.upper, (10_000, 2))
+    assert (section.counts(section.mapped.image(q)) > 0).all()
+    assert [region.solutions for region in ws.regions] == [4]
+
+
 # --- brute force
 
 

@@ -72,11 +72,11 @@ def workspace(
         plot_workspace(ws, file=figure, title=arm.name)
     answers = _answers(ws, point, line, circle)
     if dexterous:
-        from robotics1.workspaces.dexterous import dexterous_workspace
+        from robotics1.workspaces.questions.dexterous import dexterous_workspace
 
         answers.append(("dexterous", dexterous_workspace(arm, asked, box=ranges)))
     if formulas:
-        from robotics1.workspaces.formulas_of_reach import workspace_formulas
+        from robotics1.workspaces.questions.formulas_of_reach import workspace_formulas
 
         answers.append(("formulas", workspace_formulas(arm, asked, box=ranges)))
     if json:
@@ -106,9 +106,9 @@ def _own_task(robot: "Robot", frame: str | None) -> "PositionTask":
 
 def _answers(ws: "Workspace", points: Sequence[str] | None, line: str | None, circle: bool) -> list[tuple[str, Any]]:
     """Return what was asked of a workspace, by name."""
-    from robotics1.workspaces.fitting import largest_circle
-    from robotics1.workspaces.membership import is_reached
-    from robotics1.workspaces.passages import crossings
+    from robotics1.workspaces.questions.fitting import largest_circle
+    from robotics1.workspaces.questions.membership import is_reached
+    from robotics1.workspaces.questions.passages import crossings
 
     found: list[tuple[str, Any]] = [
         (f"point {text}", is_reached(ws, arguments.parse_vector(text))) for text in points or ()

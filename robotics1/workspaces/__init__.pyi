@@ -1,13 +1,14 @@
 """The public names of `robotics1.workspaces`, and where they are."""
 
-from .dexterous import DexterousWorkspace, dexterous_workspace
 from .find import workspace
-from .fitting import FittingCircle, largest_circle
-from .formulas_of_reach import WorkspaceFormulas, workspace_formulas
-from .membership import Membership, is_reached
-from .needed_ranges import JointRanges, joint_ranges
-from .optimized_reach import ExtremeReach, extreme_reach
-from .passages import Passages, crossings
+from .questions.dexterous import DexterousWorkspace, dexterous_workspace
+from .questions.fitting import FittingCircle, largest_circle
+from .questions.formulas_of_reach import WorkspaceFormulas, workspace_formulas
+from .questions.membership import Membership, is_reached
+from .questions.needed_ranges import JointRanges, joint_ranges
+from .questions.optimized_reach import ExtremeReach, extreme_reach
+from .questions.passages import Passages, crossings
+from .questions.wrist_dexterity import WristDexterity
 from .reachability.comparison import map_difference, map_union
 from .reachability.evaluation import PoseStatus
 from .reachability.map import reachability_map
@@ -15,7 +16,6 @@ from .reachability.placements import Placements, best_placements
 from .reachability.result import ReachabilityMap
 from .reachability.saved import read_map, save_map
 from .result import BoundaryCurve, Workspace, WorkspaceRegion
-from .wrist_dexterity import WristDexterity
 
 __all__ = [
     "BoundaryCurve",

@@ -1,4 +1,4 @@
-"""The workspace of an arm, exactly: the plane, cut along the critical curves of the task."""
+"""The workspace of an arm: in a plane exactly, by arcs and segments; of other arms as their kind allows."""
 
 from collections.abc import Mapping, Sequence
 from math import pi, tau
@@ -13,15 +13,15 @@ from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, outline_of, regions
 from robotics1.workspaces.axes import STRAIGHT, Axis, axes_to, require_moving
 from robotics1.workspaces.critical_curves import CriticalCurve
-from robotics1.workspaces.curved_workspace import curved_workspace
+from robotics1.workspaces.curved.curved_workspace import curved_workspace
+from robotics1.workspaces.curved.reading_in_space import without_held
 from robotics1.workspaces.distances import extreme_positions
 from robotics1.workspaces.flat_section import FlatSection
 from robotics1.workspaces.naming import boundary_curve, configuration_in_units, coordinates, names_of_coordinates
 from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
-from robotics1.workspaces.reading_in_space import without_held
 from robotics1.workspaces.result import Workspace, WorkspaceRegion
 from robotics1.workspaces.revolution import ON_AXIS, HalfPlane, angles_of_sides, half_plane, moment_within
-from robotics1.workspaces.sampled_workspace import sampled_workspace
+from robotics1.workspaces.sampled.sampled_workspace import sampled_workspace
 from robotics1.workspaces.section import Section, section_of
 
 SAME = 1e-9  # of distances that are alike, by the arm's size
@@ -29,17 +29,21 @@ SAME_CONFIGURATION = 1e-6  # rad or m; what is stationary is found to the root o
 
 
 def workspace(robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float, float]] | None = None) -> Workspace:
-    """Return the points r = f(q) with q inside the joint limits: boundary, regions and sizes, exactly.
+    """Return the points r = f(q) with q inside the joint limits: boundary, regions and sizes.
 
     At a point of the boundary the joints that are not at a limit are singular together. Of an arm in a plane such
     points lie on arcs and segments, each drawn by one joint while the others stand still. These curves cut the plane
     into regions; the number of solutions is the same everywhere in a region, and is counted at both sides of each
     curve. The area is ½ ∮ (x dy − y dx) along the arcs and segments themselves, and the volume of what turns about an
-    axis is its angle times ∫ ρ dA (Pappus).
-
-    It is known for two coordinates of a point of an arm that moves in their plane, with two or more revolute and
-    prismatic joints; and for a point in space of such an arm with a slide across its plane (SCARA, cylindrical,
+    axis is its angle times ∫ ρ dA (Pappus). So too of such an arm with a slide across its plane (SCARA, cylindrical,
     gantry), or whose plane contains the axis about which its first joint turns it (anthropomorphic, polar).
+
+    Of any other three joints that move a point in space, the first turns or slides a section, and the critical curves
+    of the section are the images of D(q2, q3) = 0 and of the limits of q2 and q3, traced. The number of solutions in a
+    region is the degree of the map over it. The same holds of two joints that move two coordinates. Joints that do not
+    move the point, as those of a spherical wrist about it, do not count.
+
+    Of all other arms the section is sampled by cells: `resolution` is their side, and nothing is proven outside.
 
     Args:
         robot: the arm.
@@ -49,10 +53,10 @@ def workspace(robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float
     Raises:
         InputError: a prismatic joint has neither limits nor a box, or the box is wrong.
         UnknownNameError: the box names no joint.
-        TaskError: the task or the arm is of another kind.
+        TaskError: the task is no position, or the point moves along a surface or a curve only.
 
-    Source: Kumar, Waldron, The workspaces of a mechanical manipulator, 1981 (boundaries are singular); the rest is
-    plane geometry.
+    Source: Kumar, Waldron, The workspaces of a mechanical manipulator, 1981 (boundaries are singular); Wenger, Cuspidal
+    and noncuspidal robot manipulators, Robotica, 2007 (regions and cusps of the section).
     """
     robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("have a workspace")

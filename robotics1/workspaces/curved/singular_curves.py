@@ -10,14 +10,16 @@ from typing import Any
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.domain import INSIDE, Domain
-from robotics1.workspaces.level_lines import level_lines, zeros_between
-from robotics1.workspaces.plane_map import PlaneMap
+from robotics1.workspaces.curved.domain import INSIDE, Domain
+from robotics1.workspaces.curved.level_lines import level_lines, zeros_between
+from robotics1.workspaces.curved.plane_map import PlaneMap
 
 EXACT = 1e-8  # rad between a curve and its spline; the image's error is its square
 ROUNDS = 9  # of refinement
 CIRCLE = 720  # samples around a crossing
-SHRINKING = 8  # circles around it
+SHRINKING = 8  # circles around it, at least
+LEAST_RADIUS = 2.5  # of the largest of them, in steps of the grid
+LARGEST_RADIUS = 0.5  # rad
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,21 +39,25 @@ class JointCurve:
     limit: tuple[int, str] | None = None
 
 
-def singular_curves(mapped: PlaneMap, domain: Domain, cells: int) -> list[JointCurve]:
-    """Return the curves on which D changes its sign, with the side where D > 0 on their left."""
+def singular_curves(mapped: PlaneMap, domain: Domain, cells: int) -> tuple[list[JointCurve], bool]:
+    """Return the curves on which D changes its sign, with D > 0 on their left, and whether they are sure.
+
+    They are not where a branch at a crossing is not one of the lines that the grid shows: it is too coarse then.
+    """
     grid = domain.grid(cells)
     values = mapped.determinant(_on(grid)).reshape(len(grid[0]), len(grid[1]))
     values[values == 0] = 1e-300
     lines = level_lines(mapped.determinant, grid, values, domain.circular)
     step = np.array([np.diff(grid[0]).max(), np.diff(grid[1]).max()])
     nodes = crossings_of_branches(mapped, domain, lines, step)
+    clear = True
     if len(nodes):
-        lines = _cut_at(mapped, domain, lines, nodes, step)
+        lines, clear = _cut_at(mapped, domain, lines, nodes, step)
     curves = []
     for line, closed in lines:
         points = _refined(mapped, line, closed)
         curves.append(JointCurve(_with_positive_left(mapped, points), closed, 2))
-    return curves
+    return curves, clear
 
 
 def _on(grid: tuple[Array, Array]) -> Array:
@@ -95,10 +101,14 @@ def _hessian(mapped: PlaneMap, q: Array) -> Array:
 
 def _cut_at(
     mapped: PlaneMap, domain: Domain, lines: list[tuple[Array, bool]], nodes: Array, step: Array
-) -> list[tuple[Array, bool]]:
-    """Return the lines outside small ellipses around the crossings, with each branch led into its crossing."""
-    radii = [_radius(domain, nodes, k, step) for k in range(len(nodes))]
-    rays = [_branches(mapped, node, r * step) for node, r in zip(nodes, radii, strict=True)]
+) -> tuple[list[tuple[Array, bool]], bool]:
+    """Return the lines outside small ellipses around the crossings, with each branch led into its crossing.
+
+    And whether each branch goes on as one line.
+    """
+    radii = [_radius(mapped, domain, nodes, k, step) for k in range(len(nodes))]
+    rays = [ray for node, r in zip(nodes, radii, strict=True) for ray in _branches(mapped, node, r * step)]
+    used = np.zeros(len(rays), dtype=int)
     found: list[tuple[Array, bool]] = []
     for line, closed in lines:
         inside = np.zeros(len(line), dtype=bool)
@@ -107,19 +117,30 @@ def _cut_at(
         if not inside.any():
             found.append((line, closed))
             continue
-        found += [(_led_in(domain, part, rays, step), False) for part in _parts(line, inside, closed)]
-    return found
+        for part in _parts(line, inside, closed):
+            begin, end = (_ray_at(domain, part[i], rays, step) for i in (0, -1))
+            found.append((_led_in(domain, part, rays, begin, end), False))
+            for k in (begin, end):
+                used[k] += k >= 0
+    return found, bool((used == 1).all())
 
 
-def _radius(domain: Domain, nodes: Array, k: int, step: Array) -> float:
-    """Return the radius of the ellipse around a crossing, in steps of the grid."""
+def _radius(mapped: PlaneMap, domain: Domain, nodes: Array, k: int, step: Array) -> float:
+    """Return the radius of the ellipse around a crossing, in steps of the grid.
+
+    It is so large that the branches are apart there: they cross at the angle at which the form of the Hessian is 0.
+    """
     others = np.delete(nodes, k, axis=0)
     apart = np.linalg.norm(domain.difference(others, nodes[k]) / step, axis=1) if len(others) else np.array([np.inf])
-    return float(min(2.5, 0.45 * apart.min()))
+    low, high = np.linalg.eigvalsh(_hessian(mapped, nodes[k : k + 1])[0] * np.outer(step, step))
+    half = np.arctan(np.sqrt(-low / high)) if low < 0 < high else np.pi / 4
+    half = max(min(half, np.pi / 2 - half), 1e-6)
+    wanted = max(LEAST_RADIUS, 0.8 / np.sin(half))
+    return float(min(wanted, LARGEST_RADIUS / float(step.max()), 0.45 * apart.min()))
 
 
 def _branches(mapped: PlaneMap, node: Array, radii: Array) -> list[Array]:
-    """Return the branches (SHRINKING + 1, 2) of D = 0 from an ellipse around a crossing into it."""
+    """Return the branches (k, 2) of D = 0 from an ellipse around a crossing into it."""
 
     def around(angle: Array, share: float) -> Array:
         return np.asarray(node + share * radii * np.column_stack([np.cos(angle), np.sin(angle)]))
@@ -127,10 +148,11 @@ def _branches(mapped: PlaneMap, node: Array, radii: Array) -> list[Array]:
     angles = 0.001 + np.arange(CIRCLE + 1) * 2 * np.pi / CIRCLE
     signs = mapped.determinant(around(angles, 1.0)) > 0
     changed = np.flatnonzero(signs[1:] != signs[:-1])
+    circles = max(SHRINKING, int(radii.max() / 0.02))
     found = []
     for a, b in zip(angles[changed], angles[changed + 1], strict=True):
         low, high, line = a, b, []
-        for share in np.linspace(1, 0, SHRINKING + 1)[:-1]:
+        for share in np.linspace(1, 0, circles + 1)[:-1]:
 
             def value(x: Array, share: float = share) -> Array:
                 return mapped.determinant(around(x[:, 0], share))
@@ -168,22 +190,21 @@ def _parts(line: Array, inside: Array, closed: bool) -> list[Array]:
     return [*found, np.array(run)] if run else found
 
 
-def _led_in(domain: Domain, part: Array, rays: list[list[Array]], step: Array) -> Array:
+def _led_in(domain: Domain, part: Array, rays: list[Array], begin: int, end: int) -> Array:
     """Return a run of points with the branches from its ends into the crossings that it comes from and goes to."""
-    begin = _ray_at(domain, part[0], rays, step)
-    end = _ray_at(domain, part[-1], rays, step)
     pieces = [part]
-    if begin is not None:
-        pieces.insert(0, (part[0] + domain.difference(begin, part[0]))[::-1])
-    if end is not None:
-        pieces.append(part[-1] + domain.difference(end, part[-1]))
+    if begin >= 0:
+        pieces.insert(0, (part[0] + domain.difference(rays[begin], part[0]))[::-1])
+    if end >= 0:
+        pieces.append(part[-1] + domain.difference(rays[end], part[-1]))
     return np.vstack(pieces)
 
 
-def _ray_at(domain: Domain, p: Array, rays: list[list[Array]], step: Array) -> Array | None:
-    near = [(float(np.linalg.norm(domain.difference(ray[0], p) / step)), ray) for group in rays for ray in group]
-    distance, ray = min(near, key=lambda entry: entry[0], default=(np.inf, None))
-    return ray if distance < 2.0 else None
+def _ray_at(domain: Domain, p: Array, rays: list[Array], step: Array) -> int:
+    """Return the number of the branch that begins next to a point, or −1."""
+    far = np.array([np.linalg.norm(domain.difference(ray[0], p) / step) for ray in rays])
+    nearest = int(np.argmin(far))
+    return nearest if far[nearest] < 2.0 else -1
 
 
 def _refined(mapped: PlaneMap, points: Array, closed: bool) -> Array:

@@ -10,8 +10,8 @@ from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.axes import Axis
-from robotics1.workspaces.chain_map import ChainMap
-from robotics1.workspaces.sampled_section import SampledSection, descend, shown
+from robotics1.workspaces.sampled.chain_map import ChainMap
+from robotics1.workspaces.sampled.sampled_section import SampledSection, descend, shown
 
 DRAWN = 40_000  # random configurations from which a point is looked for
 WIDER = 2  # cells around reached ones in which a point is looked for

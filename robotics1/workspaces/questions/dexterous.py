@@ -21,10 +21,10 @@ from robotics1.workspaces.distances import distance_to_curve
 from robotics1.workspaces.find import workspace_of
 from robotics1.workspaces.naming import coordinates, names_of_coordinates
 from robotics1.workspaces.pieces import cut, meeting_points
+from robotics1.workspaces.questions.wrist_dexterity import WristDexterity, wrist_of
 from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
 from robotics1.workspaces.result import WorkspaceRegion
 from robotics1.workspaces.section import Section, section_of
-from robotics1.workspaces.wrist_dexterity import WristDexterity, wrist_of
 
 SAME_RADIUS = 1e-9
 

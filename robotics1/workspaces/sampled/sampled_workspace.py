@@ -11,13 +11,13 @@ from robotics1.inputs import Array
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import Axis
-from robotics1.workspaces.chain_map import ChainMap, chain_map
-from robotics1.workspaces.extremes import Measure, extremes_of
-from robotics1.workspaces.reading_in_space import section_frame
+from robotics1.workspaces.curved.reading_in_space import section_frame
+from robotics1.workspaces.curved.strip_regions import closed_loops
 from robotics1.workspaces.result import Workspace, WorkspaceRegion
-from robotics1.workspaces.sampled_place import SampledPlace
-from robotics1.workspaces.sampled_section import SampledSection, sampled_section
-from robotics1.workspaces.strip_regions import closed_loops
+from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
+from robotics1.workspaces.sampled.extremes import Measure, extremes_of
+from robotics1.workspaces.sampled.sampled_place import SampledPlace
+from robotics1.workspaces.sampled.sampled_section import SampledSection, sampled_section
 
 CELLS = 120  # along the longer side of the section
 STARTS = 12

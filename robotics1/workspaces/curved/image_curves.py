@@ -13,10 +13,10 @@ import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
-from robotics1.workspaces.domain import INSIDE, Domain
-from robotics1.workspaces.level_lines import zeros_between
-from robotics1.workspaces.plane_map import PlaneMap
-from robotics1.workspaces.singular_curves import JointCurve, spline_through
+from robotics1.workspaces.curved.domain import INSIDE, Domain
+from robotics1.workspaces.curved.level_lines import zeros_between
+from robotics1.workspaces.curved.plane_map import PlaneMap
+from robotics1.workspaces.curved.singular_curves import JointCurve, spline_through
 
 TURN = 0.3819660113  # rad
 TURNED = np.array([[cos(TURN), -sin(TURN)], [sin(TURN), cos(TURN)]])  # (ρ, h) → (across, up)

@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.workspaces.image_curves import TURNED
-from robotics1.workspaces.strips import Strip, Strips
+from robotics1.workspaces.curved.image_curves import TURNED
+from robotics1.workspaces.curved.strips import Strip, Strips
 
 TOUCHING = 1e-7  # width at which strips above each other touch, when the arm is one long
 SAME_PLACE = 1e-5  # distance of ends of edges that are one

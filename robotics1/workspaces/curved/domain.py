@@ -6,7 +6,7 @@ from math import ceil, tau
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.level_lines import Grid
+from robotics1.workspaces.curved.level_lines import Grid
 
 INSIDE = 1e-7  # of a range: how far from a limit a sign is taken
 OFF_CENTRE = 0.381966  # of a step, so that no grid line lies on a line of symmetry

@@ -11,11 +11,11 @@ from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.axes import Axis
-from robotics1.workspaces.boundary_parts import BoundaryPart
-from robotics1.workspaces.domain import Domain
-from robotics1.workspaces.image_curves import TURNED
-from robotics1.workspaces.plane_map import PlaneMap
-from robotics1.workspaces.strips import Strips
+from robotics1.workspaces.curved.boundary_parts import BoundaryPart
+from robotics1.workspaces.curved.domain import Domain
+from robotics1.workspaces.curved.image_curves import TURNED
+from robotics1.workspaces.curved.plane_map import PlaneMap
+from robotics1.workspaces.curved.strips import Strips
 
 ON_BOUNDARY = 1e-9  # of the arm's size: a point that near belongs to the workspace
 SAME = 1e-6  # of solutions that are one

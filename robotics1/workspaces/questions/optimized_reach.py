@@ -15,9 +15,9 @@ from robotics1.robot.box import refuse_open_range
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.axes import axes_to, require_moving
-from robotics1.workspaces.chain_map import ChainMap, chain_map
-from robotics1.workspaces.extremes import Measure, extremes_of
 from robotics1.workspaces.reading import position_rows
+from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
+from robotics1.workspaces.sampled.extremes import Measure, extremes_of
 
 STARTS = 32
 SAME = 1e-7  # of values that are one, by the arm's size

@@ -17,8 +17,8 @@ from robotics1.symbolic.tasks.formula import formulas
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.workspaces.axes import axes_to, require_moving
-from robotics1.workspaces.closed_forms import ClosedForm, PlaneFormulas, closed_form
 from robotics1.workspaces.find import workspace
+from robotics1.workspaces.questions.closed_forms import ClosedForm, PlaneFormulas, closed_form
 from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
 
 AGREE = 1e-9  # relative, between a formula and the exact workspace

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.workspaces.chain_map import ChainMap
+from robotics1.workspaces.sampled.chain_map import ChainMap
 
 Cells = npt.NDArray[Any]  # (k, 2) whole numbers
 FIRST = 60_000  # random configurations

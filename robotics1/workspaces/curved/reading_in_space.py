@@ -13,9 +13,9 @@ from robotics1.inputs import Array
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import STRAIGHT, Axis, across
-from robotics1.workspaces.domain import Domain
+from robotics1.workspaces.curved.domain import Domain
+from robotics1.workspaces.curved.plane_map import PlaneMap, plane_map
 from robotics1.workspaces.planar_joints import CLOSED
-from robotics1.workspaces.plane_map import PlaneMap, plane_map
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.image_curves import TURNED, ImageCurve, RisingPiece
+from robotics1.workspaces.curved.image_curves import TURNED, ImageCurve, RisingPiece
 
 SHORTEST = 1e-12  # of `up`, below which a piece is a point
 FINE = 4  # parts of each span of a spline

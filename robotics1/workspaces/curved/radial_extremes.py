@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.curved_section import CurvedSection
-from robotics1.workspaces.image_curves import ImageCurve
-from robotics1.workspaces.singular_curves import onto_singular
+from robotics1.workspaces.curved.curved_section import CurvedSection
+from robotics1.workspaces.curved.image_curves import ImageCurve
+from robotics1.workspaces.curved.singular_curves import onto_singular
 
 SAME = 1e-9  # of distances that are alike, when the arm is one long
 SAME_CONFIGURATION = 1e-5  # rad or m

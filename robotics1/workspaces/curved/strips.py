@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.image_curves import RisingPiece
+from robotics1.workspaces.curved.image_curves import RisingPiece
 
 TOGETHER = 1e-8  # distance of curves that are one, when the arm is one long
 MERGED = 1e-9  # difference of heights that are one

@@ -9,18 +9,18 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import Axis
-from robotics1.workspaces.boundary_parts import BoundaryPart, boundary_parts
-from robotics1.workspaces.curved_section import CurvedSection
-from robotics1.workspaces.image_curves import TURN, TURNED, ImageCurve, RisingPiece, image_curves
-from robotics1.workspaces.limited_volume import volume_with_limits
+from robotics1.workspaces.curved.boundary_parts import BoundaryPart, boundary_parts
+from robotics1.workspaces.curved.curved_section import CurvedSection
+from robotics1.workspaces.curved.image_curves import TURN, TURNED, ImageCurve, RisingPiece, image_curves
+from robotics1.workspaces.curved.limited_volume import volume_with_limits
+from robotics1.workspaces.curved.radial_extremes import extreme_radius
+from robotics1.workspaces.curved.reading_in_space import SpatialArm, read_in_space
+from robotics1.workspaces.curved.rising_pieces import rising_pieces
+from robotics1.workspaces.curved.singular_curves import singular_curves
+from robotics1.workspaces.curved.strip_regions import StripRegion, strip_regions
+from robotics1.workspaces.curved.strips import AXIS, Strips, strips_between
 from robotics1.workspaces.naming import reason_of
-from robotics1.workspaces.radial_extremes import extreme_radius
-from robotics1.workspaces.reading_in_space import SpatialArm, read_in_space
 from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
-from robotics1.workspaces.rising_pieces import rising_pieces
-from robotics1.workspaces.singular_curves import singular_curves
-from robotics1.workspaces.strip_regions import StripRegion, strip_regions
-from robotics1.workspaces.strips import AXIS, Strips, strips_between
 
 CELLS = (160, 320, 640)  # a turn: the grid on which D = 0 is looked for
 NO_AREA = 1e-9  # of D
@@ -80,7 +80,10 @@ def _decomposition(robot: Robot, arm: SpatialArm) -> tuple[list[ImageCurve], lis
         )
     whole = float(size.mean() * np.prod(arm.domain.span))
     for cells in CELLS:
-        images = image_curves(arm.mapped, arm.domain, singular_curves(arm.mapped, arm.domain, cells))
+        singular, clear = singular_curves(arm.mapped, arm.domain, cells)
+        if not clear and cells < CELLS[-1]:
+            continue
+        images = image_curves(arm.mapped, arm.domain, singular)
         pieces, cusps = rising_pieces(images)
         if arm.mapped.about_axis:
             pieces.append(_axis(pieces))

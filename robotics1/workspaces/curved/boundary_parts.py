@@ -7,8 +7,8 @@ import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
-from robotics1.workspaces.image_curves import ImageCurve, RisingPiece
-from robotics1.workspaces.strips import TOGETHER, Strips
+from robotics1.workspaces.curved.image_curves import ImageCurve, RisingPiece
+from robotics1.workspaces.curved.strips import TOGETHER, Strips
 
 SAMPLES = 24  # at least, along a part
 JOINED = 1e-9  # of t

@@ -6,8 +6,8 @@ from math import ceil, sqrt, tau
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.curved_section import CurvedSection
-from robotics1.workspaces.strip_regions import StripRegion
+from robotics1.workspaces.curved.curved_section import CurvedSection
+from robotics1.workspaces.curved.strip_regions import StripRegion
 
 SAMPLES = (150, 600)  # points of the section, twice
 

@@ -1,0 +1,1 @@
+"""Sections by cells: arms whose boundary is not known."""
