@@ -43,7 +43,8 @@ machine of their own are then nearly twice as fast. Threads also wait for each o
 that time does not show."""
 OVERHEAD_RULES = """\
 What handing out a chunk costs the one process that hands out: {empty} chunks with the arrays of {chunk} poses, 100
-orientations at each position, and an answer of that size, but no work. Such a chunk, the largest of a map, takes a
+orientations at each position, and an answer of that size, or none as where workers write to the folder of the map
+themselves, but no work. Such a chunk, the largest of a map, takes a
 worker {seconds:.2f} s here; so the largest number of workers that one client keeps 90 % busy is 0.9 times the
 quotient. The clock of the wall counts what else the machine did, the processor's time does not; of Dask it has that of
 the scheduler."""
@@ -99,13 +100,17 @@ def answer_of_a_chunk(positions: Any) -> tuple[Any, ...]:
     return np.zeros((k, 100), dtype=np.uint8), np.zeros((k, 100), dtype=np.uint8), np.zeros(k), np.zeros((k, 8))
 
 
-def overhead(executor: Any) -> tuple[float, float]:
+def no_answer(positions: Any) -> None:
+    """Return nothing, as for a chunk of a map that the worker has written to the map's folder."""
+
+
+def overhead(executor: Any, work: Callable[[Any], Any]) -> tuple[float, float]:
     """Return the seconds that a chunk without work takes: on the wall, and of the processor of this process."""
     chunks = [np.zeros((CHUNK // 100, 3)) for _ in range(EMPTY)]
     with workers_of(executor) as workers:
-        list(workers.in_order(answer_of_a_chunk, iter(chunks[:20])))
+        list(workers.in_order(work, iter(chunks[:20])))
         begin, busy = perf_counter(), process_time()
-        list(workers.in_order(answer_of_a_chunk, iter(chunks)))
+        list(workers.in_order(work, iter(chunks)))
         return (perf_counter() - begin) / EMPTY, (process_time() - busy) / EMPTY
 
 
@@ -148,14 +153,12 @@ def main() -> None:
                     numbers = [f"{seconds:.2f}" for seconds in (*walls, walls[0] / walls[1], *busy)]
                     rows.append([what, name, *numbers])
                     tell(" | ".join(rows[-1]))
-                cost = overhead(two[0])
+                for how, empty in (("", answer_of_a_chunk), (", map in a shared folder", no_answer)):
+                    cost = overhead(two[0], empty)
+                    texts = [text for s in cost for text in (f"{1000 * s:.2f}", f"{0.9 * chunk_seconds / s:,.0f}")]
+                    costs.append([name + how, *texts])
         except ImportError as error:
             rows.append(["–", name, f"**{absence(error)}**", *["–"] * 4])
-            continue
-        costs.append(
-            [name]
-            + [text for seconds in cost for text in (f"{1000 * seconds:.2f}", f"{0.9 * chunk_seconds / seconds:,.0f}")]
-        )
     target = at_least("two processes beside one, map", 1.8, speedups["processes", "map"])
     parts = [
         "# Scaling",

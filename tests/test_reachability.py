@@ -98,6 +98,29 @@ def test_no_pose_of_a_configuration_inside_the_limits_is_called_unreachable(name
         assert r1.reachability_map(robot, task, *asked).status[0, 0] != PoseStatus.UNREACHABLE
 
 
+RPR = [("R", 0.12, pi / 2, -0.29, 0), ("P", 0.4, pi / 2, 0, -1.41), ("R", 0.12, 0.08, 0.05, 0)]
+RP = [("R", 0.36, 1.55, 0.22, 0), ("P", 0, 0, 0, 2.41)]
+LIMITED = {
+    "RPR": (RPR, [-0.8, 0, -2.3], [1.8, 0.7, 2.3], r1.PositionTask()),
+    "RP": (RP, [-3, 0], [1.2, 0.7], PLANE),
+    "RRP": ([("R", 0.22, -0.72, 0, 0), ("R", 0.65, -pi / 2, 0, 0), ("P", 0.37, 0.72, 0, -1.58)],
+            [-2.4, -2.3, 0], [3, 1.9, 0.7], r1.PositionTask()),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LIMITED)
+def test_folds_at_joint_limits_are_not_called_unreachable(name):
+    """There rounding hides double solutions from the formulas, or moves them beyond the limit."""
+    rows, lower, upper, task = LIMITED[name]
+    robot, rng = r1.robot_from_dh(rows, lower=lower, upper=upper), np.random.default_rng(4)
+    q = rng.uniform(lower, upper, (90, len(rows)))
+    q[:60] = np.clip(np.round(q[:60] / (pi / 2)) * pi / 2, lower, upper)
+    q[30:60, 0] = upper[0]
+    known = r1.reachability_map(robot, task, [task.value(robot, x) for x in q])
+    assert (known.status != PoseStatus.UNREACHABLE).all()
+    assert known.reached.mean() > 0.95
+
+
 @pytest.fixture(scope="module")
 def six():
     return arm("six_r")

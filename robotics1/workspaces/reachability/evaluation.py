@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+import pinocchio as pin
 
 from robotics1.caching import cached_property
 from robotics1.ik.compiled_solutions import CompiledSolutions
@@ -15,6 +16,7 @@ from robotics1.ik.pose_problem import PoseProblem, pose_problem
 from robotics1.ik.prepared import prepare
 from robotics1.ik.proof import UnreachableProof
 from robotics1.inputs import Array, counting_number, real_number
+from robotics1.kernels.chain import Indices
 from robotics1.kernels.every_solution import COUNT, ERROR, INSIDE
 from robotics1.kernels.inverse import solve_all
 from robotics1.robot.model import Robot
@@ -23,6 +25,11 @@ from robotics1.singularities.points import singular_points
 from robotics1.tasks.task import Task
 
 NOT_COUNTED = 255  # instead of a number of solutions
+BESIDE = 1e-7  # [reaches, rad] between a target without a solution and those beside it that are looked at too
+WAYS = np.array(
+    [[0.6, -0.48, 0.64], [0.8, 0.36, -0.48], [0.0, 0.8, 0.6]]
+)  # orthonormal, the first in no special direction
+BARELY, FOLDED = 1e-6, 5e-2  # in units, beyond a limit: by rounding, and near a fold that is so far BESIDE
 BLOCK = 1024  # poses whose solutions are found at once: they stay in the cache
 GROUP = 128  # starts, of which the one nearest to the pose is taken
 
@@ -99,6 +106,11 @@ def question_of(robot: Robot, task: Task, starts: Any, seed: Any, tolerance: Any
     )
 
 
+def _any_between(beyond: Array, most: float) -> npt.NDArray[np.bool_]:
+    """Return where one of (n, MANY) numbers is positive, and less than the most."""
+    return np.asarray(((beyond > 0) & (beyond < most)).any(axis=1))
+
+
 @lru_cache(maxsize=4)
 def evaluator_of(packed: bytes) -> "PoseEvaluator":
     """Return the evaluator of a question, prepared once in each process."""
@@ -155,14 +167,58 @@ class PoseEvaluator:
         """Write what the compiled formulas settle; what they leave in doubt stays NOT_FOUND."""
         if self.compiled is None:
             return
-        q, found = self.compiled.solve_here(goals)
-        inside = np.where(found[:, COUNT] > 0, found[:, INSIDE], 0).astype(np.int64)
-        answer.status[(found[:, COUNT] < 0) & ~np.isnan(found[:, ERROR])] = PoseStatus.UNREACHABLE
+        q, inside, none = self._solutions(self.compiled, goals)
         reached = np.flatnonzero(inside)
         answer.status[reached], answer.solutions[reached] = PoseStatus.REACHED, inside[reached]
         if reached.size:
             rows = q[reached][np.arange(q.shape[1]) < inside[reached, None]]
             self._judge(rows, reached, np.append(0, np.cumsum(inside[reached])), answer)
+        tolerance = self.question.tolerance
+        missed = np.flatnonzero(none)
+        answer.status[missed] = PoseStatus.UNREACHABLE
+        some = missed[~self.proof.all_at_once(goals[missed], tolerance, tolerance)]
+        if some.size:
+            beyond = self._beyond(q[some])
+            answer.status[some[_any_between(beyond, BARELY)]] = PoseStatus.NOT_FOUND
+            self._look_beside(self.compiled, goals, some, (beyond > 0).sum(axis=1), answer)
+
+    def _solutions(self, compiled: CompiledSolutions, goals: Array) -> tuple[Array, Indices, npt.NDArray[np.bool_]]:
+        """Return q (n, MANY, nq), how many of each are solutions inside the limits, and where there are none at all."""
+        q, found = compiled.solve_here(goals)
+        inside = np.where(found[:, COUNT] > 0, found[:, INSIDE], 0).astype(np.int64)
+        return q, inside, (found[:, COUNT] < 0) & ~np.isnan(found[:, ERROR])
+
+    def _beyond(self, q: Array) -> Array:
+        """Return how far configurations (n, MANY, nq) are outside the limits, (n, MANY), in units; negative inside."""
+        own = self.problem.active
+        lower, upper, _, unit = self.problem.coordinates[own].T
+        return np.asarray((np.maximum(lower - q[:, :, own], q[:, :, own] - upper) / unit).max(axis=2))
+
+    def _look_beside(
+        self, compiled: CompiledSolutions, goals: Array, some: Indices, outside: Indices, answer: PoseAnswers
+    ) -> None:
+        """Look at targets beside those without a solution, to both sides: rounding may hide a double one, at a fold.
+
+        What is reached there to within the tolerance is reached; what is in doubt there is in doubt here, as where
+        there are more solutions outside the limits than here, and some of them are near the limits.
+        """
+        near = BESIDE * np.hypot(self.question.robot.reach, 1.0) <= self.question.tolerance
+        ways = WAYS if len(self.problem.active) <= len(WAYS) else WAYS[:1]  # few joints: more ranks may be lost at once
+        for way in (*ways, *-ways):
+            moved = goals[some].copy()
+            moved[:, :3, :3] = pin.exp3(BESIDE * way[[2, 0, 1]]) @ moved[:, :3, :3]
+            moved[:, :3, 3] += BESIDE * self.question.robot.reach * way
+            q, inside, none = self._solutions(compiled, moved)
+            beyond = self._beyond(q)
+            none &= ~(_any_between(beyond, FOLDED) & ((beyond > 0).sum(axis=1) > outside))
+            met = np.flatnonzero(inside) if near else np.zeros(0, dtype=np.intp)
+            answer.status[some[~none]] = PoseStatus.NOT_FOUND
+            if met.size:
+                answer.status[some[met]] = PoseStatus.REACHED
+                self._judge(q[met, 0], some[met], np.arange(len(met) + 1), answer)
+            some, outside = some[none], outside[none]
+            if not some.size:
+                return
 
     def _by_descents(self, goals: Array, some: npt.NDArray[np.intp], answer: PoseAnswers) -> None:
         """Write what descents reach, and what is seen to be out of reach without them."""
