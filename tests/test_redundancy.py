@@ -1,6 +1,6 @@
 """Redundancy resolution at one state: projected gradient, priorities, rates within limits."""
 
-from math import cos, sin
+from math import cos, pi, sin
 
 import numpy as np
 import pytest
@@ -89,6 +89,20 @@ def test_gradients_are_the_derivatives_of_the_objectives(name):
     for objective in objectives:
         slope = derivative(lambda x, H=objective: np.array([H.value(x)]), q)[0]
         assert objective.gradient(q) == pytest.approx(slope, abs=1e-7)
+
+
+@pytest.mark.parametrize("kinds", ["RPR", "PRP", "RRP", "PPR"])
+@pytest.mark.parametrize("obstacle", [[0.5, 0.3, 0.1], [-0.4, 0.6, 0.0], [0.2, 1.5, -0.3]])
+def test_gradient_of_the_distance_where_joints_slide(kinds, obstacle):
+    robot, q = r1.textbook_robots.planar_arm(kinds, [0.6] * kinds.count("R")), np.array([0.4, 0.7, 0.5])
+    objective = ObstacleObjective(robot, obstacle)
+    slope = derivative(lambda x: np.array([objective.value(x)]), q)[0]
+    assert objective.gradient(q) == pytest.approx(slope, abs=1e-8)
+    rows = [("R", 0.3, pi / 2, 0.4, 0.2), ("P", 0.2, 0.5, 0, 0.3), ("R", 0.5, 0, 0.1, 0)]  # the slide has an offset
+    skew = r1.robot_from_dh(rows)
+    objective = ObstacleObjective(skew, obstacle)
+    slope = derivative(lambda x: np.array([objective.value(x)]), q)[0]
+    assert objective.gradient(q) == pytest.approx(slope, abs=1e-8)
 
 
 def test_distance_of_a_planar_arm_from_a_point_beside_its_second_link():
@@ -323,6 +337,17 @@ def test_one_saturated_joint_by_hand():
     one_way = saturated_velocity(THREE, task, [-1.5], Q, limits=[0.2, 1, 1], lower=[-1, -0.25, 0])
     assert one_way.joints == pytest.approx([-1, -0.25, 0], abs=1e-7)
     assert one_way.scale == pytest.approx(1.25 / 1.5, abs=1e-8)
+
+
+def test_the_joint_that_is_the_most_beyond_its_limit_is_held_first():
+    """q̇1 + q̇2 + q̇3 = 3: (1, 1, 1), then (0.2, 1.4, 1.4), then (0.2, 0.9, 1.9)."""
+    task = r1.FunctionTask(lambda p, R, q: [q.sum()], 1, lambda p, R, q: [[1.0, 1.0, 1.0]])
+    found = saturated_velocity(THREE, task, [3.0], Q, limits=[0.2, 0.9, 5], method="sns")
+    assert [step.critical for step in found.steps] == [0, 1, -1]
+    assert [step.scale for step in found.steps] == pytest.approx([0.2, (2 * 0.9 + 0.2) / 3, 1.0])
+    assert np.array([step.x for step in found.steps]) == pytest.approx(
+        np.array([[1, 1, 1], [0.2, 1.4, 1.4], [0.2, 0.9, 1.9]])
+    )
 
 
 def test_without_limits_in_the_way_it_is_the_pseudoinverse():

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -151,46 +151,50 @@ class ObstacleObjective(Frozen):
 
     def value(self, q: npt.ArrayLike) -> float:
         """Return the distance [m]."""
-        return float(np.linalg.norm(self._nearest(q)[2] - self._o))
+        return float(np.linalg.norm(self._nearest(q).position - self._o))
 
     def gradient(self, q: npt.ArrayLike) -> Array:
         """Return ∂H/∂q, (nv,); 0 where the arm touches the obstacle, since no direction is away from it."""
-        frame, c, p = self._nearest(q)
-        away = p - self._o
+        near = self._nearest(q)
+        away = near.position - self._o
         distance = float(np.linalg.norm(away))
         if distance <= TOUCHES * self.robot.reach:
             return np.zeros(self.robot.nv)
-        return np.asarray(away / distance @ frame_jacobian(self.robot, q, frame=frame, point=c)[:3])
+        velocities = [
+            share * frame_jacobian(self.robot, q, frame=frame, point=self.point)[:3] for frame, share in near.shares
+        ]
+        return np.asarray(away / distance @ np.sum(velocities, axis=0))
 
     @property
     def _o(self) -> Array:
         return np.asarray(self.obstacle, dtype=float)
 
-    def _nearest(self, q: npt.ArrayLike) -> tuple[str | None, Array, Array]:
-        """Return the nearest point of the arm: its frame, where it is in the frame's axes, and where in the world."""
+    def _nearest(self, q: npt.ArrayLike) -> "NearestPoint":
+        """Return the nearest point of the arm."""
         if self.frame is not None:
-            c = np.zeros(3) if self.point is None else np.asarray(self.point)
-            at = forward_kinematics(self.robot, q, frame=self.frame, point=c).translation
-            return self.frame, np.asarray(c, dtype=float), np.array(at)
+            at = forward_kinematics(self.robot, q, frame=self.frame, point=self.point).translation
+            return NearestPoint(np.array(at), ((self.frame, 1.0),))
         links = [joint.child for joint in self.robot.joints_to(None)]
         if not links:
-            return None, np.zeros(3), np.array(forward_kinematics(self.robot, q).translation)
-        poses = [forward_kinematics(self.robot, q, frame=link) for link in links]
-        found: list[tuple[float, str, Array, Array]] = []
-        ends = [*pairwise(range(len(links)))] or [(0, 0)]
-        for i, j in ends:
-            a, along = np.array(poses[i].translation), np.array(poses[j].translation - poses[i].translation)
+            return NearestPoint(np.array(forward_kinematics(self.robot, q).translation), ((None, 1.0),))
+        origins = [np.array(forward_kinematics(self.robot, q, frame=link).translation) for link in links]
+        found = []
+        for i, j in [*pairwise(range(len(links)))] or [(0, 0)]:
+            along = origins[j] - origins[i]
             square = float(along @ along)
-            share = float(np.clip((self._o - a) @ along / square, 0.0, 1.0)) if square > 0 else 0.0
-            p = a + share * along
-            distance = float(np.linalg.norm(p - self._o))
-            carrier = j if self._slides(links[j]) else i
-            found.append((distance, links[carrier], np.array(poses[carrier].actInv(p)), p))
-        return min(found, key=lambda point: point[0])[1:]
+            share = float(np.clip((self._o - origins[i]) @ along / square, 0.0, 1.0)) if square > 0 else 0.0
+            found.append(NearestPoint(origins[i] + share * along, ((links[i], 1 - share), (links[j], share))))
+        return min(found, key=lambda point: float(np.linalg.norm(point.position - self._o)))
 
-    def _slides(self, link: str) -> bool:
-        """Whether a link is moved by a prismatic joint, and so carries the segment before it."""
-        return next(joint for joint in self.robot.joints if joint.child == link).kind == "prismatic"
+
+class NearestPoint(NamedTuple):
+    """The nearest point of an arm: where it is, and the frames between whose origins it stands, with their shares.
+
+    Its velocity has the same shares, also where a prismatic joint makes the segment longer.
+    """
+
+    position: Array
+    shares: tuple[tuple[str | None, float], ...]
 
 
 @dataclass(frozen=True, eq=False)
