@@ -182,3 +182,21 @@ def test_a_polynomial_of_high_degree_with_free_data_is_refused_and_a_quintic_at_
         rate_extremes(polynomial_formula((q0, v0, a0), (q1, v1, a1), T))
     with pytest.raises(r1.InputError, match="polynomial_formula"):
         rate_extremes(3)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: time_formula("cubic", distance=None, velocity="V"),
+        lambda: rate_extremes(polynomial_formula((q0, v0), (q1, v1), T), 10**9),
+        lambda: bounded_if(polynomial_formula((q0, v0), (q1, v1), T), [1, 2]),
+        lambda: bounded_if(polynomial_formula((q0, v0), (q1, v1), T), "2V"),
+        lambda: r1.trajectories.motion_of_accelerations(0, [[1, 2], [3]], [1, 2]),
+        lambda: r1.trajectories.motion_of_jerks(0, [], []),
+        lambda: r1.textbook_robots.joint_map(["q1"], joints="two"),
+        lambda: r1.orientation.recognise_sequence(r1.orientation.euler_formulas("ZYZ").rotation, angles=3),
+    ],
+)
+def test_junk_is_an_input_error(call):
+    with pytest.raises(r1.InputError):
+        call()

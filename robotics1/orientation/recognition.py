@@ -82,6 +82,8 @@ def recognise_sequence(R: Any, angles: Sequence[Any] | None = None) -> Recognise
 def _angles(M: Any, angles: Sequence[Any] | None) -> list[Any]:
     """Return the symbols of the angles, as they are in R."""
     inside = {symbol.name: symbol for symbol in M.free_symbols}
+    if angles is not None and not isinstance(angles, Sequence):
+        raise InputError(f"angles must be symbols or their names, as ['a', 'b']; it is {angles!r}")
     names = sorted(inside) if angles is None else [str(angle) for angle in angles]
     missing = [name for name in names if name not in inside]
     if missing or not 1 <= len(names) <= MOST or len(inside) != len(names):

@@ -119,7 +119,7 @@ def wrist_jacobian(robot: RobotLike, *, reference: str = "world") -> WristJacobi
 
 def _named(robot: Robot, reference: str) -> str:
     """Return the reference of a task that is not on the tool."""
-    return robot.link_of(None) if reference == "tool" else reference
+    return robot.link_of(None) if isinstance(reference, str) and reference == "tool" else reference
 
 
 def _centre(robot: Robot, q: Array) -> Array:

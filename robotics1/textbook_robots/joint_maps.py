@@ -10,9 +10,10 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.curves.symbolic_path import formula_of
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, by_name, real_array, real_number
+from robotics1.inputs import Array, by_name, counting_number, real_array, real_number
 from robotics1.least_squares import numeric_rank
 from robotics1.results import Frozen
+from robotics1.robot.checking import MOST_DEGREES
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +92,7 @@ def joint_map(
     entries = [e.xreplace({s: sympy.Symbol(s.name, real=True) for s in e.free_symbols}) for e in entries]
     used = {symbol.name for entry in entries for symbol in entry.free_symbols}
     numbers = {int(name[1:]) for name in used if name[0] == "q" and name[1:].isdigit()}
-    n = max(numbers, default=0) if joints is None else joints
+    n = max(numbers, default=0) if joints is None else counting_number("joints", joints, least=1, most=MOST_DEGREES)
     if n < 1 or not numbers <= set(range(1, n + 1)):
         raise InputError(f"the formulas must be in q1 to q{max(n, 1)}; they have {sorted(used)}")
     q = sympy.symbols(f"q1:{n + 1}", real=True)

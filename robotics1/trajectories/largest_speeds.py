@@ -115,7 +115,7 @@ def speed_along_path(
             f"path must be one of the task, with {task.rows} rows; its tangent has the shape {curve.shape}"
         )
     follower = _Follower(robot, task, curve)
-    s, sides = _points(curve, counting_number("samples", samples, least=8))
+    s, sides = _points(curve, counting_number("samples", samples, least=8, most=100_000))
     q, rates = np.empty((len(s), robot.nq)), np.empty((len(s), robot.nv))
     at = robot.configuration(q0, "q0")
     for i, (x, side) in enumerate(zip(s.tolist(), sides, strict=True)):

@@ -1,5 +1,7 @@
 """Motions from accelerations, or jerks, that are constant on intervals."""
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
 
@@ -53,12 +55,13 @@ def _integrated(
 ) -> PiecewisePolynomial:
     """Return the polynomials whose highest derivative is constant on each interval."""
     start = joint_numbers("q0", q0)
-    n, m = len(start), int(np.size(durations))
+    shape = (None,) * min(1, dimensions("durations", durations))
+    n, m = len(start), int(np.size(real_array("durations", durations, shape, "one for each interval")))
     if not m:
         raise InputError("durations must be those of one interval at least; there is none")
     T = positive_numbers("durations", durations, m)
-    rows = np.asarray(constants, dtype=object)
-    listed = rows[:, None] if n == 1 and dimensions(name, constants) == 1 else constants
+    several: Any = constants
+    listed: Any = [[x] for x in several] if n == 1 and dimensions(name, constants) == 1 else constants
     values = moderate(name, real_array(name, listed, (m, n), "one row for each interval, one column for each joint"))
     state: list[Array] = [start, *(joint_rates(f"the rate {i} at the start", v, n) for i, v in enumerate(rates, 1))]
     pieces: list[tuple[npt.ArrayLike, float]] = []

@@ -5,7 +5,8 @@ from typing import Any
 
 from robotics1.errors import FormulaError, InputError
 from robotics1.inputs import counting_number
-from robotics1.trajectories.symbolic_polynomial import PolynomialFormula
+from robotics1.orientation.expressions import expression
+from robotics1.trajectories.symbolic_polynomial import MOST, PolynomialFormula
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ def rate_extremes(formula: PolynomialFormula, order: int = 1) -> tuple[RateExtre
     if not isinstance(formula, PolynomialFormula):
         raise InputError(f"formula must be one of polynomial_formula(...); it is {formula!r}")
     rate = formula
-    for _ in range(counting_number("order", order, least=1)):
+    for _ in range(counting_number("order", order, least=1, most=MOST)):
         rate = rate.rate
     tau = sympy.Symbol("tau", real=True)
     ends = [RateExtreme(x, sympy.factor(rate.formula.subs(tau, x)), sympy.true) for x in (sympy.S.Zero, sympy.S.One)]
@@ -80,7 +81,9 @@ def bounded_if(formula: PolynomialFormula, bound: Any, order: int = 1) -> Any:
     """
     import sympy
 
-    limit = sympy.Symbol(bound, positive=True) if isinstance(bound, str) else sympy.sympify(bound)
+    if isinstance(bound, str) and not bound.isidentifier():
+        raise InputError(f"bound must be a name such as 'V', an expression or a number; it is {bound!r}")
+    limit = sympy.Symbol(bound, positive=True) if isinstance(bound, str) else expression("bound", bound)
     return sympy.And(
         *(
             sympy.Or(sympy.Not(extreme.exists_if), sympy.Abs(extreme.value) <= limit)

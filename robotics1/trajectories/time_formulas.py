@@ -121,7 +121,8 @@ def time_formula(
         "jerk": jerk,
         "deceleration": deceleration,
     }
-    symbols = {name: _positive(name, value) for name, value in given.items() if value is not None}
+    bounds = {name: value for name, value in given.items() if value is not None or name == "distance"}
+    symbols = {name: _positive(name, value) for name, value in bounds.items()}
     _check_bounds(law, symbols)
     formula = TimeFormula(law, symbols, tuple(cases_of(law, symbols)))
     _compare(formula)
