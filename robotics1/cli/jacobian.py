@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -15,9 +16,12 @@ if TYPE_CHECKING:
     import sympy
 
     from robotics1.cli.output import PlainConsole
+    from robotics1.inputs import Array
+    from robotics1.robot.model import Robot
     from robotics1.singularities.rounding import RoundedConfiguration
     from robotics1.singularities.spaces import Subspaces
     from robotics1.symbolic.tasks.task_formulas import Formulas
+    from robotics1.tasks.task import FrameTask
 
 EXAMPLES = (
     "jacobian prr --task planar-pose --q 0.5,pi/2,1",
@@ -56,6 +60,20 @@ def jacobian(
 
         _print_formulas(formulas(arm, what, point=at, rows=chosen), latex=latex, python=python, json=json)
         return
+    _print_numbers(arm, what, arguments.configuration(arm, q, degrees), chosen, at, degrees=degrees, json=json)
+
+
+def _print_numbers(
+    arm: Robot,
+    what: FrameTask,
+    values: Array,
+    chosen: Sequence[str] | None,
+    at: Sequence[float | str] | None,
+    *,
+    degrees: bool,
+    json: bool,
+) -> None:
+    """Print the Jacobian at a configuration, its rank and its subspaces."""
     import numpy as np
 
     from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
@@ -63,7 +81,6 @@ def jacobian(
     from robotics1.report.tables import matrix_table
     from robotics1.singularities.rounding import rounded_configuration
 
-    values = arguments.configuration(arm, q, degrees)
     if at is not None:
         from robotics1.symbolic.kinematics.points import with_point
 
