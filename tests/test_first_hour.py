@@ -159,6 +159,7 @@ MISTAKES = {
     "times that stand still": (lambda: r1.cubic_spline([0, 1, 1], [0, 1, 2]), INPUT, "times must ascend"),
     "a motion of another robot": (lambda: r1.animate("planar_2r", MOTION), INPUT, "the robot has 2"),
     "points for a motion": (lambda: r1.animate("planar_2r", [Q, Q]), INPUT, r"such as cubic\(q0, q1, T\)"),
+    "a picture for a page": (lambda: r1.view("planar_2r", Q, "arm.png"), INPUT, "a page is written as .html"),
     "a file for a configuration": (lambda: r1.view("planar_2r", "arm.html"), UNKNOWN, "no posture named 'arm.html'"),
     "a point for a moving target": (
         lambda: r1.rendezvous("planar_2r", "position:xy", [1, 1], q0=Q, meet=1.0),

@@ -170,8 +170,8 @@ def test_the_angle_of_a_planar_nr_is_the_sum_of_its_joints_whole_turns_apart(n):
 
 
 def test_what_formulas_cannot_tell_is_a_typed_error():
-    with pytest.raises(FormulaError, match="for tasks on a frame and for FunctionTask, not for 'pose'"):
-        formulas(load_robot("planar_2r"), "pose")
+    with pytest.raises(FormulaError, match="for tasks on a frame and for FunctionTask, not for 7"):
+        formulas(load_robot("planar_2r"), 7)
     with pytest.raises(TaskError, match="leaves the xy plane"):
         formulas(load_robot("cylindrical"), PlanarPoseTask())
     long = robot_from_dh([("R", 0.1, 0, 0, 0)] * 40)

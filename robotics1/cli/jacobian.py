@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     import sympy
 
     from robotics1.cli.output import PlainConsole
+    from robotics1.inputs import Array
     from robotics1.robot.model import Robot
     from robotics1.singularities.rounding import RoundedConfiguration
     from robotics1.singularities.spaces import Subspaces
@@ -60,6 +62,20 @@ def jacobian(
 
         _print_formulas(formulas(arm, what, point=at, rows=chosen), latex=latex, python=python, json=json)
         return
+    _print_numbers(arm, what, arguments.configuration(arm, q, degrees), chosen, at, degrees=degrees, json=json)
+
+
+def _print_numbers(
+    arm: Robot,
+    what: FrameTask,
+    values: Array,
+    chosen: Sequence[str] | None,
+    at: Sequence[float | str] | None,
+    *,
+    degrees: bool,
+    json: bool,
+) -> None:
+    """Print the Jacobian at a configuration, its rank and its subspaces."""
     import numpy as np
 
     from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
@@ -67,7 +83,6 @@ def jacobian(
     from robotics1.singularities.rounding import rounded_configuration
     from robotics1.terminal_tables import matrix_table
 
-    values = arguments.configuration(arm, q, degrees)
     if at is not None:
         arm, what = _at_point(arm, what, at)
     places = list(range(what.rows))

@@ -21,10 +21,12 @@ def robots(json: AsJson = False) -> None:
     from robotics1.robot.sources import example_robots, own_robots
 
     named = {"robotics1": own_robots(), "example-robot-data": example_robots()}
-    known = {name: origin for origin, files in reversed(named.items()) for name in files}
+    known: dict[str, str] = {}
+    for origin, files in named.items():
+        known |= {name: origin for name in sorted(files) if name not in known}
     with progress_bar("reading", hidden=json) as progress:
         found = []
-        for i, name in enumerate(sorted(known), 1):
+        for i, name in enumerate(known, 1):
             found.append((name, known[name], *_read(name)))
             progress(i, len(known))
     extras = {extra: _installed(extra, packages) for extra, (packages, _) in EXTRAS.items()}

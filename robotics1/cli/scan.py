@@ -11,6 +11,7 @@ import typer
 
 from robotics1.cli import arguments
 from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.uncompiled import run_without_compiler
 from robotics1.cli.workers import Scheduler, Workers, opened_executor
 from robotics1.errors import InputError
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from robotics1.singularities.scan_result import SingularityScan
 
 EXAMPLES = ("scan prr --samples 1e5", "scan ur5 --samples 1e6 --refine 10", "scan planar_2r --box q1=-1:pi/2")
+FEW = 3000  # samples, which take less time than the import of the compiler
 QUANTILES = (0.0, 0.001, 0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 0.999, 1.0)
 ROWS = 12  # of the histogram, and one for the rest
 SHOWN = 5  # configurations that are printed; JSON has all
@@ -51,6 +53,9 @@ def scan(
     json: AsJson = False,
 ) -> None:
     """How near to singular a task is, over millions of configurations."""
+    number = arguments.parse_number(samples)
+    if number <= FEW and refine == 0:
+        run_without_compiler()
     from robotics1.cli.output import write_json
 
     arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
@@ -58,7 +63,7 @@ def scan(
         (workers, scheduler),
         arm,
         arguments.task_for(arm, task, frame),
-        samples=arguments.parse_number(samples),
+        samples=number,
         measures=measure or ["sigma_min"],
         method=method,
         seed=seed,

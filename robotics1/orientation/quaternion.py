@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +13,8 @@ from robotics1.orientation.elementary import cross_matrix
 from robotics1.orientation.expressions import Matrix, as_matrix, expressions
 from robotics1.orientation.nearest import PRINTED, SINGULAR, NearestRotation, rotation_of
 from robotics1.results import Frozen
+
+Axes = Literal["world", "body"]
 
 
 def quaternion_to_rotation(quaternion: Any) -> Matrix:
@@ -35,7 +37,7 @@ def quaternion_to_rotation(quaternion: Any) -> Matrix:
     )
 
 
-def quaternion_rate_map(quaternion: Any, *, reference: str = "world") -> Matrix:
+def quaternion_rate_map(quaternion: Any, *, reference: Axes = "world") -> Matrix:
     """Return E(Q), (4, 3), with Q̇ = E ω: η̇ = −½ εᵀω and ε̇ = ½ (η 1 − [ε]×) ω; of ω in the body's axes ½ (η 1 + [ε]×).
 
     Its columns have the length ½ and are normal to Q and to each other, whatever Q: unlike the rates of three angles,

@@ -17,6 +17,7 @@ from robotics1.trajectories.law_kinds import KINDS, SAME_DURATION, JointMove, La
 from robotics1.trajectories.limits import BOUNDS, LimitUse, MotionLimits
 
 Coordination = Literal["synchronized", "straight", "independent"]
+Law = Literal["trapezoidal", "double_s", "bang_bang", "cubic", "quintic", "septic", "cosine", "cycloidal"]
 COORDINATIONS = ("synchronized", "straight", "independent")
 
 
@@ -56,7 +57,7 @@ def minimum_time(
     q0: npt.ArrayLike,
     q1: npt.ArrayLike,
     limits: MotionLimits,
-    law: str = "trapezoidal",
+    law: Law = "trapezoidal",
     *,
     v0: npt.ArrayLike = 0.0,
     v1: npt.ArrayLike = 0.0,

@@ -1,6 +1,6 @@
 """Cubic splines through points, with times or as paths; and the times of points."""
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,8 @@ from robotics1.inputs import (
     real_array,
 )
 
+EndCondition = Literal["clamped", "natural", "periodic", "not-a-knot"]
+KnotRule = Literal["uniform", "centripetal", "chord"]
 EXPONENTS = {"uniform": 0.0, "centripetal": 0.5, "chord": 1.0}
 CONDITIONS = ("clamped", "natural", "periodic", "not-a-knot")
 
@@ -29,7 +31,7 @@ def cubic_spline(
     times: npt.ArrayLike,
     points: npt.ArrayLike,
     *,
-    bc_type: str = "clamped",
+    bc_type: EndCondition = "clamped",
     v0: npt.ArrayLike | None = None,
     v1: npt.ArrayLike | None = None,
     a0: npt.ArrayLike | None = None,
@@ -113,7 +115,7 @@ def spline_path(
     points: npt.ArrayLike,
     *,
     knots: str | npt.ArrayLike = "chord",
-    bc_type: str = "natural",
+    bc_type: EndCondition = "natural",
     v0: npt.ArrayLike | None = None,
     v1: npt.ArrayLike | None = None,
     a0: npt.ArrayLike | None = None,
@@ -171,7 +173,7 @@ def _refuse_open(points: Array, given: list[tuple[int, Array] | None]) -> None:
         raise InputError("a periodic motion needs three points, and ends where it begins: repeat the first as the last")
 
 
-def knot_times(points: npt.ArrayLike, duration: float, rule: str = "chord") -> Array:
+def knot_times(points: npt.ArrayLike, duration: float, rule: KnotRule = "chord") -> Array:
     """Return times for points, from 0 to the duration T, with intervals in proportion to |qᵢ₊₁ − qᵢ|ᵖ.
 
     "uniform", p = 0: equal intervals; "centripetal", p = ½: less overshoot at sharp turns; "chord", p = 1: the mean

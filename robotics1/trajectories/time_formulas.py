@@ -10,7 +10,7 @@ from robotics1.caching import cached_property
 from robotics1.errors import FormulaError, InputError, UnknownNameError
 from robotics1.inputs import counting_number, one_of, positive_number, text
 from robotics1.trajectories.law_kinds import KINDS
-from robotics1.trajectories.least_time_of_joints import minimum_time
+from robotics1.trajectories.least_time_of_joints import Law, minimum_time
 from robotics1.trajectories.limits import MotionLimits
 from robotics1.trajectories.time_cases import BOUNDS, TimeCase, cases_of
 
@@ -28,7 +28,7 @@ class TimeFormula:
         cases: one of which holds.
     """
 
-    law: str
+    law: Law
     symbols: Mapping[str, Any]
     cases: tuple[TimeCase, ...]
 
@@ -86,7 +86,7 @@ class TimeFormula:
 
 
 def time_formula(
-    law: str = "trapezoidal",
+    law: Law = "trapezoidal",
     *,
     distance: Any = "Delta",
     velocity: Any = None,

@@ -8,7 +8,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from robotics1.errors import MissingExtraError
+from robotics1.errors import InputError, MissingExtraError
 from robotics1.files import write_file
 from robotics1.names import printable
 
@@ -16,6 +16,7 @@ SCRIPTS = (
     *("linear", "kinematics", "inverse", "stage", "drawing", "motion"),
     *("panel", "gizmo", "drags", "handle", "abilities", "solutions", "voxels", "plots", "main"),
 )
+OTHER_KINDS = (".png", ".jpg", ".jpeg", ".svg", ".pdf", ".gif", ".mp4", ".urdf", ".xacro", ".py", ".csv", ".json")
 HEIGHT = 620  # of a page in a notebook [px]
 
 
@@ -39,8 +40,10 @@ class Page:
         """Write the page, one offline HTML file, and return it with its file.
 
         Raises:
-            InputError: the file cannot be written there.
+            InputError: the file has the suffix of another kind, or cannot be written there.
         """
+        if isinstance(file, str | Path) and Path(file).suffix.lower() in OTHER_KINDS:
+            raise InputError(f"a page is written as .html; the file is {str(file)!r}")
         return Page(write_file(file, self.html), self.title, self.html)
 
     def _repr_html_(self) -> str:
