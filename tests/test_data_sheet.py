@@ -1,6 +1,7 @@
 """The data sheet of an arm: what its sections say, what happens to one that fails, and how it looks in a browser."""
 
 import re
+import sys
 from html import unescape
 from math import pi
 
@@ -14,7 +15,7 @@ from pages import OpenPage
 import robotics1 as r1
 from robotics1.data_sheet.asked import Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS
-from robotics1.data_sheet.worker import NoAnswer, Worker
+from robotics1.data_sheet.worker import NoAnswer, Worker, written
 from robotics1.names import printable
 
 PLANE = r1.PositionTask("xy")
@@ -184,3 +185,11 @@ def test_the_command_writes_the_sheet(tmp_path, monkeypatch):
     assert answer(*words)["files"] == ["planar_2r-sheet.html"]
     assert "posture q = (0.0087, 1.0472)" in (tmp_path / "planar_2r-sheet.html").read_text(encoding="utf-8")
     assert "there is no folder" in run("report", "planar_2r", "-o", "nowhere/a.html").refusal
+
+
+@pytest.mark.parametrize("name", ["workspace", "ellipsoids", "scan"])
+def test_without_matplotlib_a_section_has_its_numbers_and_says_what_its_figure_needs(name, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    answer = written(Asked(arm("planar_2r"), PLANE, np.array(Q)), name)
+    assert "There is no figure: matplotlib is needed for this" in words(answer.html)
+    assert answer.fact

@@ -39,6 +39,7 @@ def test_every_published_value_of_the_exam_is_reproduced(worked):
     checks = worked.comparison.checks
     assert [check.name for check in checks if not check.holds] == []
     assert len([check for check in checks if check.agreement == "formula"]) >= 15
+    assert [check.name for check in checks if check.agreement == "erratum"] == ["2a k=0 r[3]", "2a k=1 r[2]"]
     assert len(checks) >= 100
 
 
@@ -131,6 +132,7 @@ BAD = {
     "another size": (QUESTION + 'q = [0, 1]\npublished = { value = "1 2" }\n', ":9: question 1.1, published value: "),
     "a range": (QUESTION.replace("data", "vary = { l1 = [1] }\ndata"), ":4: vary: l1 must be [lowest, highest, step]"),
     "a range of nothing": (QUESTION.replace("data", "vary = { w = [1, 2, 1] }\ndata"), ":4: vary has 'w', which is"),
+    "errata": (QUESTION + "errata = 3\n", ":8: question 1.1: errata must be names of published numbers"),
     "no equations": (QUESTION + 'where = "q2"\n', ":8: question 1.1, where: 'q2' is no equation"),
 }  # fmt: skip
 

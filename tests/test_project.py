@@ -56,6 +56,29 @@ def test_the_wheel_brings_its_robots_to_an_empty_environment(tmp_path):
     length, path = run.stdout.split(maxsplit=1)
     assert length == "0.6"
     assert Path(path.strip()).is_relative_to(tmp_path / "env")
+    command = python.with_name("robotics1")  # without extras: a sheet says which of them its pictures need
+    for words in (
+        ["fk", "prr"],
+        ["singularities", "planar_2r", "--task", "position:xy"],
+        ["report", "prr", "-o", "a.html"],
+    ):
+        subprocess.run([str(command), *words], check=True, cwd=tmp_path, capture_output=True, timeout=120)
+    sheet = (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert "pip install &#x27;robotics1[viewer]&#x27;" in sheet
+    assert "det J" in sheet
+
+
+def test_the_source_distribution_has_docs_examples_and_tests_and_nothing_that_was_made(tmp_path):
+    import tarfile
+
+    from hatchling.builders.sdist import SdistBuilder
+
+    (archive,) = SdistBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
+    with tarfile.open(archive) as packed:
+        names = {name.partition("/")[2] for name in packed.getnames()}
+    wanted = {"docs/index.md", "docs/conf.py", "examples/exams/exam_2025_01_13.toml", "notebooks/arm_ur5.ipynb"}
+    assert wanted | {"Makefile", "LICENSE", "tests/test_project.py", "urdf/prr.urdf.xacro"} <= names
+    assert not [name for name in names if name.startswith(("docs/_made", "docs/reference", "build", "node_modules"))]
 
 
 def test_the_code_of_the_readme_runs_and_says_what_it_says(tmp_path, monkeypatch):

@@ -3,9 +3,10 @@
 import base64
 import html
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
+from robotics1.errors import MissingExtraError
 from robotics1.names import printable
 
 READABLE = 400  # operations of a formula that is shown at once; a longer one is folded
@@ -69,10 +70,14 @@ def folded(summary: str, content: str) -> str:
     return f"<details><summary>{escaped(summary)}</summary>{content}</details>"
 
 
-def figure(axes: Any, caption: str) -> str:
-    """Return a figure of Matplotlib as a picture that is part of the page."""
+def figure(draw: Callable[[], Any], caption: str) -> str:
+    """Return the figure of the axes that are drawn, as a picture that is part of the page; or what it needs."""
     from robotics1.plots.figures import picture
 
+    try:
+        axes = draw()
+    except MissingExtraError as error:
+        return note(f"There is no figure: {error}.")
     data = base64.b64encode(picture(axes, ".svg")).decode("ascii")
     text = escaped(caption)
     image = f'<div class="wide"><img alt="{text}" src="data:image/svg+xml;base64,{data}"></div>'

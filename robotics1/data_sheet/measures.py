@@ -36,7 +36,9 @@ def workspace(asked: Asked) -> Answer:
         return _sampled(asked)
     size = f"area {found.area:.4g} m²" if found.volume is None else f"volume {found.volume:.4g} m³"
     title = "The reached points" + ("" if planar else f" in the section ({', '.join(found.coordinates)})")
-    text = figure(plot_workspace(found), f"{title}, with the number of inverse kinematics solutions in each region")
+    text = figure(
+        lambda: plot_workspace(found), f"{title}, with the number of inverse kinematics solutions in each region"
+    )
     text += sentences(found.explain().split("\nThe boundary")[0]) + _open_note(box)
     text += note("Proven: the boundary is made of arcs and segments, and these are computed exactly.")
     return Answer(text, f"{size}; reach {found.r_min:.4g} to {found.r_max:.4g} m from the first joint's axis")
@@ -56,19 +58,27 @@ def _sampled(asked: Asked) -> Answer:
     origin, axis = _first_axis(asked)
     along = (points - origin) @ axis
     across = np.linalg.norm(points - origin - along[:, None] * axis, axis=1)
+    far = float(np.linalg.norm(points - origin, axis=1).max())
+    text = figure(
+        lambda: _cloud(across, along),
+        f"Where the tool was at {SAMPLES} random configurations: the darker, the more often",
+    )
+    text += paragraphs(
+        f"The farthest of these points is {far:.4g} m from the first joint, the highest {along.max():.4g} m up."
+    )
+    text += note("Searched: these are samples; the boundary lies at or beyond the outermost of them.")
+    return Answer(text + _open_note(open_slides(asked)), f"reaches at least {far:.4g} m from the first joint (samples)")
+
+
+def _cloud(across: Array, along: Array) -> object:
+    """Draw how often a cell of the section was reached."""
     counts, rho, height = np.histogram2d(across, along, bins=CELLS)
     panel = new_axes(None, 2)
     reached = np.ma.masked_equal(counts.T, 0)
     panel.pcolormesh(rho, height, np.log(reached), cmap="GnBu", vmin=-2, rasterized=True)
     panel.set(xlabel="distance from the first joint's axis [m]", ylabel="height along it [m]", aspect="equal")
     panel.grid(visible=True, alpha=0.4)
-    far = float(np.linalg.norm(points - origin, axis=1).max())
-    text = figure(panel, f"Where the tool was at {SAMPLES} random configurations: the darker, the more often")
-    text += paragraphs(
-        f"The farthest of these points is {far:.4g} m from the first joint, the highest {along.max():.4g} m up."
-    )
-    text += note("Searched: these are samples; the boundary lies at or beyond the outermost of them.")
-    return Answer(text + _open_note(open_slides(asked)), f"reaches at least {far:.4g} m from the first joint (samples)")
+    return panel
 
 
 def _first_axis(asked: Asked) -> tuple[Array, Array]:
@@ -87,8 +97,8 @@ def ellipsoids(asked: Asked) -> Answer:
     """Return the velocity and force ellipsoids of the tool's point at the posture."""
     robot, task = asked.robot, asked.require_task()
     point = PositionTask("xy" if is_planar(robot) else "xyz", frame=asked.frame)
-    panels = plot_ellipses(robot, point, asked.q)
-    text = figure(panels, f"The arm at q = {vector(asked.q)}, with the ellipsoids of its tool's velocity and force")
+    caption = f"The arm at q = {vector(asked.q)}, with the ellipsoids of its tool's velocity and force"
+    text = figure(lambda: plot_ellipses(robot, point, asked.q), caption)
     sigma = np.linalg.svd(unitless_jacobian(robot, task, asked.q), compute_uv=False)
     rows = [(f"σ{i}", number(value)) for i, value in enumerate(sigma, 1)]
     rows += [("σ_max/σ_min", number(sigma[0] / sigma[-1])), ("manipulability, the product", f"{np.prod(sigma):.4g}")]
@@ -105,7 +115,7 @@ def scan(asked: Asked) -> Answer:
     found = scan_singularities(robot, task, samples=SCANNED, length=robot.reach, box=open_slides(asked))
     half = found.quantile(0.5)
     text = figure(
-        _histogram(found), f"σ_min of J at {found.count} random configurations, lengths in units of the reach"
+        lambda: _histogram(found), f"σ_min of J at {found.count} random configurations, lengths in units of the reach"
     )
     text += sentences(found.explain()) + _open_note(open_slides(asked))
     return Answer(text, f"σ_min is {half:.3g} at half of {count(found.count, 'configuration')}, J without units")

@@ -113,7 +113,7 @@ def _visuals(robot: Robot) -> Iterator[Visual]:
 
 def _shape(visual: ET.Element) -> Shape:
     """Return the shape of a visual, or raise ValueError with what is wrong with it."""
-    form = next(iter(visual.find("geometry") or ()), None)
+    form = visual.find("geometry/*")
     if form is None:
         raise ValueError("has no shape")
     if form.tag == "mesh":

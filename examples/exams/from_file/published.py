@@ -19,6 +19,7 @@ def compare(comparison: Comparison, question: Question, answer: Answer, *, varia
     Raises:
         InputError: a published value cannot be read; with the file and the line.
     """
+    comparison.errata |= {f"{question.name} {entry}" for entry in question.errata}
     for what, printed in question.published.items():
         name = f"{question.name} {what}"
         try:

@@ -18,7 +18,7 @@ from .values import number_of
 
 FILE_KEYS = ("title", "exercise")
 EXERCISE_KEYS = ("title", "text", "robot", "dh", "convention", "tool", "lengths", "data", "vary", "question")
-QUESTION_KEYS = ("name", "text", "ask", "task", "published")
+QUESTION_KEYS = ("name", "text", "ask", "task", "published", "errata")
 MOST_EXERCISES, MOST_QUESTIONS = 50, 100
 
 
@@ -32,6 +32,7 @@ class Question:
         ask: its kind.
         given: what else the file says, key → value as read.
         published: what → the value as printed.
+        errata: the published numbers whose printed sign is known to be wrong, as "k=0 r[3]".
         place: where it stands.
         exercise: whose robot and data it has.
     """
@@ -41,6 +42,7 @@ class Question:
     ask: str
     given: Mapping[str, Any]
     published: Mapping[str, Any]
+    errata: tuple[str, ...]
     place: Place
     exercise: "Exercise"
 
@@ -183,9 +185,13 @@ def _question(table: dict[str, Any], place: Place, exercise: Exercise, otherwise
     published = table.get("published", {})
     if not isinstance(published, dict):
         place.refuse(f'question {name}: published must be a table, what = "as printed"', "published")
-    given = {key: value for key, value in table.items() if key not in ("name", "text", "ask", "published")}
+    errata = table.get("errata", [])
+    if not isinstance(errata, list) or not all(isinstance(entry, str) for entry in errata):
+        place.refuse(f'question {name}: errata must be names of published numbers, such as ["k=0 r[3]"]', "errata")
+    read = ("name", "text", "ask", "published", "errata")
+    given = {key: value for key, value in table.items() if key not in read}
     text = text_of(table.get("text", ""), place, "text")
-    return Question(name, text, text_of(table["ask"], place, "ask"), given, published, place, exercise)
+    return Question(name, text, text_of(table["ask"], place, "ask"), given, published, tuple(errata), place, exercise)
 
 
 def _numbers(table: Any, place: Place, key: str) -> dict[str, float]:

@@ -126,11 +126,15 @@ def _answer(question: Question, answer: Answer, comparison: Comparison) -> str:
     text += table(("", "numbers"), listed) if listed else ""
     text += "".join(table(t.headings, t.rows, t.title) for t in answer.tables)
     text += sentences(answer.text) if answer.text else ""
-    text += "".join(figure(axes, f"{question.name}: {question.ask}") for axes in answer.figures)
+    text += "".join(_figure(axes, f"{question.name}: {question.ask}") for axes in answer.figures)
     mine = [check for check in comparison.checks if check.exercise == question.name]
     wrong = [check for check in mine if not check.holds]
     text += note(f"{len(mine) - len(wrong)} of {count(len(mine), 'published value')} reproduced.") if mine else ""
     return text + "".join(note(_missed(check)) for check in wrong)
+
+
+def _figure(axes: Any, caption: str) -> str:
+    return figure(lambda: axes, caption)
 
 
 def _in_tables(name: str, answer: Answer) -> bool:
