@@ -99,6 +99,30 @@ def test_drawn_arms_of_two_and_three_joints_have_what_brute_force_finds(seed, jo
         assert_as_brute_force(rows, task, q, starts=150)
 
 
+FOLDED = [R(0.22, -0.72, 0), R(0.65, -H, 0), ("P", 0.37, 0.72, 0, -1.58)]  # at q2 = q3 = 0
+
+
+@pytest.mark.parametrize("rows", [FOLDED, drawn_rows(6, 2)], ids=["a double root at 0", "a root at a quarter turn"])
+def test_roots_at_special_half_tangents_are_not_lost(rows):
+    robot, task = robot_of(rows), XYZ if len(rows) == 3 else PositionTask("xy")
+    q = np.array([3.0, 0, 0]) if len(rows) == 3 else np.array([-H, pi])
+    for found in (SolutionSolver(robot, task)(task.value(robot, q)), ik_solutions(robot, task, task.value(robot, q))):
+        assert found.complete
+        assert apart([row[0] for row in rows], q, found.q).min() < 1e-6
+
+
+@given(st.integers(0, 100_000), st.sampled_from([2, 3]))
+@settings(max_examples=12)
+def test_no_solution_is_missing_at_right_angles_where_they_are_said_to_be_all(seed, joints):
+    rows, rng = drawn_rows(seed, joints), np.random.default_rng(seed)
+    kinds, robot = [row[0] for row in rows], robot_of(rows)
+    task = XYZ if joints == 3 else PositionTask("xy")
+    q = np.where(np.array(kinds) == "R", rng.choice([0, H, -H, pi], joints), rng.choice([0, 0.4, 1.0], joints))
+    target = task.value(robot, q)
+    for found in (SolutionSolver(robot, task)(target), ik_solutions(robot, task, target, starts=3)):
+        assert not found.complete or apart(kinds, q, found.q).min() < 1e-5
+
+
 @pytest.mark.parametrize(
     ("rows", "task", "q", "status", "count"),
     [

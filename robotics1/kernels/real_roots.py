@@ -9,6 +9,8 @@ ABSENT = 1e-11  # of coefficients, beside the largest, that are rounding
 VANISHES = 1e-9  # of an equation with coefficients of about 1
 NEAR = 1e-3  # of a discriminant, beside its terms: roots that nearly meet are looked at
 NEARLY_ZERO = 1e-4  # of a polynomial at its extremes, beside its terms
+NEARLY_ZERO_AT_0 = 1e-7  # beside the largest coefficient: at t = 0 the constant is the only term
+EDGE = 1.0 + 1e-6  # where the middle ends: a root at ±1 is then found from both sides, and not missed by rounding
 MANY = 24  # roots that are kept
 UNKNOWN = -1  # instead of a number of roots
 
@@ -82,7 +84,7 @@ def bracketed_root(p: Array, degree: int, low: float, high: float, at_low: float
 
 @compiled()
 def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int:
-    """Write the real roots of p in [−1, 1] to roots and return how many there are; extremes near zero count too.
+    """Write the real roots of p in ±EDGE to roots and return how many there are; extremes near zero count too.
 
     Between two neighbouring roots of its derivative a polynomial has at most one root: so from the last derivative,
     which is linear, up to p itself none is missed.
@@ -100,9 +102,9 @@ def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int
             derivative[i - order] = p[i] * factor
             factor *= (i + 1.0) / (i + 1.0 - order)
         many = 0
-        low, at_low = -1.0, value_of(derivative, degree - order, -1.0)[0]
+        low, at_low = -EDGE, value_of(derivative, degree - order, -EDGE)[0]
         for i in range(count + 1):
-            high = extremes[i] if i < count else 1.0
+            high = extremes[i] if i < count else EDGE
             at_high = value_of(derivative, degree - order, high)[0]
             if (at_low < 0.0) != (at_high < 0.0):
                 found[many] = bracketed_root(derivative, degree - order, low, high, at_low)
@@ -115,9 +117,12 @@ def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int
             extremes[i] = found[i]
     for i in range(many):
         roots[i] = found[i]
+    largest = 0.0
+    for i in range(degree + 1):
+        largest = max(largest, abs(p[i]))
     for i in range(count):
         value, _, size = value_of(p, degree, extremes[i])
-        if abs(value) < NEARLY_ZERO * size:
+        if abs(value) < max(NEARLY_ZERO * size, NEARLY_ZERO_AT_0 * largest):
             roots[many] = extremes[i]
             many += 1
     return many
