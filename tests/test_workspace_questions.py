@@ -276,7 +276,7 @@ def test_reach_of_two_links_is_the_bound_of_their_lengths_and_in_a_direction_too
     assert extreme_reach(arm, XY, origin=[1, 0, 0]).value == pytest.approx(1.7)
 
 
-@settings(max_examples=6)
+@settings(max_examples=3)
 @given(st.integers(0, 1000))
 def test_the_largest_reach_of_planar_arms_is_that_of_their_boundary(seed):
     _, arm = drawn_chain(seed, 3)

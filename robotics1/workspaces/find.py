@@ -6,19 +6,18 @@ from math import pi, tau
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kinematics import forward_kinematics
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, outline_of, regions
-from robotics1.workspaces.axes import STRAIGHT, Axis, axes_to, require_moving
+from robotics1.workspaces.axes import STRAIGHT, Axis
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.curved.curved_workspace import curved_workspace
 from robotics1.workspaces.curved.reading_in_space import without_held
 from robotics1.workspaces.distances import extreme_positions
 from robotics1.workspaces.flat_section import FlatSection
 from robotics1.workspaces.naming import boundary_curve, configuration_in_units, coordinates, names_of_coordinates
-from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
+from robotics1.workspaces.reading import ReadArm, moving_point, read_arm
 from robotics1.workspaces.result import Workspace, WorkspaceRegion
 from robotics1.workspaces.revolution import ON_AXIS, HalfPlane, angles_of_sides, half_plane, moment_within
 from robotics1.workspaces.sampled.sampled_workspace import sampled_workspace
@@ -59,11 +58,7 @@ def workspace(robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float
     and noncuspidal robot manipulators, Robotica, 2007 (regions and cusps of the section).
     """
     robot, task = robot_and_task(robot, task)
-    robot.require_single_coordinates("have a workspace")
-    rows, frame = position_rows(task)
-    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
-    axes = axes_to(robot, frame, tip, box)
-    require_moving(axes, robot)
+    rows, tip, axes = moving_point(robot, task, box)
     return workspace_of(robot, axes, tip, rows)
 
 

@@ -1,6 +1,6 @@
 """A robot and a task, read as a planar chain: in the task's plane, times a slide across it, or turned about an axis."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -8,10 +8,11 @@ import numpy as np
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
+from robotics1.kinematics import forward_kinematics
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.workspaces.axes import STRAIGHT, Axis, across, are_planar
+from robotics1.workspaces.axes import STRAIGHT, Axis, across, are_planar, axes_to, require_moving
 from robotics1.workspaces.planar_joints import CLOSED, PlanarJoint
 
 
@@ -59,6 +60,22 @@ class ReadArm:
     def in_world(self, z: complex) -> Array:
         """Return the point (3,) of the plane at z."""
         return self.origin + self.size * (z.real * self.first + z.imag * self.second)
+
+
+def moving_point(
+    robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None
+) -> tuple[Array, Array, list[Axis]]:
+    """Return the rows (m, 3) of a task, its point (3,) at q = 0, and the joints that move it.
+
+    Raises:
+        TaskError: the task is no position, or no joint moves it.
+    """
+    robot.require_single_coordinates("have a workspace")
+    rows, frame = position_rows(task)
+    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
+    axes = axes_to(robot, frame, tip, box)
+    require_moving(axes, robot)
+    return rows, tip, axes
 
 
 def read_arm(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> ReadArm | None:

@@ -9,17 +9,15 @@ import sympy
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
-from robotics1.kinematics import forward_kinematics
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
-from robotics1.workspaces.axes import axes_to, require_moving
 from robotics1.workspaces.find import workspace
 from robotics1.workspaces.questions.closed_forms import ClosedForm, PlaneFormulas, closed_form
-from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
+from robotics1.workspaces.reading import ReadArm, moving_point, read_arm
 
 AGREE = 1e-9  # relative, between a formula and the exact workspace
 
@@ -76,11 +74,7 @@ def workspace_formulas(
         InputError: a prismatic joint has no limits.
     """
     robot, task = robot_and_task(robot, task)
-    robot.require_single_coordinates("have a workspace")
-    rows, frame = position_rows(task)
-    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
-    axes = axes_to(robot, frame, tip, box)
-    require_moving(axes, robot)
+    rows, tip, axes = moving_point(robot, task, box)
     arm = read_arm(robot, axes, tip, rows)
     symbolic = formulas(robot, task)
     found = None

@@ -9,13 +9,11 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
-from robotics1.kinematics import forward_kinematics
 from robotics1.results import Frozen
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.workspaces.axes import axes_to, require_moving
-from robotics1.workspaces.reading import position_rows
+from robotics1.workspaces.reading import moving_point
 from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
 from robotics1.workspaces.sampled.extremes import Measure, extremes_of
 
@@ -93,11 +91,7 @@ def extreme_reach(
     Source: Byrd, Lu, Nocedal, Zhu, SIAM J. Scientific Computing 16, 1995 (L-BFGS-B).
     """
     robot, task = robot_and_task(robot, task)
-    robot.require_single_coordinates("have a reach")
-    rows, frame = position_rows(task)
-    tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
-    axes = axes_to(robot, frame, tip, box)
-    require_moving(axes, robot)
+    rows, tip, axes = moving_point(robot, task, box)
     for axis in axes:
         if not axis.revolute:
             refuse_open_range(axis.name, axis.lower, axis.upper)
