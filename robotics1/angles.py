@@ -31,6 +31,8 @@ def warn_of_degrees(
     name: str,
     values: npt.NDArray[np.floating[Any]],
     turns: npt.NDArray[np.bool_] | bool = True,
+    lower: npt.NDArray[np.floating[Any]] | float = -np.inf,
+    upper: npt.NDArray[np.floating[Any]] | float = np.inf,
 ) -> None:
     """Warn of angles that were probably typed in degrees: whole or half numbers from 10 to 720.
 
@@ -38,11 +40,13 @@ def warn_of_degrees(
         name: what they are called.
         values: (..., n).
         turns: (n,) which of them are angles [rad]; the others are lengths.
+        lower, upper: (n,) their limits; an angle between two limits is meant.
     """
     if max(map(abs, values.ravel().tolist()), default=0.0) < FEWEST:  # at each call: NumPy would take longer
         return
     size = np.abs(values)
     typed = (size >= FEWEST) & (size <= MOST) & (2 * values == np.round(2 * values)) & turns
+    typed &= ~((lower <= values) & (values <= upper) & np.isfinite(lower) & np.isfinite(upper))
     if typed.any():
         angle = float(values[typed][0])
         warnings.warn(

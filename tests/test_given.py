@@ -255,4 +255,5 @@ def test_radians_degrees_by_computation_and_lengths_give_no_warning(cylindrical,
     r1.forward_kinematics("planar_2r", np.radians([90, 180]))
     r1.forward_kinematics(cylindrical, [12.0, 0.1, 30.0])  # its first and third joints slide
     r1.iterate_ik("planar_2r", "position:xy", [5, 5], [0.3, 0.2], method="newton")
+    r1.forward_kinematics(r1.robot_from_dh([("R", 1, 0, 0, 0)], lower=[-30], upper=[30]), [25])  # inside its limits
     assert not [warning for warning in recwarn if issubclass(warning.category, r1.RobotWarning)]

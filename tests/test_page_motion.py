@@ -235,7 +235,7 @@ MISUSE = [
     (lambda r: animate(r, times=[0, 3], q=[[0.0, 0], [0, 1e300]]), "must be finite and below"),
     (lambda r: animate(r, MOVE, target=3), "the target must be a motion"),
     (lambda r: animate([r, 3], [MOVE, MOVE]), "the robot must be a Robot, not a int"),
-    (lambda r: animate("planar_2r", MOVE), "load it first"),
+    (lambda r: animate(3, MOVE), "load_robot\\(\\) returns one"),
     (lambda r: animate(r, MOVE, task=3), "the task must be a task"),
     (lambda r: animate(r, MOVE, title=3), "title must be a text"),
     (lambda r: animate(r, MOVE, caption=3), "caption must be a text"),

@@ -69,6 +69,7 @@ def test_joints_of_two_turns_stay_within_half_a_turn_of_their_start(turns):
         assert abs(away[0]) <= pi + 1e-9 or abs(other) > 2 * pi
 
 
+@pytest.mark.filterwarnings("ignore:q0 has the angle:robotics1.RobotWarning")  # here radians are meant
 @pytest.mark.parametrize("around", [0.0, 20.0, -300.0])
 def test_an_unlimited_joint_stays_within_half_a_turn_of_its_start(around):
     continuous, rng = arm("continuous"), np.random.default_rng(4)

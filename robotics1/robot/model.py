@@ -222,7 +222,7 @@ class Robot(DescribedRobot):
                 f"{name} holds a quaternion or a (cos, sin) that is not of length 1; start from pin.neutral(model)"
             )
         if self.nq == self.nv:
-            warn_of_degrees(name, values, self.revolute)
+            warn_of_degrees(name, values, self.revolute, self.lower, self.upper)
         return values
 
     def configurations(self, q: Any, name: str = "q") -> Array:
