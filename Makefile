@@ -74,6 +74,9 @@ bench: $(PEERS)  ## benchmarks beside the peers, some ten minutes; writes benchm
 	$(BIN)/python -m benchmarks.inverse_kinematics
 	$(BIN)/python -m benchmarks.all_solutions
 	$(BIN)/python -m benchmarks.scans
+	$(BIN)/python -m benchmarks.maps
+	$(BIN)/python -m benchmarks.scaling
+	$(BIN)/python -m benchmarks.command_line
 
 $(PEERS): $(INSTALLED)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev,bench]'
