@@ -45,7 +45,8 @@ def warn_of_degrees(
     if max(map(abs, values.ravel().tolist()), default=0.0) < FEWEST:  # at each call: NumPy would take longer
         return
     size = np.abs(values)
-    typed = (size >= FEWEST) & (size <= MOST) & (2 * values == np.round(2 * values)) & turns
+    halves = 2 * np.clip(values, -MOST, MOST)
+    typed = (size >= FEWEST) & (size <= MOST) & (halves == np.round(halves)) & turns
     typed &= ~((lower <= values) & (values <= upper) & np.isfinite(lower) & np.isfinite(upper))
     if typed.any():
         angle = float(values[typed][0])

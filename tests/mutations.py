@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import warnings
 from collections import Counter
 from functools import cache
 from pathlib import Path
@@ -223,10 +224,11 @@ def verdict(path, seed):
     import numpy as np
     import pinocchio as pin
 
-    from robotics1 import Robotics1Error, load_robot
+    from robotics1 import Robotics1Error, RobotWarning, load_robot
 
     try:
-        robot = load_robot(path)
+        with warnings.catch_warnings(action="ignore", category=RobotWarning):
+            robot = load_robot(path)
     except Robotics1Error:
         return "refused"
     model, data, random = robot.model, robot.model.createData(), np.random.default_rng(seed)

@@ -71,6 +71,7 @@ def test_nobody_can_write_into_the_arrays_of_a_result_or_of_its_copies(name):
         "IKBranch",
         "IKFormulas",
         "TrigSolutions",
+        "WorkspaceFormulas",
     )  # which hold formulas alone
 
 

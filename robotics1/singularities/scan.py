@@ -108,15 +108,9 @@ def scan_singularities(
 
     measurement = measurement_of(robot, task, points.rank, length)
     keep = max(KEPT, refine)
-    asked: dict[str, Any] = {
-        "measures": chosen,
-        "method": method,
-        "samples": count,
-        "seed": seed,
-        "worst": keep,
-        "length": length,
-    }
-    asked |= {"box": [where.lower, where.upper], "grid": np.asarray(samples) if method == "grid" else None}
+    asked: dict[str, Any] = {"measures": chosen, "method": method, "samples": count, "seed": seed, "worst": keep}
+    asked |= {"length": length, "box": [where.lower, where.upper]}
+    asked |= {"grid": np.asarray(samples) if method == "grid" else None}
     file = None if checkpoint is None else StateFile(checkpoint, identity("a scan", robot, task, asked))
     begun = _begun(file, chosen)
     work = partial(reduced_together, measurement, chosen, keep)
