@@ -34,7 +34,7 @@ HEADER = ["arm", "poses", "µs a pose", "s for 10⁶", "reached", "proven out of
 RULES = """\
 Times are of the processor, of one thread; the kernels are compiled before. *In the cube*: positions uniform in a cube
 of the arm's reach to each side, each with {orientations} orientations spread evenly over all; {positions} positions.
-*Reachable*: poses of configurations uniform in the joint limits, all of which are in reach, one orientation each."""
+*Reachable*: poses of configurations uniform in the joint limits, all in reach, one orientation each."""
 PEER_RULES = """\
 The same {count} poses of each kind for all, in turn; µs are of the processor, of one pose, and the share is of poses
 with an answer that Pinocchio verifies inside the limits. What we call out of reach and a peer reaches would be an

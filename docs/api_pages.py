@@ -28,7 +28,7 @@ def _is_space(name: str) -> bool:
 
 
 def _page(name: str, space: ModuleType, left_out: set[str]) -> str:
-    """Return the page of a namespace; what another one has too is told there."""
+    """Return the page of a namespace; what another one has too stands there."""
     members = {member: getattr(space, member) for member in sorted(space.__all__) if member not in left_out}
     blocks = []
     for member, value in members.items():

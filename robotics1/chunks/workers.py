@@ -95,7 +95,7 @@ def check_executor(executor: Any) -> None:
     """Refuse what does no work.
 
     Raises:
-        InputError: it is none of those that serve.
+        InputError: it is none of those that are possible.
     """
     address = isinstance(executor, str) and ":" in executor
     if not (executor is None or address or isinstance(executor, Executor) or _is_dask_client(executor)):

@@ -113,7 +113,7 @@ def _in_space(turning: FrenetRotation, s: float, rates: tuple[float, ...], side:
 
 
 def _about(tangent: npt.NDArray[Any]) -> Array:
-    """Return axes of which the first is a tangent, for a straight path."""
+    """Return axes, the first along a tangent, for a straight path."""
     other = np.cross(tangent, np.eye(3)[np.argmin(np.abs(tangent))])
     other /= np.linalg.norm(other)
     return np.column_stack([tangent, other, np.cross(tangent, other)])

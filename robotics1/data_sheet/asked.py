@@ -10,7 +10,7 @@ from robotics1.robot.box import joint_box
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task, unitless_jacobian
 
-DRAWN = 200  # configurations of which one becomes the posture
+DRAWN = 200  # configurations; one of them becomes the posture
 UNLIMITED = 1.0  # m, how far a slide without limits goes here
 
 

@@ -1,4 +1,4 @@
-"""A rotation matrix of which only some entries are known: all rotations that have them."""
+"""A rotation matrix with some entries known: all rotations that have them."""
 
 from dataclasses import dataclass
 from itertools import combinations

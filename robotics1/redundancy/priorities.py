@@ -157,9 +157,9 @@ def priority_acceleration(
         levels: pairs (task, r̈), the most important first.
         q: (nq,) configuration [rad or m].
         qdot: (nv,) q̇ [rad/s or m/s].
-        method: as of `priority_velocity`.
+        method: as `priority_velocity` has it.
         null_acceleration: (nv,) q̈₀, whose part that no level sees is added.
-        damping: as of `priority_velocity`.
+        damping: as `priority_velocity` has it.
 
     Raises:
         InputError, TaskError: as `priority_velocity`.

@@ -154,7 +154,7 @@ def saturated_acceleration(
         qdot: (nv,) q̇ [rad/s or m/s].
         limits: (nv,) the largest q̈ of each joint, or one number.
         lower: (nv,) the least q̈, where it is not −limits.
-        method: as of `saturated_velocity`.
+        method: as `saturated_velocity` has it.
 
     Raises:
         InputError, TaskError: as `saturated_velocity`.

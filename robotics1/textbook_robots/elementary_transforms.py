@@ -98,7 +98,7 @@ class Step:
 
     @property
     def numbers(self) -> list[Polynomial]:
-        """The placement: x, y, z, roll, pitch, yaw, of which one is not zero."""
+        """The placement: x, y, z, roll, pitch, yaw; one of them is not zero."""
         place = self.axis + (3 if self.turns else 0)
         return [self.constant if i == place else {} for i in range(6)]
 

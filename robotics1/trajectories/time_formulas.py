@@ -25,7 +25,7 @@ class TimeFormula:
     Attributes:
         law: its name.
         symbols: of the distance and the bounds, by what they are: "distance", "velocity", ...
-        cases: one of which holds.
+        cases: one of them holds.
     """
 
     law: Law

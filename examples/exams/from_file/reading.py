@@ -1,4 +1,4 @@
-"""An exam's file, read and checked: what is wrong in it is told with its line."""
+"""An exam's file, read and checked: a message about a mistake names its line."""
 
 import tomllib
 from collections.abc import Mapping

@@ -9,7 +9,7 @@ from robotics1.symbolic.writing.printing import line_text
 
 LEAST = 100  # of the largest coefficient: a sum of smaller ones is read as it is
 MOST_TERMS = 12
-MOST_LENGTHS = 16  # of which sums and differences are formed
+MOST_LENGTHS = 16  # whose sums and differences are formed
 SAME = 1e-6  # relative difference of a coefficient and a length that it is
 
 Terms = list[tuple[float, str]]

@@ -90,7 +90,7 @@ def _decomposition(robot: Robot, arm: SpatialArm) -> tuple[list[ImageCurve], lis
         strips = strips_between(pieces)
         if strips.consistent and abs(_total(pieces, arm.mapped.about_axis) - whole) < BALANCED * whole:
             return images, cusps, strips
-    raise TaskError(f"the critical curves of robot {robot.name!r} could not be told apart, so that nothing is known")
+    raise TaskError(f"the critical curves of robot {robot.name!r} could not be separated, so that nothing is known")
 
 
 def _middles(arm: SpatialArm) -> tuple[Array, Array]:

@@ -11,7 +11,7 @@ from robotics1.workspaces.reachability.result import ReachabilityMap
 
 
 def map_union(a: ReachabilityMap, b: ReachabilityMap) -> ReachabilityMap:
-    """Return which poses a or b reaches, as of two tools that one arm changes between, or of two arms in one cell.
+    """Return which poses a or b reaches: two tools that one arm changes between, or two arms in one cell.
 
     A pose has the solutions of both, and the better of their manipulabilities and limit margins. The configurations
     q are those of the better one, if both maps are of the same joints; else there are none, (k, 0).

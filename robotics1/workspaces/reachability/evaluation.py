@@ -31,7 +31,7 @@ WAYS = np.array(
 )  # orthonormal, the first in no special direction
 BARELY, FOLDED = 1e-6, 5e-2  # in units, beyond a limit: by rounding, and near a fold that is so far BESIDE
 BLOCK = 1024  # poses whose solutions are found at once: they stay in the cache
-GROUP = 128  # starts, of which the one nearest to the pose is taken
+GROUP = 128  # starts; the one nearest to the pose is taken
 
 Codes = npt.NDArray[np.uint8]
 

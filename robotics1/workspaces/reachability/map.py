@@ -39,7 +39,7 @@ def reachability_map(
     """Return which of many poses an arm reaches inside its joint limits, by how many configurations, and how well.
 
     Each pose is a target f(q) = r_d of the task. Where all solutions follow from formulas, these are compiled, and a
-    pose is either reached or proven to be out of reach; their number is told too. Elsewhere, as for redundant arms, a
+    pose is either reached or proven to be out of reach; their number is known too. Elsewhere, as for redundant arms, a
     pose is reached when a descent from one of a number of starts arrives; else it is proven to be out of reach by the
     lengths of the arm, or it is not found. What is reached is verified by forward kinematics: |e| ≤ tolerance.
 

@@ -41,7 +41,7 @@ IN_PLANE = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Placements(Frozen):
-    """How b places serve n poses.
+    """How b places suit n poses.
 
     Attributes:
         robot: the name of the robot.
@@ -82,15 +82,15 @@ class Placements(Frozen):
         return int(self.order[0])
 
     def explain(self) -> str:
-        """Return how many places serve all poses, and which is the best, in sentences."""
+        """Return how many places suit all poses, and which is the best, in sentences."""
         n, best = self.status.shape[1], self.best
         good = int(np.count_nonzero(self.reached == n))
         T = self.places[best]
         where = f"p = {vector(T[:3, 3])} m, turned by {vector(pin.log3(T[:3, :3]))} rad"
-        lines = [f"{self.robot}: {good} of {count(len(self), 'place')} for the {self.moves} serve all {n} poses."]
+        lines = [f"{self.robot}: {good} of {count(len(self), 'place')} for the {self.moves} reach all {n} poses."]
         if not good:
             unsure = " (what was not found may be in reach)" if (self.status == PoseStatus.NOT_FOUND).any() else ""
-            lines.append(f"The best is number {best}, {where}: it serves {self.reached[best]}{unsure}.")
+            lines.append(f"The best is number {best}, {where}: it reaches {self.reached[best]}{unsure}.")
         else:
             lines.append(
                 f"The best is number {best}, {where}: there the manipulability is {self.manipulability[best]:.4g} at "
@@ -99,7 +99,7 @@ class Placements(Frozen):
         return "\n".join(lines)
 
     def require(self) -> "Placements":
-        """Return self if a place serves all poses.
+        """Return self if a place suits all poses.
 
         Raises:
             NotConverged: none does.
@@ -120,7 +120,7 @@ def best_placements(
     executor: Executor | Any | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Placements:
-    """Try every place for the base of an arm, or for a list of poses, and return how well each serves all of them.
+    """Try every place for the base of an arm, or for a list of poses, and return how well each suits all of them.
 
     With the base at B, a pose T_d in the world is B⁻¹ T_d for the arm; with the poses moved by X it is X T_d. Each is
     answered as `reachability_map` does it. That all poses of a path are reached does not mean that the arm can go
@@ -133,7 +133,7 @@ def best_placements(
         places: (b, 4, 4) or a list of `pin.SE3`; or a grid of some of x, y, z [m] and turn, about z [rad], such as
             {"x": np.linspace(-1, 1, 21), "y": np.linspace(-1, 1, 21), "turn": [0, pi / 2]}.
         moves: what is put there: the "base", or the "poses" as one piece.
-        starts, seed, tolerance, executor: as of `reachability_map`.
+        starts, seed, tolerance, executor: as `reachability_map` has them.
         progress: called after each chunk with the poses done and their number.
 
     Raises:

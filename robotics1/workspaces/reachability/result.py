@@ -27,7 +27,7 @@ class ReachabilityMap(Frozen):
         grid: (d,) the values of each coordinate if the positions are a grid, the last one changing first; else None.
         status: (k, o) of `PoseStatus`: 0 proven out of reach, 1 not found, 2 reached by a q inside the limits.
         solutions: (k, o) how many configurations reach the pose, 255 where that is not known; None where they are not
-            counted, as of a redundant arm.
+            counted, for example of a redundant arm.
         manipulability: (k,) the largest of √det(J Jᵀ), in SI units, of the configurations found at a position, over
             all orientations; NaN where none is reached.
         limit_margin: (k,) the largest distance from the joint limits of those configurations: of each the least over

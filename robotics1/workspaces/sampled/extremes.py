@@ -7,7 +7,7 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.workspaces.sampled.chain_map import ChainMap
 
-SAMPLES = 4000  # random configurations, of which the best are starts
+SAMPLES = 4000  # random configurations; the best of them are starts
 SMALL = 1e-14  # a distance at which the gradient is left out
 
 
