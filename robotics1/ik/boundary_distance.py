@@ -13,6 +13,7 @@ from robotics1.singularities.points import SingularPoints
 NEARLY_SINGULAR = 5e-3  # σ_min/σ_max of a solution that may be within 1e-6 m of a boundary of an arm of 1 m
 ALMOST_LOST = 1e-5  # σ_min/σ_max of one that may be within 1e-6 m of a family
 CLOSE = 0.05  # distance of two solutions that may meet within 1e-6 m
+STEPS, RANK = 4, 1e-6  # along the singular set, and σ beside σ₁ in one of them
 BOUNDARY = 0.999e-6  # [m, rad] from a target with a double solution, that is at the boundary
 
 
@@ -43,11 +44,28 @@ def boundary_distance(roots: Sequence[Root], search: SolutionSearch, points: Sin
     near = np.inf
     for root in roots:
         if root.sigma < ALMOST_LOST * short:
-            p = points.project(root.q)
-            near = near if p is None else min(near, search.error_norm(p))
+            near = min(near, _to_the_singular_set(root.q, search, points))
         if root.sigma < NEARLY_SINGULAR * np.sqrt(short):
             near = min([near, *(_to_the_fold(root.q, other.q, search) for other in roots if other is not root)])
     return near if near < BOUNDARY else np.inf
+
+
+def _to_the_singular_set(q: Array, search: SolutionSearch, points: SingularPoints) -> float:
+    """Return how far the target is from the nearest value of the singular configurations near q; ∞ if there are none.
+
+    From the one next to q, Gauss and Newton's method goes along the set A Δq = 0: Δq = N (J N)⁺ e, with A N = 0.
+    """
+    near, p, box = np.inf, points.project(q), search.problem.box
+    for _ in range(STEPS):
+        if p is None or search.error_norm(p) >= near:
+            break
+        near = search.error_norm(p)
+        A = points.linearised(p)[0] * box.unit / points.box.unit
+        sigma, Vt = np.linalg.svd(A)[1:]
+        along = Vt[np.count_nonzero(sigma > RANK * sigma[0]) :].T
+        step = along @ np.linalg.lstsq(search.jacobian(p) @ along, search.error(p), rcond=RANK)[0]
+        p = points.project(box.nearest(p + box.unit * step))
+    return near
 
 
 def _to_the_fold(p: Array, q: Array, search: SolutionSearch) -> float:

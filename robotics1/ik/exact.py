@@ -125,9 +125,9 @@ class ExactSolver:
         groups: list[tuple[list[Array], float]] = []
         for candidate, ratio in zip(candidates, sigma, strict=True):
             q = self._turned(candidate)
-            for group, least in groups:
+            for i, (group, least) in enumerate(groups):
                 if self._are_one(q, group[0], max(ratio, least), search):
-                    group.append(q)
+                    groups[i] = [*group, q], min(ratio, least)
                     break
             else:
                 groups.append(([q], float(ratio)))

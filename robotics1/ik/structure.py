@@ -112,6 +112,7 @@ class FixedChain:
             if not (better & (least > EXACT)).any():
                 break
             x = best + units * (np.linalg.pinv(J, rcond=RANK) @ e[..., None])[..., 0]
+        J = self.poses_and_jacobians(best)[1][:, rows] * units / row_units[:, None]
         sigma = np.linalg.svd(J, compute_uv=False)
         return best, sigma[:, -1] / np.maximum(sigma[:, 0], 1e-300)
 

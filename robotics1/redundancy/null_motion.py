@@ -45,7 +45,7 @@ class ProjectedGradient(Frozen):
     def explain(self) -> str:
         """Return the objective with its rate, and what of the task is realised."""
         return (
-            f"H = {self.objective:.6g}, Ḣ = {self.rate:.6g}, of which {self.null_rate:.6g} by self-motion; the task is "
+            f"H = {self.objective:.6g}, Ḣ = {self.rate:.6g}, {self.null_rate:.6g} of it by self-motion; the task is "
             f"{self.velocity.explain()}"
         )
 
