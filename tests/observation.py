@@ -65,7 +65,8 @@ def _in_the_middle(x):
     if not _ours(x) or not isinstance(end, float) or not callable(x):
         return {}
     rates = {name: getattr(x, name) for name in RATES if callable(getattr(x, name, None))}
-    middle = getattr(x, "start", 0.0) + 0.45 * end if hasattr(x, "breakpoints") else 0.45 * end
+    start = getattr(x, "start", 0.0)  # of a path of rotations the first one
+    middle = 0.45 * end + (start if hasattr(x, "breakpoints") and isinstance(start, float) else 0.0)
     return {f"{name} in the middle": observed(f(middle)) for name, f in {"value": x, **rates}.items()}
 
 

@@ -109,7 +109,7 @@ def priority_velocity(
                                                               those with the least |ṙᵢ − Jᵢ q̇|
     "projection"  J₁⁺ṙ₁ + P₁ J₂⁺ṙ₂ + P₂ J₃⁺ṙ₃ + ...          bounded where levels are in conflict; lower
                                                               levels are met in part only
-    "stacked"     [J₁; J₂; ...]⁺ (ṙ₁, ṙ₂, ...)                no priority: least Σ wᵢ |ṙᵢ − Jᵢ q̇|²
+    "stacked"     [J₁; J₂; ...]⁺ (ṙ₁, ṙ₂, ...)                no priority: least sum of wᵢ (ṙᵢ − Jᵢ q̇)²
     ============  ==========================================  ============================================
 
     Pᵢ is the projector into the null space of the augmented Jacobian [J₁; ...; Jᵢ]; a null velocity is projected there.
