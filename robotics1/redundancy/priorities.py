@@ -102,15 +102,11 @@ def priority_velocity(
 ) -> Priorities:
     """Return the joint velocities of several tasks by priority: each as well as those before it allow.
 
-    ============  ==========================================  ============================================
-    method        q̇                                          in words
-    ============  ==========================================  ============================================
-    "levels"      q̇ᵢ = q̇ᵢ₋₁ + (Jᵢ Pᵢ₋₁)⁺(ṙᵢ − Jᵢ q̇ᵢ₋₁)      of all q̇ that do the best for the levels before,
-                                                              those with the least |ṙᵢ − Jᵢ q̇|
-    "projection"  J₁⁺ṙ₁ + P₁ J₂⁺ṙ₂ + P₂ J₃⁺ṙ₃ + ...          bounded where levels are in conflict; lower
-                                                              levels are met in part only
-    "stacked"     [J₁; J₂; ...]⁺ (ṙ₁, ṙ₂, ...)                no priority: least sum of wᵢ (ṙᵢ − Jᵢ q̇)²
-    ============  ==========================================  ============================================
+    - "levels": q̇ᵢ = q̇ᵢ₋₁ + (Jᵢ Pᵢ₋₁)⁺ (ṙᵢ − Jᵢ q̇ᵢ₋₁), of all q̇ that do the best for the levels before those with the
+      least error of level i.
+    - "projection": J₁⁺ ṙ₁ + P₁ J₂⁺ ṙ₂ + P₂ J₃⁺ ṙ₃ + ..., bounded where levels are in conflict; lower levels are met in
+      part only.
+    - "stacked": [J₁; J₂; ...]⁺ (ṙ₁, ṙ₂, ...), no priority: the least sum of wᵢ (ṙᵢ − Jᵢ q̇)².
 
     Pᵢ is the projector into the null space of the augmented Jacobian [J₁; ...; Jᵢ]; a null velocity is projected there.
 
