@@ -34,7 +34,9 @@ from robotics1 import (
     robot_from_dh,
 )
 from robotics1.ik import IKStatus, SolutionSolver
+from robotics1.ik.boundary_distance import Root, boundary_distance
 from robotics1.ik.prepared import prepare
+from robotics1.ik.solution_search import SolutionSearch
 
 ARMS = {
     **{f"six {i}": (rows, POSE) for i, rows in enumerate(SIX)},
@@ -182,3 +184,12 @@ def test_the_function_and_the_solver_agree_and_results_are_read_only():
     found = SolutionSolver(robot, POSE)(target)
     assert_the_same(found, ik_solutions(robot, POSE, target))
     assert not any(a.flags.writeable for a in vars(found).values() if isinstance(a, np.ndarray))
+
+
+def test_the_distance_to_a_fold_is_taken_along_the_singular_set_where_the_other_solution_is_not_known():
+    """By the law of cosines l1 l2 δ²/(2 (l1 + l2)); the stretched arm with the same q1 is 0.8 δ aside."""
+    robot, task, bend = robot_from_dh([("R", 1.2, 0, 0, 0), ("R", 0.8, 0, 0, 0)]), PositionTask("xy"), 8e-6
+    prepared, q = prepare(robot, task), np.array([0.3, bend])
+    search = SolutionSearch(prepared.problem, task.value(robot, q), points=prepared.exact.points)
+    distance = boundary_distance([Root(q, 4e-6, False)], search, prepared.exact.points)
+    assert distance == pytest.approx(1.2 * 0.8 * bend**2 / (2 * 2.0), abs=1e-13)
