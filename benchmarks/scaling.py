@@ -28,7 +28,7 @@ from robotics1.workspaces import reachability_map
 
 SEED = 20250117
 POSITIONS, ORIENTATIONS = 3_000, 100
-SAMPLES = 5_000_000
+SAMPLES = 20_000_000
 REPEATS = 3
 EMPTY = 300  # chunks without work
 CHUNK = 2**17  # poses
