@@ -81,7 +81,8 @@ def configuration_derivative(f: Callable[[Array], Array], robot: Robot, q: Confi
     def along(i: int) -> Array:
         step = steps[i] * np.eye(robot.nv)[i]
         near, far = (
-            f(pin.integrate(robot.model, q, k * step)) - f(pin.integrate(robot.model, q, -k * step)) for k in (1, 2)
+            f(pin.integrate(robot.own_model, q, k * step)) - f(pin.integrate(robot.own_model, q, -k * step))
+            for k in (1, 2)
         )
         return np.asarray((8 * near - far) / (12 * steps[i]))
 
@@ -101,7 +102,7 @@ def directional_derivative(f: Callable[[Array], Array], robot: Robot, q: Array, 
     step = STRIDE / speed
 
     def difference(k: int) -> Array:
-        ahead, back = (f(pin.integrate(robot.model, q, sign * k * step * qdot)) for sign in (1, -1))
+        ahead, back = (f(pin.integrate(robot.own_model, q, sign * k * step * qdot)) for sign in (1, -1))
         return np.asarray(ahead - back)
 
     return np.asarray((45 * difference(1) - 9 * difference(2) + difference(3)) / (60 * step))

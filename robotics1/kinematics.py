@@ -40,8 +40,8 @@ def forward_kinematics(
             forward_kinematics(robot, one, frame=frame, point=point).homogeneous for one in robot.configurations(q)
         ]
         return np.reshape(poses, (-1, 4, 4))
-    pin.forwardKinematics(robot.model, robot.data, robot.configuration(q))
-    T = pin.SE3(pin.updateFramePlacement(robot.model, robot.data, number))
+    pin.forwardKinematics(robot.own_model, robot.data, robot.configuration(q))
+    T = pin.SE3(pin.updateFramePlacement(robot.own_model, robot.data, number))
     return T if c is None else pin.SE3(T.rotation, T.act(c))
 
 
@@ -102,7 +102,7 @@ def frame_jacobian(
         every = [frame_jacobian(robot, one, **options) for one in robot.configurations(q)]  # type: ignore[arg-type]
         return np.reshape(every, (len(every), 6, robot.nv))
     q = robot.configuration(q)
-    J = pin.computeFrameJacobian(robot.model, robot.data, q, number, KINDS[one_of("kind", kind, tuple(KINDS))])
+    J = pin.computeFrameJacobian(robot.own_model, robot.data, q, number, KINDS[one_of("kind", kind, tuple(KINDS))])
     J = J.reshape(6, robot.nv)  # Pinocchio drops the second axis of a single column
     c = point_of_frame(point)
     if c is not None and kind != "space":
@@ -168,7 +168,7 @@ def _jacobian_rate(robot: Robot, q: Array, qdot: Array, frame: int, point: Array
     (v + ω × p)˙ = v̇ + ω̇ × p + ω × ṗ. A joint that mimics adds its own motion to the column of its leader. (Pinocchio's
     getFrameJacobianTimeVariation forgets it, and crashes on a model without joints.)
     """
-    model, data = robot.model, robot.data
+    model, data = robot.own_model, robot.data
     pin.forwardKinematics(model, data, q, qdot)
     pin.computeJointJacobians(model, data)
     T = pin.updateFramePlacement(model, data, frame)

@@ -93,13 +93,6 @@ def test_forward_kinematics_and_jacobian_of_a_pickled_robot_are_the_same_bits():
             assert (J == K).all()
 
 
-def test_a_deep_copy_of_a_robot_has_its_own_model():
-    robot = r1.robot_from_dh([("R", 1, 0, 0, 0)])
-    other = copy.deepcopy(robot)
-    other.model.upperPositionLimit = np.array([1.0])
-    assert robot.upper == [np.inf]
-
-
 def test_a_pickled_solver_gives_the_same_answers_and_takes_its_options_with_it():
     robot = arm("six_r")
     solver = r1.IKSolver(robot, r1.PoseTask(), seed=7, tolerance=1e-9, prefer="near")

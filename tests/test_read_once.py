@@ -6,6 +6,7 @@ import xml.etree.ElementTree as ET
 from xml.parsers import expat
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from arms import one_joint_file
 
@@ -114,6 +115,27 @@ def test_no_solver_reports_success_outside_the_limits_after_the_model_has_change
         assert solver(inside).converged
         assert not solver(outside).converged
         assert not solver.solve_batch([outside]).converged.any()
+
+
+def test_what_is_written_to_the_model_changes_no_answer_and_a_changed_model_is_a_robot_of_its_own():
+    """planar_2r: the tip is at l1 + l2 = 2; joint 2 moved to 9 m makes 10 of it, of the other robot only."""
+    robot = r1.robot_from_dh([("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0)])
+    for copied in (robot, copy.deepcopy(robot), pickle.loads(pickle.dumps(robot))):
+        copied.model.jointPlacements[2].translation = np.array([9.0, 0, 0])
+        assert r1.forward_kinematics(copied, [0, 0]).translation == pytest.approx([2, 0, 0])
+        assert r1.ik_solutions(copied, r1.PositionTask("xy"), [0, 1.5]).complete
+        other = r1.load_robot(copied.model, tool=robot.tool)
+        assert r1.forward_kinematics(other, [0, 0]).translation == pytest.approx([10, 0, 0])
+
+
+def test_the_model_and_the_data_of_a_robot_fit_each_other():
+    panda = r1.load_robot("panda")
+    q = panda.configuration("zero")
+    pin.framesForwardKinematics(panda.model, panda.data, q)
+    number = panda.model.getFrameId("panda_hand")
+    assert panda.data.oMf[number].homogeneous == pytest.approx(
+        r1.forward_kinematics(panda, q, frame="panda_hand").homogeneous, abs=1e-15
+    )
 
 
 def test_what_a_robot_was_loaded_with_is_copied(tmp_path):

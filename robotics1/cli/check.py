@@ -157,7 +157,7 @@ def _link_tree(robot: Robot) -> Tree:
     from rich.text import Text
     from rich.tree import Tree
 
-    model = robot.model
+    model = robot.own_model
     nodes: dict[int, Tree] = {}
     tree = Tree(printable(robot.name))
     for i, frame in enumerate(model.frames):

@@ -87,8 +87,8 @@ def _first_axis(asked: Asked) -> tuple[Array, Array]:
 
     robot = asked.robot
     joint = next(j for j in robot.joints_to(asked.frame) if j.kind != "fixed")
-    pin.forwardKinematics(robot.model, robot.data, pin.neutral(robot.model))
-    placement = robot.data.oMi[robot.model.getJointId(joint.name)]
+    pin.forwardKinematics(robot.own_model, robot.data, pin.neutral(robot.own_model))
+    placement = robot.data.oMi[robot.own_model.getJointId(joint.name)]
     axis = placement.rotation @ np.array(joint.axis) if joint.kind == "revolute" else np.array([0.0, 0.0, 1.0])
     return placement.translation.copy(), axis
 

@@ -59,10 +59,10 @@ def urdf_to_dh(
         tolerance = real_number("tolerance", tolerance, non_negative=True)
     frame = robot.frame_id(tool)
     joints = _joints_to(robot, frame)
-    pin.framesForwardKinematics(robot.model, robot.data, pin.neutral(robot.model))
+    pin.framesForwardKinematics(robot.own_model, robot.data, pin.neutral(robot.own_model))
     kind_of = {joint.name: joint.kind for joint in robot.moving_joints}
     base, steps = own_steps(robot, joints, frame, convention) or _walk(robot, joints, frame, tolerance)
-    kinds = ["R" if kind_of[robot.model.names[joint]] == "revolute" else "P" for joint in joints]
+    kinds = ["R" if kind_of[robot.own_model.names[joint]] == "revolute" else "P" for joint in joints]
     if convention == "standard":
         base = base * steps[0].placement
         rows = [DHRow(kind, s.a, s.alpha, s.d, s.theta) for kind, s in zip(kinds, steps[1:], strict=True)]
@@ -75,7 +75,7 @@ def urdf_to_dh(
 
 def _joints_to(robot: Robot, frame: int) -> list[int]:
     """Return the numbers of the joints from the world to a frame."""
-    model = robot.model
+    model = robot.own_model
     joints: list[int] = []
     joint = int(model.frames[frame].parentJoint)
     while joint > 0:
@@ -94,7 +94,7 @@ def _joints_to(robot: Robot, frame: int) -> list[int]:
 
 def _kind(robot: Robot, number: int) -> str:
     """Return what a joint is that has no row."""
-    joint = next((joint for joint in robot.joints if joint.name == robot.model.names[number]), None)
+    joint = next((joint for joint in robot.joints if joint.name == robot.own_model.names[number]), None)
     if joint is None:
         return "it leads a joint that comes before it"
     return f"it mimics {joint.leader!r}" if joint.follows else joint.kind
@@ -105,7 +105,7 @@ def _walk(robot: Robot, joints: list[int], frame: int, tolerance: float | None) 
 
     Each step starts from where the rounded ones before it lead, so that roundings do not add up.
     """
-    model, data = robot.model, robot.data
+    model, data = robot.own_model, robot.data
     T_world_tool = pin.SE3(data.oMf[frame])
     first, *others = [_axis(model, data, joint) for joint in joints]
     base, step = first_step(first)
@@ -128,7 +128,7 @@ def _axis(model: pin.Model, data: pin.Data, joint: int) -> Axis:
 
 def _closed(robot: Robot, joints: list[int], frame: int, rows: list[DHRow], convention: str, base: pin.SE3) -> DHTable:
     """Return the table whose tool placement makes up the rest at q = 0, with its residual."""
-    model, data = robot.model, robot.data
+    model, data = robot.own_model, robot.data
     index = [int(model.idx_qs[joint]) for joint in joints]
     lower, upper = robot.lower[index], robot.upper[index]
     names = tuple(model.names[joint] for joint in joints)

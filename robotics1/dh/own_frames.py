@@ -32,7 +32,7 @@ def own_steps(robot: Robot, joints: list[int], frame: int, convention: str) -> t
         frame: the tool.
         convention: "standard" or "modified".
     """
-    model, data = robot.model, robot.data
+    model, data = robot.own_model, robot.data
     axes = {joint.name: joint.axis for joint in robot.moving_joints}
     if any(np.abs(axes[model.names[joint]] - Z).max() > EXACT for joint in joints):
         return None
@@ -74,7 +74,7 @@ def _start(robot: Robot, joint: int, F: pin.SE3, convention: str, near: float) -
 
     A first axis that is parallel to the world's z needs only a base that is shifted in the plane.
     """
-    model, data = robot.model, robot.data
+    model, data = robot.own_model, robot.data
     mount = _links_above(model, int(model.getFrameId(model.names[joint], pin.FrameType.JOINT)))
     start = [_placement(data, link) for link in mount]
     if convention == "modified" and len(start) > 1:
@@ -109,10 +109,10 @@ def _to_axis(T: pin.SE3, near: float) -> Step | None:
 
 def _last(robot: Robot, joint: int, frame: int, here: pin.SE3, near: float) -> Step | None:
     """Return the screw from F_n to the link nearest the tool to which there is one, beyond the joint's own link."""
-    for link in _links_above(robot.model, frame, itself=True):
-        if int(robot.model.frames[link].parentJoint) == joint:
+    for link in _links_above(robot.own_model, frame, itself=True):
+        if int(robot.own_model.frames[link].parentJoint) == joint:
             x = _along_x(here.actInv(_placement(robot.data, link)), near)
-            own = robot.model.frames[robot.model.frames[link].parentFrame].type == pin.FrameType.JOINT
+            own = robot.own_model.frames[robot.own_model.frames[link].parentFrame].type == pin.FrameType.JOINT
             if x is not None and not (own and link != frame):
                 return x
     return None

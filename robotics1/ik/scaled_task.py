@@ -94,7 +94,7 @@ class ScaledTask:
     def _size_at(self, q: Array) -> float:
         """Return the length of the links and of the prismatic joints at q [m], never near rounding."""
         size = self.robot.fixed_length + float(np.abs(q[~self.robot.revolute]).sum())
-        base = float(np.hypot.reduce(self.robot.model.jointPlacements[1].translation)) if self.robot.nq else 0.0
+        base = float(np.hypot.reduce(self.robot.own_model.jointPlacements[1].translation)) if self.robot.nq else 0.0
         return max(size, ROUNDED * base, ROUNDED * self.length)
 
 

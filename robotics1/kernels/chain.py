@@ -61,7 +61,7 @@ def chain_arrays(
         InputError: a joint has several degrees of freedom, or the tool is open.
     """
     robot.require_single_coordinates("have kernels")
-    model, fixed = robot.model, robot.model.frames[robot.frame_id(frame)]
+    model, fixed = robot.own_model, robot.own_model.frames[robot.frame_id(frame)]
     units = np.where(robot.revolute, 1.0, unit)
     before = pin.SE3.Identity() if axes is None else pin.SE3(np.array(axes).T, np.zeros(3))
     zero = np.zeros(robot.nq)

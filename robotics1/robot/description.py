@@ -61,10 +61,10 @@ def joint_table(robot: Any) -> Table:
     """Return the moving joints with kind, axis and limits."""
     rows = []
     for joint in robot.moving_joints:
-        number = robot.model.getJointId(joint.name)
+        number = robot.own_model.getJointId(joint.name)
         limits, rates = ["", ""], ["", ""]
         if joint.kind in LETTERS:
-            i, j = robot.model.idx_qs[number], robot.model.idx_vs[number]
+            i, j = robot.own_model.idx_qs[number], robot.own_model.idx_vs[number]
             limits = [limit_text(robot.lower[i], joint), limit_text(robot.upper[i], joint)]
             rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
         rows.append((printable(joint.name), kind_text(joint), *limits, *rates))

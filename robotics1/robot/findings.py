@@ -173,7 +173,7 @@ def difference_from_yourdfpy(robot: Robot, text: str) -> float:
     worst = 0.0
     for q in random_configurations(robot, CONFIGURATIONS, np.random.default_rng(0)):
         other.update_cfg(dict(zip(robot.joint_names, q, strict=True)))
-        pin.framesForwardKinematics(robot.model, robot.data, q)
+        pin.framesForwardKinematics(robot.own_model, robot.data, q)
         for link in robot.frame_names:
             ours = robot.data.oMf[robot.frame_id(link)].homogeneous
             worst = max(worst, relative_difference(ours, other.get_transform(link, other.base_link)))

@@ -36,17 +36,19 @@ class RobotSource(Protocol):
         """Return the placements of the robot's joints as polynomials in its parameters."""
 
 
+LIMITS = ("lower", "upper", "max_velocity", "max_effort")
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Robot(DescribedRobot):
     """A robot as Pinocchio sees it.
 
-    Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. Its
-    limits are its own: they stay as they are when those of the model are changed. What else is written to the model
-    changes this robot, and a solver that is ready may not see it: change a copy, `robot.model.copy()`.
+    Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. What
+    is written to `robot.model` changes neither robot nor solver: `load_robot(model)` makes a robot of a changed model.
 
     Attributes:
         name: the robot's name in its file.
-        model: the `pin.Model`; q and q̇ are in its order of joints.
+        own_model: the `pin.Model` that gives the answers; q and q̇ are in its order of joints. Nobody may change it.
         joints: all joints as numbers, in the order of the file.
         tool: the frame meant when no frame is named, or None when the file leaves it open.
         parameters: the named lengths and their values [m].
@@ -60,7 +62,7 @@ class Robot(DescribedRobot):
     """
 
     name: str
-    model: pin.Model = field(repr=False)
+    own_model: pin.Model = field(repr=False)
     joints: tuple[Joint, ...] = field(repr=False)
     tool: str | None
     parameters: Mapping[str, float]
@@ -75,14 +77,9 @@ class Robot(DescribedRobot):
 
     def __post_init__(self) -> None:
         """Copy the limits of the model, and make the place for the scratch memory of each thread."""
-        model = self.model
-        limits = {
-            "lower": model.lowerPositionLimit,
-            "upper": model.upperPositionLimit,
-            "max_velocity": model.upperVelocityLimit,
-            "max_effort": model.upperEffortLimit,
-        }
-        self.__setstate__({name: np.array(limit) for name, limit in limits.items()})
+        model = self.own_model
+        limits = (model.lowerPositionLimit, model.upperPositionLimit, model.upperVelocityLimit, model.upperEffortLimit)
+        self.__setstate__(dict(zip(LIMITS, map(np.array, limits), strict=True)))
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled and copied: the fields, but no scratch memory."""
@@ -90,10 +87,15 @@ class Robot(DescribedRobot):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _scratch=threading.local())
-        if "model" in state:
-            restore_followers(self.model, self.joints)
-        for name in ("lower", "upper", "max_velocity", "max_effort"):
+        if "own_model" in state:
+            restore_followers(self.own_model, self.joints)
+        for name in LIMITS:
             self.__dict__[name].flags.writeable = False
+
+    @cached_property
+    def model(self) -> pin.Model:
+        """A copy of the model for the algorithms of Pinocchio, one for each robot, together with `data`."""
+        return self.own_model.copy()
 
     @property
     def data(self) -> pin.Data:
@@ -102,7 +104,7 @@ class Robot(DescribedRobot):
         try:
             return scratch.data
         except AttributeError:
-            scratch.data = self.model.createData()
+            scratch.data = self.own_model.createData()
             return scratch.data
 
     def with_parameters(self, values: Mapping[str, float]) -> "Robot":
@@ -133,19 +135,19 @@ class Robot(DescribedRobot):
     @property
     def nq(self) -> int:
         """The length of q."""
-        return int(self.model.nq)
+        return int(self.own_model.nq)
 
     @property
     def nv(self) -> int:
         """The length of q̇: the degrees of freedom."""
-        return int(self.model.nv)
+        return int(self.own_model.nv)
 
     @cached_property
     def moving_joints(self) -> tuple[Joint, ...]:
         """The joints with a coordinate of their own, which are those that mimic no other, in the order of q."""
         named = {joint.name: joint for joint in self.joints}
-        numbers = [i for i in range(1, self.model.njoints) if self.model.joints[i].nq > 0]
-        return tuple(named[self.model.names[i]] for i in numbers)
+        numbers = [i for i in range(1, self.own_model.njoints) if self.own_model.joints[i].nq > 0]
+        return tuple(named[self.own_model.names[i]] for i in numbers)
 
     @property
     def joint_names(self) -> tuple[str, ...]:
@@ -155,7 +157,7 @@ class Robot(DescribedRobot):
     @cached_property
     def frame_names(self) -> tuple[str, ...]:
         """The links of the robot; each is a frame."""
-        return links_of(self.model)
+        return links_of(self.own_model)
 
     @cached_property
     def revolute(self) -> npt.NDArray[np.bool_]:
@@ -167,8 +169,8 @@ class Robot(DescribedRobot):
     @cached_property
     def fixed_length(self) -> float:
         """The sum of the distances from joint to joint and to the tool [m]: the reach without any travel."""
-        joints = [placement.translation for placement in self.model.jointPlacements][2:]
-        tools = [frame.placement.translation for frame in self.model.frames]
+        joints = [placement.translation for placement in self.own_model.jointPlacements][2:]
+        tools = [frame.placement.translation for frame in self.own_model.frames]
         lengths = [*map(_length, joints), max(map(_length, tools), default=0.0)]
         return float(sum(length for length in lengths if np.isfinite(length)))
 
@@ -194,7 +196,7 @@ class Robot(DescribedRobot):
     def postures(self) -> Mapping[str, Array]:
         """The postures that have a name, (nq,) each: "zero", and those of an SRDF beside the file."""
         if self.nq != self.nv:
-            return {"zero": np.array(pin.neutral(self.model))}
+            return {"zero": np.array(pin.neutral(self.own_model))}
         return named_postures(self.path, self.joint_names, self.lower, self.upper)
 
     def configuration(self, q: ConfigurationLike, name: str = "q") -> Array:
@@ -217,7 +219,7 @@ class Robot(DescribedRobot):
             f"one number for each of {', '.join(self.joint_names)}" if self.nq == self.nv else "in Pinocchio's order"
         )
         values = real_array(name, q, (self.nq,), meaning)
-        if self.nq != self.nv and not pin.isNormalized(self.model, values, 1e-6):
+        if self.nq != self.nv and not pin.isNormalized(self.own_model, values, 1e-6):
             raise InputError(
                 f"{name} holds a quaternion or a (cos, sin) that is not of length 1; start from pin.neutral(model)"
             )
@@ -251,7 +253,7 @@ class Robot(DescribedRobot):
                     f"robot {self.name!r} has several tips: name the tool, as in load_robot(..., tool='...'); "
                     f"the tips are {', '.join(map(repr, tips(self.frame_names, self.joints)))}"
                 )
-        number = frame_number(self.model, frame)
+        number = frame_number(self.own_model, frame)
         if number is None:
             raise UnknownNameError(f"frame of robot {self.name!r} named", frame, self.frame_names)
         return number
@@ -263,7 +265,7 @@ class Robot(DescribedRobot):
             UnknownNameError: there is no such frame.
             InputError: no frame is named and the tool is open.
         """
-        found = self.model.frames[self.frame_id(frame)]
+        found = self.own_model.frames[self.frame_id(frame)]
         if found.type == pin.FrameType.BODY:
             return str(found.name)
         return next((joint.child for joint in self.joints if joint.name == found.name), str(found.name))

@@ -99,7 +99,7 @@ def read_visuals(robot: Robot) -> tuple[Visual, ...]:
 def _visuals(robot: Robot) -> Iterator[Visual]:
     for link in ET.fromstring(robot.urdf).findall("link"):
         name = link.get("name", "")
-        frame = robot.model.frames[frame_number(robot.model, name) or 0]
+        frame = robot.own_model.frames[frame_number(robot.own_model, name) or 0]
         for part in link:
             if part.tag not in ("visual", UNDRAWN):
                 continue

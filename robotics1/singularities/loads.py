@@ -104,7 +104,7 @@ def own_weight(robot: Robot, q: Array, gravity: Array) -> Array:
         InputError: a joint has several degrees of freedom.
     """
     robot.require_single_coordinates("have a gravity torque here")
-    model = pin.Model(robot.model)
+    model = pin.Model(robot.own_model)
     model.gravity = pin.Motion(gravity, np.zeros(3))
     return np.array(pin.computeGeneralizedGravity(model, model.createData(), q))
 

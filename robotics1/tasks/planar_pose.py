@@ -103,7 +103,7 @@ class PlanarPoseTask(FrameTask):
 @lru_cache(maxsize=256)
 def _tilt(robot: Robot, task: PlanarPoseTask) -> Array:
     """Return the R of the frame where φ = 0, (3, 3)."""
-    here = task._pose(robot, pin.neutral(robot.model))
+    here = task._pose(robot, pin.neutral(robot.own_model))
     a, b = np.eye(3)[numbers_of(task.plane)]
     return np.asarray(pin.exp3(-task.g(here.translation, here.rotation)[2] * np.cross(a, b)) @ here.rotation)
 
@@ -115,7 +115,7 @@ def _check_planar(robot: Robot, task: PlanarPoseTask) -> None:
     n = 3 - a - b
     for seed in range(3):
         step = np.random.default_rng(seed).uniform(-1, 1, robot.nv)
-        q = pin.integrate(robot.model, pin.neutral(robot.model), step)
+        q = pin.integrate(robot.own_model, pin.neutral(robot.own_model), step)
         J = frame_jacobian(robot, q, frame=task.frame, reference=task.reference, point=task.point)
         if np.abs(J[[n, 3 + a, 3 + b]]).max(initial=0.0) > 1e-9 * max(robot.reach, 1.0):
             raise TaskError(

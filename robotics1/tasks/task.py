@@ -259,7 +259,7 @@ class FrameTask:
         if self.reference == "world":
             return
         frame = robot.frame_id(None if self.reference == "tool" else self.reference)
-        if robot.model.frames[frame].parentJoint != 0:
+        if robot.own_model.frames[frame].parentJoint != 0:
             raise TaskError(
                 f"the axes of {self.reference!r} move with the robot, so a target in them does not stand still; "
                 f"use reference='world'"
@@ -283,7 +283,7 @@ def turns_of(robot: Robot, task: Task) -> Array:
     """
     form = task.frame_map()
     if form is None:
-        return turns_of_followers(robot, [frame.name for frame in robot.model.frames])
+        return turns_of_followers(robot, [frame.name for frame in robot.own_model.frames])
     axes = [] if form.reference == "world" else [None if form.reference == "tool" else form.reference]
     return turns_of_followers(robot, [form.frame, *axes])
 

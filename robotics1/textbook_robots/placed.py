@@ -71,7 +71,7 @@ def _on_base(robot: Robot, T: pin.SE3) -> Robot:
     root = root_of(robot.frame_names, robot.joints)
     name = _free(robot, "world")
     joint = placed(Joint(f"{name}_joint", "fixed", name, root, leader=f"{name}_joint"), T)
-    model = pin.Model(robot.model)
+    model = pin.Model(robot.own_model)
     for number in range(1, model.njoints):
         if model.parents[number] == 0:
             model.jointPlacements[number] = joint.placement * model.jointPlacements[number]
@@ -79,21 +79,21 @@ def _on_base(robot: Robot, T: pin.SE3) -> Robot:
         if frame.parentJoint == 0 and frame.name != "universe":
             frame.placement = joint.placement * frame.placement
     model.addFrame(pin.Frame(name, 0, 0, pin.SE3.Identity(), pin.FrameType.BODY))
-    return _written(replace(robot, model=model, joints=(joint, *robot.joints)), joint, name)
+    return _written(replace(robot, own_model=model, joints=(joint, *robot.joints)), joint, name)
 
 
 def _with_tool(robot: Robot, T: pin.SE3) -> Robot:
     link, name = robot.link_of(None), _free(robot, "tool")
     joint = placed(Joint(f"{name}_joint", "fixed", link, name, leader=f"{name}_joint"), T)
-    model = pin.Model(robot.model)
+    model = pin.Model(robot.own_model)
     number = robot.frame_id(link)
     parent = model.frames[number]
     model.addFrame(pin.Frame(name, parent.parentJoint, number, parent.placement * joint.placement, pin.FrameType.BODY))
-    return _written(replace(robot, model=model, joints=(*robot.joints, joint), tool=name), joint, name)
+    return _written(replace(robot, own_model=model, joints=(*robot.joints, joint), tool=name), joint, name)
 
 
 def _free(robot: Robot, name: str) -> str:
-    while robot.model.existFrame(name) or robot.model.existFrame(f"{name}_joint"):
+    while robot.own_model.existFrame(name) or robot.own_model.existFrame(f"{name}_joint"):
         name += "_"
     return name
 

@@ -168,7 +168,7 @@ def _resting(robot: Robot) -> Array:
     if robot.nq != robot.nv:
         import pinocchio as pin
 
-        return np.asarray(pin.neutral(robot.model))
+        return np.asarray(pin.neutral(robot.own_model))
     return np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
 
 

@@ -86,7 +86,7 @@ def is_planar(robot: Robot) -> bool:
     if robot.nv == 0 or robot.nq != robot.nv:
         return False
     for q in _random_configurations(robot):
-        J = pin.computeJointJacobians(robot.model, robot.data, q).reshape(6, -1)
+        J = pin.computeJointJacobians(robot.own_model, robot.data, q).reshape(6, -1)
         if np.abs(J[[2, 3, 4]]).max() > FLAT * max(1.0, robot.reach):
             return False
     return True
@@ -106,13 +106,13 @@ def _moving_joints(robot: Robot) -> list[dict[str, Any]]:
     named = {joint.name: joint for joint in robot.joints}
     coordinate = {name: i for i, name in enumerate(robot.joint_names)}
     joints = []
-    for i in range(1, robot.model.njoints):
-        joint = named[robot.model.names[i]]
+    for i in range(1, robot.own_model.njoints):
+        joint = named[robot.own_model.names[i]]
         joints.append(
             {
                 "name": joint.name,
-                "parent": robot.model.parents[i] - 1,
-                "placement": placement(robot.model.jointPlacements[i]),
+                "parent": robot.own_model.parents[i] - 1,
+                "placement": placement(robot.own_model.jointPlacements[i]),
                 "kind": joint.kind,
                 "axis": list(joint.axis),
                 "coordinate": coordinate[joint.leader],
@@ -125,17 +125,17 @@ def _moving_joints(robot: Robot) -> list[dict[str, Any]]:
 
 def _joints_at(robot: Robot, q: Array) -> list[dict[str, Any]]:
     """Return the joints as they stand at q."""
-    pin.forwardKinematics(robot.model, robot.data, q)
+    pin.forwardKinematics(robot.own_model, robot.data, q)
     return [
         {
-            "name": robot.model.names[i],
-            "parent": robot.model.parents[i] - 1,
+            "name": robot.own_model.names[i],
+            "parent": robot.own_model.parents[i] - 1,
             "placement": placement(robot.data.liMi[i]),
             "kind": "fixed",
             "axis": [0.0, 0.0, 1.0],
             "coordinate": -1,
         }
-        for i in range(1, robot.model.njoints)
+        for i in range(1, robot.own_model.njoints)
     ]
 
 
@@ -154,7 +154,7 @@ def _coordinates(robot: Robot) -> list[dict[str, Any]]:
 
 
 def _frame(robot: Robot, name: str | None) -> dict[str, Any]:
-    frame = robot.model.frames[robot.frame_id(name)]
+    frame = robot.own_model.frames[robot.frame_id(name)]
     return {"joint": frame.parentJoint - 1, "placement": placement(frame.placement)}
 
 
@@ -166,14 +166,14 @@ def _frame_of(robot: Robot, task: Task) -> str:
 
 def _chain(robot: Robot, name: str) -> dict[str, Any]:
     """Return where the first joint on the way to a frame is, and how far from there the frame can be at most [m]."""
-    frame = robot.model.frames[robot.frame_id(name)]
+    frame = robot.own_model.frames[robot.frame_id(name)]
     way: list[int] = []
     number = frame.parentJoint
     while number > 0:
         way.insert(0, number)
-        number = robot.model.parents[number]
-    steps = [robot.model.jointPlacements[i].translation for i in way[1:]] + [frame.placement.translation]
-    start = robot.model.jointPlacements[way[0]].translation if way else np.zeros(3)
+        number = robot.own_model.parents[number]
+    steps = [robot.own_model.jointPlacements[i].translation for i in way[1:]] + [frame.placement.translation]
+    start = robot.own_model.jointPlacements[way[0]].translation if way else np.zeros(3)
     length = sum(float(np.linalg.norm(step)) for step in steps) + _travel(robot, name)
     return {"start": [float(value) for value in start], "length": _finite(length)}
 

@@ -28,11 +28,11 @@ def skeleton(robot: Robot) -> list[dict[str, Any]]:
     w = THICK * (robot.fixed_length if robot.fixed_length > 1e-6 else robot.reach)
     shapes = [_rod(-1, -w * Z, 0 * Z, 1.5 * w, BASE, "base")]
     named = {joint.name: joint for joint in robot.joints}
-    for i in range(1, robot.model.njoints):
-        joint, number = named[robot.model.names[i]], i - 1
+    for i in range(1, robot.own_model.njoints):
+        joint, number = named[robot.own_model.names[i]], i - 1
         axis = np.array(joint.axis)
-        place = robot.model.jointPlacements[i]
-        above = robot.model.parents[i] - 1
+        place = robot.own_model.jointPlacements[i]
+        above = robot.own_model.parents[i] - 1
         shapes += _rods(above, 0 * Z, place.translation, w / 2, ROD, joint.parent)
         if joint.kind == "prismatic":
             travel = [value if np.isfinite(value) else 0.0 for value in (joint.lower, joint.upper)]
@@ -44,7 +44,7 @@ def skeleton(robot: Robot) -> list[dict[str, Any]]:
         else:
             shapes.append(_cube(number, 1.5 * w, Z, DRUM, joint.child))
     if robot.tool is not None:
-        frame = robot.model.frames[robot.frame_id(robot.tool)]
+        frame = robot.own_model.frames[robot.frame_id(robot.tool)]
         number, end = frame.parentJoint - 1, frame.placement.translation
         shapes += _rods(number, 0 * Z, end, w / 2, ROD, robot.tool)
         shapes.append(_shape(number, "sphere", [0.8 * w], pin.SE3(np.eye(3), end), TIP, robot.tool))

@@ -63,9 +63,9 @@ def all_axes_to(robot: Robot, frame: str | None, box: Mapping[str, tuple[float, 
         )
     lower, upper = intervals(robot, box)
     q = np.zeros(robot.nq)
-    pin.forwardKinematics(robot.model, robot.data, q)
+    pin.forwardKinematics(robot.own_model, robot.data, q)
     J = frame_jacobian(robot, q, frame=frame)
-    placements = {joint.name: pin.SE3(robot.data.oMi[robot.model.getJointId(joint.name)]) for joint in way}
+    placements = {joint.name: pin.SE3(robot.data.oMi[robot.own_model.getJointId(joint.name)]) for joint in way}
     axes = []
     for joint in way:
         i = robot.joint_names.index(joint.name)

@@ -37,7 +37,7 @@ def exact_robot(robot: Robot, parameters: Mapping[str, float] | None = None) -> 
         if parameters is None:
             return robot, 0.0
     model = build_model(robot.name, dict.fromkeys(robot.frame_names, pin.Inertia.Zero()), cleaned)
-    return replace(robot, model=model, joints=cleaned, parameters=Parameters(), source=None), largest
+    return replace(robot, own_model=model, joints=cleaned, parameters=Parameters(), source=None), largest
 
 
 def _cleaned(joint: Joint) -> Joint:

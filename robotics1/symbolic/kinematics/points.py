@@ -42,7 +42,7 @@ def with_point(
     names = sorted({symbol.name for x in coordinates for symbol in x.free_symbols})
     home = {**dict.fromkeys(names, UNVALUED), **(parameters or {}), **robot.parameters}
     name = "point"
-    while robot.model.existFrame(name):
+    while robot.own_model.existFrame(name):
         name += "_"
 
     return RobotWithPoint(robot, link, name, tuple(coordinates), Parameters(home)).with_parameters({}), name
@@ -121,7 +121,7 @@ def _with_frame(robot: Robot, link: str, name: str, p: Array) -> Robot:
     """Return the robot with a link of this name, fixed to another one at p."""
     x, y, z = map(float, p)
     joint = Joint(f"{name}_joint", "fixed", link, name, (x, y, z), leader=f"{name}_joint")
-    model = pin.Model(robot.model)
+    model = pin.Model(robot.own_model)
     number = robot.frame_id(link)
     parent = model.frames[number]
     placement = parent.placement * joint.placement
@@ -131,4 +131,4 @@ def _with_frame(robot: Robot, link: str, name: str, p: Array) -> Robot:
         f'  <link name="{name}"/>\n  <joint name="{joint.name}" type="fixed">\n    <origin xyz="{x!r} {y!r} {z!r}"/>\n'
         f'    <parent link={quoteattr(link)}/>\n    <child link="{name}"/>\n  </joint>\n'
     )
-    return replace(robot, model=model, joints=(*robot.joints, joint), urdf=before + element + end + after)
+    return replace(robot, own_model=model, joints=(*robot.joints, joint), urdf=before + element + end + after)
