@@ -7,8 +7,9 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.curves.composition import PathTrajectory
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.frenet import FrenetRotation, frenet_frame, frenet_path
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
 from robotics1.orientation.elementary import cross_matrix

@@ -9,7 +9,8 @@ import numpy.typing as npt
 from robotics1.control.decay import ErrorDecay
 from robotics1.control.error_axes import ErrorAxes
 from robotics1.control.gain_matrix import written_gain
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, real_number
 from robotics1.kinematics import velocity_of_joints

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.control.law import ControlLaw
-from robotics1.curves.curve import Side
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, positive_bound, real_number
 from robotics1.kinematics import velocity_of_joints

@@ -6,8 +6,8 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.curves.curve import Side
 from robotics1.curves.given import Motion, joint_motion
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import (
     Array,

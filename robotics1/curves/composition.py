@@ -10,9 +10,10 @@ import numpy.typing as npt
 from numpy.polynomial import Chebyshev
 
 from robotics1.caching import cached_property
-from robotics1.curves.curve import SAME_PLACE, Curve, Side
+from robotics1.curves.curve import SAME_PLACE, Curve
 from robotics1.curves.given import as_curve, as_law, as_path
 from robotics1.curves.interpolants import interpolants, roots
+from robotics1.curves.named_derivatives import Side
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError
 from robotics1.inputs import Array, positive_number, real_number

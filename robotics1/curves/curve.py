@@ -1,10 +1,10 @@
 """A curve of one variable: a path p(s), a timing law s(t), a motion q(t), an orientation R(s), a pose T(s)."""
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -12,18 +12,18 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.curves.drawing import DrawnCurve
 from robotics1.curves.interpolants import Extreme, interpolants, largest
+from robotics1.curves.named_derivatives import NamedDerivatives, Side
 from robotics1.curves.samples import MotionSamples, motion_samples
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, dimensions, one_of, real_array
 
-Side = Literal["right", "left"]
 SAME_PLACE = 1e-9  # of the end: a parameter so little beyond it is the end
 SAME_BREAK = 1e-11  # of the end: a parameter so near to a breakpoint is the breakpoint
 SAME_SIZE = 1e-12  # relative: magnitudes so near are equal, and the earlier instant counts
 STANDSTILL = 1e-12  # |p'| relative to the length over the end: slower is no motion
 
 
-class Curve(DrawnCurve, ABC):
+class Curve(NamedDerivatives, DrawnCurve):
     """x(t), 0 ≤ t ≤ end, with its derivatives: one value for a number t, k values for (k,) parameters.
 
     At a breakpoint a derivative jumps; `side` says from which side it is taken there: "right", the default, or "left".
@@ -85,18 +85,6 @@ class Curve(DrawnCurve, ABC):
         order = counting_number("order", order)
         values = self._derivative(parameters, order, side) if order else self._value(parameters, side)
         return values[0] if alone else values
-
-    def velocity(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
-        """Return the first derivative, of a motion in time its velocity [per s]."""
-        return self.derivative(t, 1, side=side)
-
-    def acceleration(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
-        """Return the second derivative [per s²]."""
-        return self.derivative(t, 2, side=side)
-
-    def jerk(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
-        """Return the third derivative [per s³]."""
-        return self.derivative(t, 3, side=side)
 
     @property
     def duration(self) -> float:

@@ -6,9 +6,10 @@ import numpy as np
 from numpy.polynomial import Chebyshev
 
 from robotics1.caching import cached_property
-from robotics1.curves.curve import Curve, Side, across
+from robotics1.curves.curve import Curve, across
 from robotics1.curves.given import as_path
 from robotics1.curves.interpolants import CONVERGED, interpolants
+from robotics1.curves.named_derivatives import Side
 from robotics1.curves.rotations import RotationPath
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_number

@@ -8,7 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, answer_of
 

@@ -4,8 +4,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.interpolants import minimum_and_maximum
+from robotics1.curves.named_derivatives import Side
 from robotics1.inputs import Array, counting_number, real_number
 
 

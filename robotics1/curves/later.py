@@ -6,16 +6,17 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
 from robotics1.curves.interpolants import Extreme
+from robotics1.curves.named_derivatives import NamedDerivatives, Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, real_array, real_number
 from robotics1.results import Frozen
 
 
 @dataclass(frozen=True, eq=False)
-class LaterMotion(Frozen):
+class LaterMotion(NamedDerivatives, Frozen):
     """x(t), start ≤ t ≤ end, of a curve with its own time t − start.
 
     Where a motion is asked for, this is one too: the curve, which begins at 0.
@@ -54,18 +55,6 @@ class LaterMotion(Frozen):
     def derivative(self, t: npt.ArrayLike, order: int = 1, *, side: Side = "right") -> Any:
         """Return the derivative of an order at the instant t. Raises as a call."""
         return self.trajectory.derivative(self._own(t), order, side=side)
-
-    def velocity(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
-        """Return the first derivative at t [per s]. Raises as a call."""
-        return self.derivative(t, 1, side=side)
-
-    def acceleration(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
-        """Return the second derivative at t [per s²]. Raises as a call."""
-        return self.derivative(t, 2, side=side)
-
-    def jerk(self, t: npt.ArrayLike, *, side: Side = "right") -> Any:
-        """Return the third derivative at t [per s³]. Raises as a call."""
-        return self.derivative(t, 3, side=side)
 
     def extremes(self, order: int = 0) -> tuple[Array, Array]:
         """Return the instants and values of each coordinate's minimum and maximum, as a curve does."""

@@ -10,9 +10,10 @@ import numpy.typing as npt
 from numpy.polynomial import polynomial
 
 from robotics1.caching import cached_property
-from robotics1.curves.curve import Curve, Side, piece_at
+from robotics1.curves.curve import Curve, piece_at
 from robotics1.curves.drawing import polynomial_text
 from robotics1.curves.interpolants import minimum_and_maximum
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, dimensions, positive_number, real_array, real_number
 

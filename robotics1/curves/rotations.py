@@ -7,8 +7,9 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.curves.arcs import line_path
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_path
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, moderate_array, real_array
 from robotics1.orientation.axis_angle import rotation_to_axis_angle

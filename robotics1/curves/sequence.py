@@ -9,8 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
-from robotics1.curves.curve import Curve, Side, piece_at
+from robotics1.curves.curve import Curve, piece_at
 from robotics1.curves.given import as_curve
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.results import Frozen

@@ -8,8 +8,9 @@ import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.curves.composition import stretched
-from robotics1.curves.curve import SAME_BREAK, Curve, Side
+from robotics1.curves.curve import SAME_BREAK, Curve
 from robotics1.curves.given import as_law, as_path
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, positive_number
 

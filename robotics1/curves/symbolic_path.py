@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from robotics1.caching import cached_property
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.formula_text import expression_of
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, by_name, positive_number, real_array, real_number, text
 

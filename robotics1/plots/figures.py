@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from robotics1.curves.curve import Side
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.files import write_file
 from robotics1.inputs import Array, text

@@ -5,9 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_path
 from robotics1.curves.interpolants import largest
+from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, positive_number
 

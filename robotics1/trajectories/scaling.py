@@ -9,8 +9,9 @@ import numpy as np
 from numpy.polynomial import polynomial
 
 from robotics1.curves.composition import stretched
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
+from robotics1.curves.named_derivatives import Side
 from robotics1.curves.piecewise_polynomial import stationary_points
 from robotics1.errors import InputError
 from robotics1.inputs import LARGEST, answer_of, real_number

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from robotics1.curves.curve import Side
+from robotics1.curves.named_derivatives import Side
 from robotics1.inputs import Array
 
 Rate = Callable[[float, Array, Side], Array]

@@ -6,7 +6,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
+from robotics1.curves.named_derivatives import Side
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task, unitless_rows

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.curves.curve import Curve, Side
+from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
+from robotics1.curves.named_derivatives import Side
 from robotics1.differentiation import derivative_inside, directional_derivative
 from robotics1.errors import InputError
 from robotics1.inputs import Array
