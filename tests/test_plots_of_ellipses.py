@@ -6,8 +6,6 @@ from arms import arm, random_q
 
 import robotics1 as r1
 from robotics1 import plots
-from robotics1.plots.ellipsoid_shadows import shadow_of
-from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipsoid
 
 PLANE = r1.PositionTask("xy")
 PLANES = [(0, 1), (0, 2), (1, 2)]
@@ -43,18 +41,25 @@ def test_semi_axes_of_a_drawn_velocity_ellipse_are_the_singular_values_and_of_fo
 @pytest.mark.parametrize("name", ["six_r", "spatial", "redundant"])
 @pytest.mark.parametrize("plane", PLANES)
 def test_a_shadow_has_the_support_of_its_ellipsoid(name, plane):
-    """The largest nᵀ J q̇ with |q̇| = 1 is |Jᵀ n|, the largest nᵀ f with |Jᵀ f| = 1 is √(nᵀ (J Jᵀ)⁻¹ n)."""
+    """The largest nᵀ J q̇ with |q̇| = 1 is |Jᵀ n|, the largest nᵀ f with |Jᵀ f| = 1 is √(nᵀ (J Jᵀ)⁻¹ n).
+
+    The rate 1 of a slide is the reach per second.
+    """
     robot = arm(name)
-    J = r1.PositionTask("xyz").jacobian(robot, random_q(robot, np.random.default_rng(3)))
+    q = random_q(robot, np.random.default_rng(3))
+    J = r1.PositionTask().jacobian(robot, q) * np.where(robot.revolute, 1, robot.reach)
+    tool = r1.forward_kinematics(robot, q).translation[list(plane)]
+    panel = plots.plot_ellipses(robot, r1.PositionTask(), q)[PLANES.index(plane)]
     for n in DIRECTIONS:
         normal = np.zeros(3)
         normal[list(plane)] = n
-        for shadow, support in (
-            (shadow_of(velocity_ellipsoid(J), plane), np.linalg.norm(J.T @ normal)),
-            (shadow_of(force_ellipsoid(J), plane), np.sqrt(normal @ np.linalg.solve(J @ J.T, normal))),
+        for kind, support in (
+            ("velocity", np.linalg.norm(J.T @ normal)),
+            ("force", np.sqrt(normal @ np.linalg.solve(J @ J.T, normal))),
         ):
-            assert (shadow.boundary @ n).max() == pytest.approx(support, rel=1e-3)  # of 121 points
-            assert (shadow.boundary @ n).max() <= support * (1 + 1e-12)
+            boundary = ellipse(panel, kind, tool)
+            assert (boundary @ n).max() == pytest.approx(support, rel=1e-3)  # of 121 points
+            assert (boundary @ n).max() <= support * (1 + 1e-9)
 
 
 def test_where_the_arm_is_stretched_velocity_is_a_segment_and_force_is_between_two_lines():
@@ -71,14 +76,16 @@ def test_where_the_arm_is_stretched_velocity_is_a_segment_and_force_is_between_t
     assert all(line.get_xy2()[1] == pytest.approx(line.get_xy1()[1]) for line in (first, second))  # along x
 
 
-def test_a_shadow_of_forces_that_nothing_bounds_is_a_whole_plane():
-    J = np.array([[1.0], [0.0], [0.0]])
-    assert not shadow_of(force_ellipsoid(J), (1, 2)).bounded
-    assert len(shadow_of(force_ellipsoid(J), (1, 2)).edges) == 0
-    assert len(shadow_of(force_ellipsoid(J), (0, 1)).edges) == 2
-    assert shadow_of(force_ellipsoid(J), (0, 1)).edges[0] == pytest.approx([1, 0]) or shadow_of(
-        force_ellipsoid(J), (0, 1)
-    ).edges[0] == pytest.approx([-1, 0])
+def test_forces_across_a_slide_are_not_bounded():
+    """J = (1, 0, 0)ᵀ: |Jᵀ f| ≤ 1 bounds f_x alone, by 1; in the plane yz nothing is drawn."""
+    robot = r1.planar_arm("P", lengths=[])
+    xy, xz, yz = plots.plot_ellipses(robot, r1.PositionTask(), [0.4])
+    for panel in (xy, xz):
+        lines = [line for line in panel.lines if type(line).__name__ == "AxLine"]
+        at = sorted((line.get_xy1()[0] - 0.4) * per_metre(lines[0].get_label()) for line in lines)
+        assert at == pytest.approx([-1 / robot.reach, 1 / robot.reach])  # a torque divided by the reach
+        assert all(line.get_xy2()[0] == pytest.approx(line.get_xy1()[0]) for line in lines)
+    assert not [line for line in yz.lines if type(line).__name__ == "AxLine"]
 
 
 def test_a_position_in_space_is_drawn_in_three_planes_of_one_scale(tmp_path):

@@ -90,6 +90,16 @@ def test_polynomials_of_other_lengths_are_found_again_where_the_file_has_others(
     assert robot.with_parameters({"l": 4.0}).placements["tip"].xyz[0] == {("l", "l"): 1.0}
 
 
+def test_a_robot_that_is_given_by_its_name_or_by_its_path_is_loaded_once(tmp_path, parses):
+    path = tmp_path / "arm.urdf"
+    path.write_text(r1.load_robot("planar_2r").urdf)
+    for given in ("planar_2r", path):
+        r1.forward_kinematics(given, [0, 0])
+        parses.clear()
+        r1.forward_kinematics(given, [0, 0.1])
+        assert not parses
+
+
 # --- nobody changes a robot
 
 
