@@ -163,7 +163,7 @@ def test_a_formula_that_differs_from_pinocchio_is_an_error_and_no_answer(name):
 
 @pytest.mark.parametrize("n", [4, 6, 11])
 def test_the_angle_of_a_planar_nr_is_the_sum_of_its_joints_whole_turns_apart(n):
-    """Where it is tried, the sum leaves (−π, π], in which Pinocchio's angle is told."""
+    """Where it is tried, the sum leaves (−π, π], in which Pinocchio's angle lies."""
     f = formulas(robot_from_dh([("R", 0.3, 0, 0, 0)] * n), PlanarPoseTask())
     assert f.value[2] == sum(f.q)
     assert max(abs(sum(point.q)) for point in f._trials.points) > pi

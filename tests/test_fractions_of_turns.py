@@ -112,7 +112,7 @@ def test_numbers_alone_find_the_same_singularities_as_formulas(tmp_path, multipl
 
 @pytest.mark.parametrize(("lower", "upper"), [(-pi, pi), (-2 * pi, 2 * pi), (1, 8), (-1, 0.5), (5, 30)])
 def test_joint_limits_leave_those_singularities_that_are_inside(tmp_path, lower, upper):
-    """Where the limits allow more than the two turns of a circle, each place is told once."""
+    """Where the limits allow more than the two turns of a circle, each place is listed once."""
     robot = coupled(tmp_path, "0.5", f'<limit lower="{lower}" upper="{upper}" velocity="1" effort="1"/>')
     found = r1.find_singularities(robot, XY, samples=10)
     everywhere = changes_of_sign(0.5, -2 * pi, 2 * pi)

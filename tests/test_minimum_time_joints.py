@@ -133,7 +133,7 @@ def test_a_wait_for_one_joint_may_be_too_short_for_another():
     assert answer.duration == pytest.approx(4.02, abs=2e-2)
     assert answer.trajectory(answer.duration) == pytest.approx(q1, abs=1e-9)
     for shorter in np.linspace(0.77, 0.999 * answer.duration, 50):
-        with pytest.raises(r1.InputError, match="the next duration that serves"):
+        with pytest.raises(r1.InputError, match="the next possible duration"):
             r1.trapezoidal([0] * 3, q1, shorter, v0, v1, acceleration=[0.773, 0.673, 0.952])
 
 

@@ -167,7 +167,7 @@ def test_a_singular_rotation_determines_the_sum_or_the_difference_of_every_seque
 
 
 def test_the_other_combination_is_not_determined():
-    """Whichever sign is told, the members of the family differ in the other one."""
+    """Whichever sign is reported, the members of the family differ in the other one."""
     for b, sign in ((0, 1), (pi, -1)):
         found = rotation_to_euler("ZYZ", by_scipy("ZYZ", [0.4, b, 0.3], False))
         assert found.combination == (1, 0, sign)

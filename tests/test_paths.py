@@ -354,7 +354,7 @@ def test_stacked_paths_go_from_start_to_end_together():
 
 
 class Moving:
-    """A motion of somebody else, of which only the velocity is asked."""
+    """A motion of somebody else; only its velocity is asked."""
 
     def __init__(self, velocity, duration, breakpoints=()):
         self.duration, self.breakpoints, self._velocity = duration, breakpoints, velocity

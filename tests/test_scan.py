@@ -57,11 +57,11 @@ def first_frame(robot):
 
 @cache
 def case(name):
-    make, task, rank, served = CASES[name]
+    make, task, rank, compiled = CASES[name]
     robot = make()
     if getattr(task, "reference", None) == "base":
         task = PositionTask(task.axes, reference=first_frame(robot))
-    return robot, task, rank, served
+    return robot, task, rank, compiled
 
 
 def brute_force(robot, task, q, rank, length=1.0):
@@ -116,8 +116,8 @@ def is_asked_everywhere(monkeypatch, robot, task, samples=400):
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_kernels_serve_tasks_whose_rows_are_the_same_everywhere(name, monkeypatch):
-    robot, task, _, served = case(name)
-    assert is_asked_everywhere(monkeypatch, robot, task) != served
+    robot, task, _, compiled = case(name)
+    assert is_asked_everywhere(monkeypatch, robot, task) != compiled
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -312,7 +312,7 @@ def test_the_answer_does_not_depend_on_the_workers(method):
         same(alone, scan_singularities(robot, POSE, executor=pool, **options))
 
 
-def test_a_task_that_is_not_served_by_kernels_is_measured_here_whatever_the_executor():
+def test_a_task_that_is_not_compiled_by_kernels_is_measured_here_whatever_the_executor():
     options = {"samples": 50, "measures": ALL}
     with ThreadPoolExecutor(2) as pool:
         same(

@@ -1,4 +1,4 @@
-"""Tasks told by Euler angles, and pointing tasks: values by hand, Jacobians by differences, laws, what is refused."""
+"""Tasks given by Euler angles, and pointing tasks: values by hand, Jacobians by differences, laws, what is refused."""
 
 from math import nan, pi
 

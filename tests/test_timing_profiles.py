@@ -164,7 +164,7 @@ def test_the_peak_velocity_is_told_where_the_cruise_begins(delta, A, J, slack):
 
 
 def test_double_s_errors_say_which_durations_serve():
-    with pytest.raises(r1.InputError, match=r"the next duration that serves is 2\.51984"):
+    with pytest.raises(r1.InputError, match=r"the next possible duration is 2\.51984"):
         r1.trajectories.double_s(0, 1, 1, jerk=2)  # the fastest has T³ = 32 Δ/J
     with pytest.raises(r1.InputError, match="positive"):
         r1.trajectories.double_s(0, 1, 3, jerk=-2)

@@ -74,8 +74,8 @@ def _joint(name: str, joint: JointFormula) -> str:
         ("The two are one where", joint.double_if, sympy.false),
         ("It is free where", joint.free_if, sympy.false),
     )
-    told = "".join(f"<p>{label}</p>{equation('', c)}" for label, c, usual in conditions if c != usual)
-    return text + (folded("When it exists", told) if told else "")
+    unusual = "".join(f"<p>{label}</p>{equation('', c)}" for label, c, usual in conditions if c != usual)
+    return text + (folded("When it exists", unusual) if unusual else "")
 
 
 def _with_names(joint: JointFormula) -> tuple[list[tuple[sympy.Symbol, Any]], list[Any]]:

@@ -25,7 +25,7 @@ IN_HALF_TANGENTS = np.array([[1, 1, 0], [0, 0, 2], [1, -1, 0.0]])  # f₀, f₁,
 OFFSETS = (0.4, 1.5, 2.6)  # [rad] from where joint 2 is counted: its half tangent is then finite at the roots
 REGULAR = 1e-9  # 1/condition of the pencil's last matrix
 REAL = 0.05  # |Im t|/(1 + |t|²) of a root that may be real
-CIRCLE = 0.2  # distance from ±i, the roots of 1 + t², each of which is there four times
+CIRCLE = 0.2  # distance from ±i, the roots of 1 + t²; each is there four times
 SEPARATE = 1e-4  # roots at this distance have eigenvectors that differ
 ROUNDING = 1e-15
 

@@ -1,7 +1,7 @@
 """Joints in a loop with finitely many positions by formula: `ik/loops.py` and `ik/subproblems.py`, compiled.
 
 A placement is [R p], (3, 4); Z(x) turns about z by x, or moves along it. Each function writes coordinates to the rows
-of `found` and returns how many there are, or UNKNOWN where they are not finitely many or cannot be told.
+of `found` and returns how many there are, or UNKNOWN where they are not finitely many or cannot be counted.
 """
 
 import math

@@ -13,7 +13,7 @@ from robotics1.orientation.elementary import cross_matrix
 from robotics1.orientation.nearest import PRINTED
 from robotics1.results import Frozen
 
-STARTS = 600  # rotations, spread over all, from each of which Newton's method runs
+STARTS = 600  # rotations, spread over all; Newton's method runs from each
 ROUNDS = 60
 EXACT = 1e-10  # the residual of entries that are exact
 SAME = 1e-5  # entries of one solution

@@ -1,4 +1,4 @@
-"""An arm of which nothing is known but its direct kinematics, r = f(q)."""
+"""An arm that is known only by its direct kinematics, r = f(q)."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields

@@ -65,7 +65,7 @@ class Transfer:
             return velocity, max(0.0, rest)
         raise InputError(
             f"a distance of {self.distance:g} cannot take {duration:g} s under these bounds: it can be {least:g} to "
-            f"{most:g} then; the next duration that serves is {self.next_duration(duration):.9g} s"
+            f"{most:g} then; the next possible duration is {self.next_duration(duration):.9g} s"
         )
 
     def next_duration(self, duration: float) -> float:

@@ -54,7 +54,7 @@ class Samples {
   }
 }
 
-/** A line that grows with the time: thin rods between points, of which so many are shown. */
+/** A line that grows with the time: thin rods between points; so many of them are shown. */
 class Trail {
   constructor(instants, points, radius, color) {
     this.ends = [];

@@ -80,7 +80,7 @@ class Plot {
     this.node.replaceChildren(picture);
   }
 
-  /** Write the names of the lines beside the title, as many as have room; under the pointer all are told. */
+  /** Write the names of the lines beside the title, as many as have room; under the pointer all are shown. */
   nameLines(picture) {
     const names = shortened(this.lines.map(line => line.name));
     let at = RIGHT;
