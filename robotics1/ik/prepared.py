@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from robotics1.caching import cached_property
+from robotics1.ik.added_joints import way_to_all_solutions
 from robotics1.ik.compiled_solutions import CompiledSolutions, compiled_solutions
 from robotics1.ik.exact import ExactSolver
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solutions_by_search import searched
-from robotics1.ik.structure import closed_form
 from robotics1.inputs import by_name, real_number
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -36,7 +36,9 @@ class Prepared:
     @cached_property
     def compiled(self) -> CompiledSolutions | None:
         """The kernel for targets at which no two solutions meet; None if there is none for this arm."""
-        return None if self.exact is None else compiled_solutions(self.exact)
+        if self.exact is None or self.problem.task.rows > np.count_nonzero(self.problem.moving):
+            return None
+        return compiled_solutions(self.exact)
 
     def solve(self, target: Any, starts: int | None, seed: int) -> IKSolutions:
         """Return the solutions of a target, in the form of the task's value.
@@ -80,6 +82,6 @@ def prepare(
     problem = scaled_task(robot, task, where or None)
     if still:
         problem = replace(problem, moving=problem.moving & ~np.isin(robot.joint_names, list(still)))
-    form = closed_form(robot, task, problem.moving, problem.middle) if problem.moving.any() else None
+    form = way_to_all_solutions(robot, task, problem.moving, problem.middle) if problem.moving.any() else None
     exact = None if form is None else ExactSolver(problem, form)
     return Prepared(problem, exact if exact is not None and exact.is_regular else None)

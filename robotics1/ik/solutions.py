@@ -35,7 +35,8 @@ def ik_solutions(
 
     Where as many joints move the task as it has rows, and the joint axes allow, all solutions follow from polynomials:
     one to three joints that move a point, a planar pose or an orientation; six joints, three of which, one after the
-    other, have axes through a point (a spherical wrist) or move in a plane (three parallel axes, as UR arms have). Each
+    other, have axes through a point (a spherical wrist) or move in a plane (three parallel axes, as UR arms have). An
+    arm with fewer joints than rows has the solutions of one with more joints in which the added ones stand still. Each
     solution is polished by Newton's method on the robot itself, and verified. `complete` then says that there are no
     others (of six joints not where two solutions meet, since rounding may hide a third), `method` how they were found,
     and BOUNDARY that two of them meet.

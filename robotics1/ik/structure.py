@@ -148,16 +148,15 @@ def fixed_chain(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: 
     return FixedChain(tuple(placements), tuple(kinds), tuple(coordinate), length)
 
 
-def closed_form(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: Array) -> ClosedForm | None:
-    """Return the way to all solutions of a task that moves as many joints as it has rows; None if none is known."""
-    form = task.frame_map()
-    if form is None or form.pose_error is None or form.pose_error.axis.any():
-        return None
-    chain = fixed_chain(robot, task, moving, still)
-    rows, n = sorted(form.pose_error.rows), int(np.count_nonzero(moving))
-    if chain is None or len(rows) != n or len(chain.prismatic) != n:
-        return None
-    if n == 6:
+def closed_form(chain: FixedChain, rows: Sequence[int]) -> ClosedForm | None:
+    """Return the way to all solutions of as many rows of a pose as there are joints; None if none is known.
+
+    Args:
+        chain: the joints that move the rows.
+        rows: of (p, turn), in ascending order.
+    """
+    rows = list(rows)
+    if len(chain.prismatic) == 6:
         return _pose(chain)
     if max(rows) < 3:
         method, solve = "elimination to a polynomial", _position(chain, rows)

@@ -14,6 +14,7 @@ from robotics1.tasks.task import Task
 
 MOST_TURNS = 12  # of a leader, after which its follower may be back: multipliers such as 0.5, 1/3, 0.75
 SAME = 1e-8  # relative difference of two values that are one
+STILL = 1e-4  # a row that changes so little beside another may stand still, but for rounding
 STEPS = 200  # of each walk on which jumps are looked for
 
 
@@ -81,7 +82,9 @@ def whole_turns(robot: Robot, task: Task, box: JointBox, samples: Array) -> Whol
     period = np.where(robot.revolute, TURN, np.inf)
     change = np.zeros((task.rows, robot.nq))
     J = np.abs([task.jacobian(robot, q) * robot.units for q in samples[:2]])
-    size = np.maximum(J.max(axis=(0, 2), initial=0.0), 1e-300)  # of what the rows change by
+    size = np.maximum(
+        J.max(axis=(0, 2), initial=0.0), max(STILL * J.max(initial=0.0), 1e-300)
+    )  # of changes of the rows
     for j in np.flatnonzero(robot.revolute).tolist():
         period[j], change[:, j] = _change(robot, task, samples, j, size)
     form = task.frame_map()
