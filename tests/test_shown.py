@@ -150,3 +150,12 @@ def test_one_of_several_directions_is_meant_with_or():
 def test_the_version_is_a_text():
     assert re.fullmatch(r"\d+\.\d+\.\d+.*", r1.__version__)
     assert np.size(r1.__version__) == 1
+
+
+def test_a_robot_in_a_notebook_has_its_dh_tables_of_both_conventions():
+    shown = r1.load_robot("ur5")._repr_html_()
+    assert "standard DH table" in shown
+    assert "modified DH table" in shown
+    assert "0.3922" in shown
+    assert "tips: base, ee_link, tool0" in shown
+    assert "DH table" not in r1.load_robot("panda")._repr_html_()  # its tool is open

@@ -183,7 +183,7 @@ def _print_formulas(found: Formulas, *, latex: bool, python: bool, json: bool) -
         out.print(f"{name} =")
         out.print(latex_text(formula) if latex else unicode_text(formula), soft_wrap=True)
     if reason:
-        out.print(f"no minors: {reason}", soft_wrap=True)
+        out.say(f"no minors: {reason}")
     if found.cleaned:
         out.print(f"angles of the file were made exact, by at most {found.cleaned:.1e} rad")
 

@@ -123,7 +123,7 @@ def _print(scan: SingularityScan, degrees: bool) -> None:
     for value, q in zip(scan.worst_values[:SHOWN], scan.worst, strict=False):
         lines.append(f"  {value:<10.4g} {vector(in_degrees(scan.robot, q, degrees))}")
     out = PlainConsole()
-    out.print("\n".join(lines), soft_wrap=True)
+    out.say("\n".join(lines))
     out.print(_histogram(scan))
 
 

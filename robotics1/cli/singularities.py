@@ -58,9 +58,8 @@ def singularities(
             met = {"intersections": _branches(find_intersections(found).branches)} if intersections else {}
             write_json(_as_json(found) | met)
             return
-        out.print(found.explain(), soft_wrap=True)
-        if intersections:
-            out.print(find_intersections(found).explain(), soft_wrap=True)
+        said = [found.explain(), *([find_intersections(found).explain()] if intersections else [])]
+    out.say("\n".join(said))
 
 
 def _in_latex(found: "SingularSet") -> str:
