@@ -29,11 +29,21 @@ from robotics1 import (  # noqa: E402
     trajectories,
     workspaces,
 )
+from robotics1.tables import MORE  # noqa: E402
 
 SPACES = (
     tasks, curves, trajectories, orientation, rigid_motions, singularities, ik, workspaces, dh, textbook_robots, plots,
     redundancy, control,
 )  # fmt: skip
+
+
+def _dh_tables(robot: Any) -> str:
+    from robotics1.dh.shown import folded_tables
+
+    return folded_tables(robot)
+
+
+MORE["Robot"] = [_dh_tables]  # `dh` is made of robots, which know nothing of it
 
 USUAL = {  # what others call it
     "fk": "forward_kinematics", "fkine": "forward_kinematics", "directkinematics": "forward_kinematics",

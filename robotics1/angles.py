@@ -12,6 +12,7 @@ from robotics1.errors import RobotWarning
 
 TURN = 2 * pi
 MEANT = 1e-5  # an angle this near to a multiple of π/12 is meant to be it: files write 1.5708 for π/2 [rad]
+DECIMALS = 4  # of a number that was typed
 FEWEST, MOST = 10.0, 720.0  # between these, a whole number that should be an angle in radians is one in degrees
 
 
@@ -34,7 +35,10 @@ def warn_of_degrees(
     lower: npt.NDArray[np.floating[Any]] | float = -np.inf,
     upper: npt.NDArray[np.floating[Any]] | float = np.inf,
 ) -> None:
-    """Warn of angles that were probably typed in degrees: whole or half numbers from 10 to 720.
+    """Warn of angles that were probably typed in degrees.
+
+    These are whole or half numbers from 10 to 720, and others of this size with at most four decimals that are more
+    than a turn outside of their limits. A computed angle has more decimals: an iteration may come so far.
 
     Args:
         name: what they are called.
@@ -46,8 +50,10 @@ def warn_of_degrees(
         return
     size = np.abs(values)
     halves = 2 * np.clip(values, -MOST, MOST)
-    typed = (size >= FEWEST) & (size <= MOST) & (halves == np.round(halves)) & turns
-    typed &= ~((lower <= values) & (values <= upper) & np.isfinite(lower) & np.isfinite(upper))
+    limited = np.isfinite(lower) & np.isfinite(upper)
+    far = limited & ((values < lower - TURN) | (values > upper + TURN)) & (values == np.round(values, DECIMALS))
+    typed = (size >= FEWEST) & (size <= MOST) & ((halves == np.round(halves)) | far) & turns
+    typed &= ~((lower <= values) & (values <= upper) & limited)
     if typed.any():
         angle = float(values[typed][0])
         warnings.warn(

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +10,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError, Robotics1Error
 
 Array = npt.NDArray[np.floating[Any]]
+Choice = TypeVar("Choice", bound=str)
 
 
 def real_array(name: str, value: npt.ArrayLike, shape: tuple[int | None, ...], meaning: str = "") -> Array:
@@ -112,15 +113,11 @@ def per_joint(name: str, value: npt.ArrayLike, n: int) -> Array:
     return real_array(name, value, (n,), "one number for each joint")
 
 
-def one_of(name: str, value: str, choices: Sequence[str]) -> str:
-    """Return `value` if it is among the choices.
-
-    Raises:
-        InputError: it is not.
-    """
+def one_of(name: str, value: str, choices: Sequence[Choice]) -> Choice:
+    """Return `value` if it is among the choices; else raise InputError."""
     if not isinstance(value, str) or value not in choices:
         raise InputError(f"{name} must be one of {', '.join(map(repr, choices))}; it is {value!r}")
-    return value
+    return choices[choices.index(value)]
 
 
 def a_robot(value: Any) -> None:

@@ -1,9 +1,10 @@
 """Tables and sentences as a terminal and a notebook show them."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from html import escape
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+MORE: dict[str, list[Callable[[Any], str]]] = {}  # class → HTML of its objects that is made by rows above it
 CELL = 'style="padding: 0.1em 0.8em; text-align: right"'
 
 

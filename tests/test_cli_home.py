@@ -1,5 +1,6 @@
 """What the commands have in common: help with examples, options of robots, targets, degrees, widths, exit codes."""
 
+import io
 import json
 import os
 import subprocess
@@ -12,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 import robotics1 as r1
 from robotics1.cli.options import TASKS
+from robotics1.cli.output import PlainConsole
 from robotics1.tasks.given import SHORT_FORMS
 
 COMMANDS = ("fk", "jacobian", "singularities", "ik", "statics", "workspace", "scan", "view", "check")
@@ -176,3 +178,28 @@ def test_the_compiler_stays_where_a_process_is_not_the_commands_own():
 
     run_without_compiler()
     assert sys.modules.get("numba", 0) is not None
+
+
+def test_a_word_too_many_or_too_short_is_answered_with_what_is_meant():
+    assert "write the values of the joints behind --q" in run("fk", "planar_2r", "0,0").stderr
+    assert "Did you mean 'singularities'?" in run("sing", "planar_2r").stderr
+
+
+def test_a_warning_is_said_once():
+    assert run("fk", "planar_2r", "--q", "0,90").stderr.count("radians(90)") == 1
+
+
+def test_sentences_are_broken_between_words_on_a_terminal_only():
+    console = PlainConsole()
+    console.file, console.width = io.StringIO(), 30
+    console.say("   - a task velocity with a part along (1, 0) cannot be realised")
+    assert console.file.getvalue().count("\n") == 1
+    console.file, console._force_terminal = io.StringIO(), True
+    console.say("   - a task velocity with a part along (1, 0) cannot be realised")
+    lines = console.file.getvalue().splitlines()
+    assert lines == ["   - a task velocity with a", "     part along (1, 0) cannot", "     be realised"]
+
+
+def test_the_command_runs_as_a_module_too():
+    ended = subprocess.run([sys.executable, "-m", "robotics1", "--version"], capture_output=True, text=True, check=True)
+    assert ended.stdout == f"robotics1 {r1.__version__}\n"

@@ -49,6 +49,11 @@ MISTAKES = {
     "one joint of two": (lambda: fk(0.1), INPUT, r"shape \(2,\), one number for each of q1, q2"),
     "three joints of two": (lambda: fk([0.1, 0.2, 0.3]), INPUT, r"shape \(2,\), one number for each of q1, q2"),
     "degrees": (lambda: fk([0, 90]), r1.RobotWarning, r"write radians\(90\)"),
+    "degrees of any kind": (
+        lambda: r1.forward_kinematics("ur5", [0, -57.3, 0, 0, 0, 0]),
+        r1.RobotWarning,
+        r"write radians\(-57.3\)",
+    ),
     "degrees with a half": (lambda: fk([-22.5, 0]), r1.RobotWarning, r"write radians\(-22.5\)"),
     "degrees of a start": (
         lambda: r1.solve_ik("planar_2r", "position:xy", [1, 1], [30, 45]),
@@ -71,6 +76,7 @@ MISTAKES = {
     ),
     "a class for a robot": (lambda: r1.find_singularities(r1.Robot, "pose"), INPUT, "not the class Robot"),
     "the task first": (lambda: r1.find_singularities(r1.PositionTask("xy"), two()), INPUT, "the robot comes first"),
+    "the short form first for formulas": (lambda: r1.formulas("pose", "planar_2r"), INPUT, "the robot comes first"),
     "the short form first": (lambda: r1.find_singularities("position:xy", "planar_2r"), INPUT, "the robot comes first"),
     "a short form with a slip": (
         lambda: r1.find_singularities("planar_2r", "positon:xy"),

@@ -223,6 +223,15 @@ def test_mjcf_is_read_where_it_is_trusted(tmp_path):
     assert p == pytest.approx([-0.2, 0.9, 0.3])
     with pytest.raises(r1.InputError, match="trusted=True"):
         r1.load_robot(path)
+    in_memory = r1.load_robot(MJCF, trusted=True)
+    assert r1.forward_kinematics(in_memory, [pi / 2, 0.2]).translation == pytest.approx(p)
+
+
+def test_other_formats_are_named():
+    with pytest.raises(r1.InputError, match=r"the text is MJCF.*trusted=True"):
+        r1.load_robot(MJCF)
+    with pytest.raises(r1.RobotFileError, match=r"is SDF.*export the robot as URDF"):
+        r1.load_robot("<sdf version='1.9'><model name='arm'/></sdf>")
 
 
 @pytest.mark.parametrize(

@@ -382,3 +382,19 @@ def test_where_j_is_zero_sigma_min_is_zero_and_the_condition_infinite():
     assert scan.minimum() == pytest.approx(0, abs=1e-15)
     flat = scan_singularities(robot, XY, samples=(3, 2), method="grid", measures=["condition"])
     assert flat.worst_values[0] > 1e15
+
+
+def test_a_small_scan_is_not_worth_compiling_and_gives_the_same(monkeypatch):
+    with_the_kernel = r1.scan_singularities(
+        "prr", "planar-pose", samples=2000, measures=("condition", "manipulability")
+    )
+    monkeypatch.setattr(measurement, "is_ready", lambda kernel: False)
+    monkeypatch.setattr(measurement, "singularity_measures", None)  # nothing compiled is called
+    by_numpy = r1.scan_singularities("prr", "planar-pose", samples=2000, measures=("condition", "manipulability"))
+    assert by_numpy.worst == pytest.approx(with_the_kernel.worst)
+    for measure in ("condition", "manipulability"):
+        assert by_numpy.minimum(measure) == pytest.approx(with_the_kernel.minimum(measure), rel=1e-9)
+        assert by_numpy.maximum(measure) == pytest.approx(with_the_kernel.maximum(measure), rel=1e-9)
+    monkeypatch.setattr(measurement, "MOST_UNCOMPILED", 17_999)  # entries of 2000 Jacobians, 3 × 3
+    with pytest.raises(TypeError):
+        r1.scan_singularities("prr", "planar-pose", samples=2000)

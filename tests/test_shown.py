@@ -1,16 +1,21 @@
 """What a terminal and a notebook show: one line, sentences with tables, HTML and LaTeX."""
 
 import re
+from functools import cache
 from html.parser import HTMLParser
 from math import pi
 
 import numpy as np
 import pytest
+import sympy
 from public_objects import INSTANCES
 from sweeps import core_first
 
 import robotics1 as r1
+from robotics1.robot.joints import lengths_of
+from robotics1.symbolic.tasks.shown_formulas import in_characters
 from robotics1.symbolic.writing.decimals import in_decimals
+from robotics1.symbolic.writing.readable import readable
 
 LONG = {"Intersections", "FollowedTrajectory", "PathTiming"}
 EVIL = "<script>alert(1)</script>"
@@ -131,7 +136,6 @@ def test_coefficients_are_lengths_of_the_arm_the_largest_first():
 
 
 def test_other_coefficients_are_relative_to_the_largest():
-    import sympy
 
     q1, q2, a = sympy.symbols("q1 q2 a", real=True)
     e = 3000 * sympy.cos(q1) - 12000 * sympy.sin(q1 + q2)
@@ -150,3 +154,80 @@ def test_one_of_several_directions_is_meant_with_or():
 def test_the_version_is_a_text():
     assert re.fullmatch(r"\d+\.\d+\.\d+.*", r1.__version__)
     assert np.size(r1.__version__) == 1
+
+
+def test_a_robot_in_a_notebook_has_its_dh_tables_of_both_conventions():
+    shown = r1.load_robot("ur5")._repr_html_()
+    assert "standard DH table" in shown
+    assert "modified DH table" in shown
+    assert "0.3922" in shown
+    assert "tips: base, ee_link, tool0" in shown
+    assert "DH table" not in r1.load_robot("panda")._repr_html_()  # its tool is open
+
+
+PUMA = [("R", 0, pi / 2, 0, 0), ("R", 0.4318, 0, 0, 0), ("R", 0.0203, -pi / 2, 0.15005, 0), ("R", 0, pi / 2, 0.4318, 0)]
+PUMA += [("R", 0, -pi / 2, 0, 0), ("R", 0, 0, 0.056, 0)]
+STANFORD = [("R", 0, -pi / 2, 0.412, 0), ("R", 0, pi / 2, 0.154, 0), ("P", 0, 0, 0, -pi / 2), ("R", 0, -pi / 2, 0, 0)]
+STANFORD += [("R", 0, pi / 2, 0, 0), ("R", 0, 0, 0.263, 0)]
+DETERMINANTS = {
+    "ur5": "-0.16671⋅(0.425⋅cos(q₂) + 0.39225⋅cos(q₂ + q₃) - 0.09465⋅sin(q₂ + q₃ + q₄))⋅sin(q₃)⋅sin(q₅)",
+    "ur10": "-0.35025⋅(0.612⋅cos(q₂) + 0.5723⋅cos(q₂ + q₃) - 0.1157⋅sin(q₂ + q₃ + q₄))⋅sin(q₃)⋅sin(q₅)",
+    "puma": "-0.4318⋅(0.4318⋅cos(q₃) + 0.0203⋅sin(q₃))"
+    "⋅(0.4318⋅sin(q₂ + q₃) - 0.4318⋅cos(q₂) - 0.0203⋅cos(q₂ + q₃))⋅sin(q₅)",
+    "prr": "l₂⋅cos(q₂)",
+}
+
+
+@cache
+def known_arm(name):
+    rows = {"puma": PUMA, "stanford": STANFORD}.get(name)
+    return r1.load_robot(name) if rows is None else r1.robot_from_dh(rows)
+
+
+@pytest.mark.parametrize("name", DETERMINANTS)
+def test_a_determinant_has_the_lengths_of_the_file_and_common_factors_out(name):
+    found = r1.formulas(known_arm(name), "planar-pose" if name == "prr" else "pose")
+    assert str(found).endswith(f"det J =\n{DETERMINANTS[name]}")
+    shown = readable(found.determinant, lengths_of(found.robot.joints))
+    if name != "prr":
+        q = dict(zip(found.q, np.linspace(0.4, 1.9, 6), strict=True))
+        assert float(shown.subs(q)) == pytest.approx(float(found.determinant.subs(q)), rel=1e-4)  # its five digits
+
+
+def test_a_wide_matrix_is_written_entry_by_entry_and_folded_in_a_notebook():
+    found = r1.formulas(known_arm("ur5"), "pose")
+    lines = str(found).splitlines()
+    assert lines[0] == "r, 4 × 4:"
+    assert "  r[3,3] = −sin(q5)·sin(q2 + q3 + q4)" in lines
+    assert "  its other entries are 0" in lines
+    height = next(line for line in lines if line.startswith("  r[3,4]"))
+    assert height.startswith("  r[3,4] = −0.425·sin(q2) − 0.39225·sin(q2 + q3) − 0.09465·cos(q2 + q3 + q4) + 0.089159")
+    assert found._repr_html_().count("<details>") == 2  # r and J, but not det J
+    assert "8500" not in found._repr_html_() + found._repr_latex_()
+
+
+def test_long_factors_of_an_expression_get_names():
+    q = sympy.symbols("q1:9", real=True)
+    long = sympy.Add(*(sympy.Rational(k + 2, 10) * sympy.cos(x) for k, x in enumerate(q)))
+    other = long.subs(q[0], 2 * q[0])
+    text = in_characters("det J", readable(long * other * sympy.sin(q[1])))
+    assert sorted(text.splitlines()[0].removeprefix("det J = ").split("·")) == ["f1", "f2", "sin(q2)"]
+    assert sum(line.startswith("  where f") for line in text.splitlines()) == 2
+
+
+def test_equations_of_a_singular_set_are_in_metres_in_latex_too():
+    found = r1.find_singularities(known_arm("ur5"), "pose")
+    assert (
+        r"0.425 \cos{\left(q_{2} \right)} + 0.39225 \cos{\left(q_{2} + q_{3} \right)} - 0.09465" in found._repr_latex_()
+    )
+
+
+def test_values_of_joints_have_four_decimals_where_they_are_no_simple_angles():
+    text = str(r1.find_singularities(known_arm("puma"), "pose"))
+    assert "1–2. q3 = -1.5238 or 1.6178, whatever" in text  # −atan(0.4318 / 0.0203), and half a turn more
+    assert "3–4. q5 = 0 or π, whatever" in text
+
+
+def test_the_coordinate_of_a_slide_stands_among_lengths():
+    text = str(r1.find_singularities(known_arm("stanford"), "pose"))
+    assert "(q3·sin(q5), 0.154·sin(q5), 0, −q3·sin(q5) − 0.154·cos(q4)·cos(q5), " in text

@@ -51,6 +51,23 @@ def test_types_are_known_and_misspelled_options_are_errors(tmp_path):
     assert "Literal['mixed', 'space', 'body']" in said
 
 
+def test_options_of_every_namespace_are_known_words(tmp_path):
+    script = """
+import numpy as np
+import robotics1 as r1
+
+r1.orientation.euler_rate_map("ZYZ", [0, 1, 0], reference="inertial")
+r1.plots.plot_ellipses("planar_2r", "position:xy", [0.1, 0.2], kinds="speed")
+r1.scan_singularities("planar_2r", "position:xy", samples=10, measures=("sigma",))
+r1.curves.cubic_spline([0, 1, 2], [[0], [1], [0]], bc_type="free")
+r1.minimum_time([0], [1], r1.MotionLimits(velocity=1, acceleration=1), law="bang")
+r1.redundancy.saturated_velocity("prr", "position:xy", [0, 0, 0], [0.1, 0], method="best")
+"""
+    said, _ = mypy(tmp_path, script)
+    for line in range(5, 11):
+        assert f"script.py:{line}: error" in said, (line, said)
+
+
 @pytest.mark.parametrize("name", ["robotics1/py.typed", "robotics1/__init__.pyi", "robotics1/ik/__init__.pyi"])
 def test_the_package_says_that_it_is_typed(name):
     assert (ROOT / name).is_file()

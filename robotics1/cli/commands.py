@@ -22,11 +22,13 @@ from robotics1.cli.sheet_page import report
 from robotics1.cli.singularities import singularities
 from robotics1.cli.statics import statics
 from robotics1.cli.streams import streams_ready
+from robotics1.cli.usage import CommandGroup, RobotCommand
 from robotics1.cli.workspace_table import workspace
 from robotics1.errors import Robotics1Error, RobotWarning
 from robotics1.names import printable
 
 app = typer.Typer(
+    cls=CommandGroup,
     help="Kinematics of robot arms: the number, the formula, the verdict, the picture.",
     no_args_is_help=True,
     rich_markup_mode=None,
@@ -41,7 +43,7 @@ def examples_of(command: Callable[..., None]) -> str | None:
 
 
 for command in (exam, fk, jacobian, singularities, ik, statics, workspace, reach, scan, view, report, check, robots):
-    app.command(epilog=examples_of(command))(command)
+    app.command(cls=RobotCommand, epilog=examples_of(command))(command)
 
 
 def _version(asked: bool) -> None:
@@ -66,7 +68,7 @@ def main() -> None:
     """Run the command: exit code 0 done, 1 the verdict is negative, 2 misuse or an error, 130 interrupted (Ctrl-C)."""
     try:
         with streams_ready(), warnings.catch_warnings():
-            warnings.simplefilter("always", RobotWarning)
+            warnings.simplefilter("once", RobotWarning)
             warnings.showwarning = _show_warning
             app()
     except KeyboardInterrupt:
@@ -86,12 +88,12 @@ def main() -> None:
 def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
     from robotics1.cli.output import PlainConsole
 
-    PlainConsole(stderr=True).print(printable(f"warning: {message}"), style="yellow", soft_wrap=True)
+    PlainConsole(stderr=True).say(printable(f"warning: {message}"), style="yellow")
 
 
 def _stop(message: str, code: int) -> NoReturn:
     """Print a message on one line, whatever it holds, and end."""
     from robotics1.cli.output import PlainConsole
 
-    PlainConsole(stderr=True).print(printable(message), style="red", soft_wrap=True)
+    PlainConsole(stderr=True).say(printable(message), style="red")
     sys.exit(code)

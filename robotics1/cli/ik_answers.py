@@ -140,7 +140,7 @@ def _print_solutions(out: PlainConsole, found: IKSolutions, robot: Robot, degree
     out.print(table(headings, numbers))
     for i, note in enumerate(notes, 1):
         if note:
-            out.print(f"{i}: {note}", soft_wrap=True)
+            out.say(f"{i}: {note}")
 
 
 def _solutions_as_json(found: IKSolutions) -> dict[str, Any]:
@@ -169,7 +169,7 @@ def formulas(robot: Robot, task: FrameTask, *, json: bool) -> bool:
         branches = [{name: str(e) for name, e in branch.q.items()} for branch in found.branches]
         write_json({"branches": branches, "free_joints": found.free_joints, "latex": found.latex()})
     else:
-        PlainConsole().print(found.explain(), soft_wrap=True)
+        PlainConsole().say(found.explain())
     return True
 
 

@@ -162,7 +162,10 @@ def singularity_as_json(found: RoundedConfiguration) -> dict[str, Any] | None:
 def _print_formulas(found: Formulas, *, latex: bool, python: bool, json: bool) -> None:
     """Print the value, the Jacobian, and its determinant or minors; as LaTeX or JSON where asked; or a function."""
     from robotics1.cli.output import PlainConsole, write_json
-    from robotics1.symbolic.writing.printing import latex_text, unicode_text
+    from robotics1.robot.joints import lengths_of
+    from robotics1.symbolic.tasks.shown_formulas import in_characters
+    from robotics1.symbolic.writing.printing import latex_text
+    from robotics1.symbolic.writing.readable import readable
 
     out = PlainConsole()
     if python:
@@ -179,11 +182,12 @@ def _print_formulas(found: Formulas, *, latex: bool, python: bool, json: bool) -
         named = {name: form(minor) for name, minor in minors}
         write_json({"value": [form(entry) for entry in found.value], "jacobian": rows, "minors": named})
         return
+    lengths = lengths_of(found.robot.joints)
     for name, formula in (("r", found.value), ("J", found.jacobian), *minors):
-        out.print(f"{name} =")
-        out.print(latex_text(formula) if latex else unicode_text(formula), soft_wrap=True)
+        read = readable(formula, lengths)
+        out.print(f"{name} =\n{latex_text(read)}" if latex else in_characters(name, read), soft_wrap=True)
     if reason:
-        out.print(f"no minors: {reason}", soft_wrap=True)
+        out.say(f"no minors: {reason}")
     if found.cleaned:
         out.print(f"angles of the file were made exact, by at most {found.cleaned:.1e} rad")
 

@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
@@ -32,6 +33,12 @@ class PlainConsole(Console):
         """Return a text as Rich draws it, here and in the cells of tables."""
         return super().render_str(printable(text, keep="\n"), **options)
 
+    def say(self, text: str, **options: Any) -> None:
+        """Print sentences: on a terminal broken between words, each line as far in as its first; else as they are."""
+        if self.is_terminal:
+            text = "\n".join(_broken(line, self.width) for line in text.split("\n"))
+        self.print(text, soft_wrap=True, **options)
+
     def print(self, *objects: Any, **options: Any) -> None:
         """Print; a table that is wider than the terminal with short headings, or as one line for each cell."""
         if len(objects) == 1 and isinstance(objects[0], Table) and _width(objects[0]) > self.width:
@@ -43,6 +50,21 @@ class PlainConsole(Console):
                 super().print(_one_cell_a_line(objects[0]), **options)
             return
         super().print(*objects, **options)
+
+
+def _broken(line: str, width: int) -> str:
+    """Return a line as several, broken between words; what follows "- " stays under it."""
+    text = line.lstrip()
+    first = line[: len(line) - len(text)]
+    rest = f"{first}  " if text.startswith("- ") else first
+    return fill(
+        text,
+        max(width, len(rest) + 20),
+        initial_indent=first,
+        subsequent_indent=rest,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def _width(table: Table) -> int:

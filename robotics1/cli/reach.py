@@ -80,7 +80,7 @@ def reach(
         write_json(_as_json(known))
         return
     out = PlainConsole()
-    out.print(known.explain(), soft_wrap=True)
+    out.say(known.explain())
     if len(known.orientations) > 1:
         out.print(_shares(known))
 

@@ -40,7 +40,7 @@ def robots(json: AsJson = False) -> None:
     out.print(table(("name", "from", "joints", "tool"), found, left=("name", "from", "joints", "tool")))
     for extra, (_, purpose) in EXTRAS.items():
         state = "installed" if extras[extra] else f"missing: pip install 'robotics1[{extra}]'"
-        out.print(f"{extra}: {purpose}, {state}", soft_wrap=True)
+        out.say(f"{extra}: {purpose}, {state}")
 
 
 def _read(name: str) -> tuple[str, str]:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from robotics1.robot.model import Robot
+    from robotics1.singularities.reduction import Measure
     from robotics1.singularities.scan_result import SingularityScan
 
 EXAMPLES = ("scan prr --samples 1e5", "scan ur5 --samples 1e6 --refine 10", "scan planar_2r --box q1=-1:pi/2")
@@ -123,7 +124,7 @@ def _print(scan: SingularityScan, degrees: bool) -> None:
     for value, q in zip(scan.worst_values[:SHOWN], scan.worst, strict=False):
         lines.append(f"  {value:<10.4g} {vector(in_degrees(scan.robot, q, degrees))}")
     out = PlainConsole()
-    out.print("\n".join(lines), soft_wrap=True)
+    out.say("\n".join(lines))
     out.print(_histogram(scan))
 
 
@@ -172,7 +173,7 @@ def _as_json(scan: SingularityScan) -> dict[str, Any]:
     }
 
 
-def _distribution(scan: SingularityScan, measure: str) -> dict[str, Any]:
+def _distribution(scan: SingularityScan, measure: Measure) -> dict[str, Any]:
     edges, counts = scan.histogram(measure)
     quantiles = {f"{p:g}": scan.quantile(p, measure) for p in QUANTILES}
     return {"quantiles": quantiles, "histogram": {"edges": edges, "counts": counts}}

@@ -58,9 +58,8 @@ def singularities(
             met = {"intersections": _branches(find_intersections(found).branches)} if intersections else {}
             write_json(_as_json(found) | met)
             return
-        out.print(found.explain(), soft_wrap=True)
-        if intersections:
-            out.print(find_intersections(found).explain(), soft_wrap=True)
+        said = [found.explain(), *([find_intersections(found).explain()] if intersections else [])]
+    out.say("\n".join(said))
 
 
 def _in_latex(found: "SingularSet") -> str:
@@ -69,17 +68,19 @@ def _in_latex(found: "SingularSet") -> str:
     Raises:
         FormulaError: a branch was found by numbers.
     """
+    from robotics1.robot.joints import lengths_of
     from robotics1.symbolic.writing.printing import latex_text
+    from robotics1.symbolic.writing.readable import readable, readable_vector
 
-    blocks = []
+    lengths, blocks = lengths_of(found.robot.joints), []
     for branch in found.branches:
         formulas = branch.require_formulas()
-        where = r",\quad ".join(latex_text(condition) for condition in formulas.conditions)
+        where = r",\quad ".join(latex_text(readable(condition, lengths)) for condition in formulas.conditions)
         lines = [rf"{where}\quad\Rightarrow\quad \mathrm{{rank}}\,J = {branch.rank}"]
         for name, symbol in BASES.items():
             basis = getattr(formulas, name)
             if basis.cols:
-                vectors = ", ".join(latex_text(basis.col(i)) for i in range(basis.cols))
+                vectors = ", ".join(latex_text(readable_vector(basis.col(i), lengths)) for i in range(basis.cols))
                 lines.append(rf"{symbol} = \mathrm{{span}}\left\{{{vectors}\right\}}")
         blocks.append("\n".join(lines))
     return "\n\n".join(blocks)

@@ -1,6 +1,6 @@
 """Gains from what is wanted: an error ratio at a time, or as fast as the joint rates allow."""
 
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +22,8 @@ from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 
-CRITERIA = ("error", "smallest", "common")
+Criterion = Literal["error", "smallest", "common"]
+CRITERIA: tuple[Criterion, ...] = get_args(Criterion)
 Bounds = list[tuple[float, float | None]]
 FIXED = 1e-9  # relative: a gain that can grow by less is at its largest
 
@@ -76,7 +77,7 @@ def largest_gains(
     q: ConfigurationLike,
     *,
     limits: npt.ArrayLike | None = None,
-    criterion: str = "error",
+    criterion: Criterion = "error",
     t: float = 0.0,
 ) -> Array:
     """Return the largest gains, (m,), of q̇ = J⁺ (ṙ_d + diag(K) (r_d − f(q))) within the joint rates at a state.

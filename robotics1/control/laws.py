@@ -1,6 +1,6 @@
 """Joint and Cartesian control laws from what is wanted and from gains."""
 
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +18,8 @@ from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, Wish, resolution_or_default
 
-METHODS = ("newton", "gradient")
+Method = Literal["newton", "gradient"]
+METHODS: tuple[Method, ...] = get_args(Method)
 
 
 def the_joints(p: Array, R: Array, q: Array) -> Array:
@@ -69,7 +70,7 @@ def cartesian_law(
     D: npt.ArrayLike | None = None,
     *,
     axes: Any = None,
-    method: str = "newton",
+    method: Method = "newton",
     feedforward: bool = True,
     resolution: Resolution | None = None,
     null_motion: Wish = None,

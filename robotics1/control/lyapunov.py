@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.control.gain_matrix import gain_matrix
+from robotics1.control.laws import METHODS, Method
 from robotics1.inputs import Array, one_of
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.results import Frozen
@@ -61,7 +62,7 @@ def lyapunov_rate(
     q: ConfigurationLike,
     K: npt.ArrayLike = 1.0,
     *,
-    method: str = "gradient",
+    method: Method = "gradient",
 ) -> LyapunovRate:
     """Return V and V̇ at q for a target at rest.
 
@@ -84,7 +85,7 @@ def lyapunov_rate(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.2.
     """
     robot, task = robot_and_task(robot, task)
-    law = one_of("method", method, ("gradient", "newton"))
+    law = one_of("method", method, METHODS)
     gain: Array = gain_matrix("K", K, task.rows, symmetric=law == "gradient")
     e, J = task.error(robot, q, target), task.jacobian(robot, q)
     weight = gain @ e if law == "gradient" else e

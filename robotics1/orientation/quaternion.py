@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -12,9 +12,8 @@ from robotics1.inputs import Array, one_of, real_number
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.orientation.expressions import Matrix, as_matrix, expressions
 from robotics1.orientation.nearest import PRINTED, SINGULAR, NearestRotation, rotation_of
+from robotics1.orientation.rates import AXES, Axes
 from robotics1.results import Frozen
-
-Axes = Literal["world", "body"]
 
 
 def quaternion_to_rotation(quaternion: Any) -> Matrix:
@@ -52,7 +51,7 @@ def quaternion_rate_map(quaternion: Any, *, reference: Axes = "world") -> Matrix
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.3.
     """
-    one_of("reference", reference, ("world", "body"))
+    one_of("reference", reference, AXES)
     half = unit_quaternion(quaternion) / 2
     turned = -cross_matrix(half[1:]) if reference == "world" else cross_matrix(half[1:])
     return as_matrix(np.vstack([-half[1:], half[0] * np.eye(3, dtype=int) + turned]))

@@ -1,7 +1,7 @@
 """The angular velocity: of a rotation that changes, [ω]× = Ṙ Rᵀ, and of the rates of angles, ω = T(φ) φ̇."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -15,8 +15,11 @@ from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
 from robotics1.results import Frozen
 
+Axes = Literal["world", "body"]
+AXES: tuple[Axes, ...] = get_args(Axes)
 
-def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference: str = "world") -> Matrix:
+
+def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference: Axes = "world") -> Matrix:
     """Return T(φ), (3, 3), with ω = T φ̇: its columns are the axes about which the three rotations turn.
 
     Moving axes: T = [e₁, R₁e₂, R₁R₂e₃] in world axes, [R₃ᵀR₂ᵀe₁, R₃ᵀe₂, e₃] in the body's. With λ the angle from the
@@ -34,11 +37,11 @@ def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.6.
     """
-    one_of("reference", reference, ("world", "body"))
+    one_of("reference", reference, AXES)
     return as_matrix(rate_map(euler_sequence(sequence, fixed), expressions("angles", angles, (3,), "[rad]"), reference))
 
 
-def rate_map(sequence: EulerSequence, angles: Array, reference: str = "world") -> Array:
+def rate_map(sequence: EulerSequence, angles: Array, reference: Axes = "world") -> Array:
     """Return T, (3, 3)."""
     e1, e2, e3 = sequence.axes
     R1, R2, R3 = sequence.turns(angles)
@@ -55,7 +58,7 @@ def rate_determinant(sequence: EulerSequence, angles: Array) -> Any:
     return sine if sequence.fixed else -sine
 
 
-def lost_direction(sequence: EulerSequence, angles: Array, reference: str = "world") -> Array:
+def lost_direction(sequence: EulerSequence, angles: Array, reference: Axes = "world") -> Array:
     """Return the unit vector (3,) normal to all three axes where sin ψ = 0: no ω has a part along it."""
     (e1, _, e3), (n1, n3) = sequence.axes, sequence.normals
     first, _, last = angles[sequence.order]
@@ -110,7 +113,7 @@ class EulerRates(Frozen):
 
 
 def euler_rates(
-    sequence: str, angles: npt.ArrayLike, omega: npt.ArrayLike, *, fixed: bool = False, reference: str = "world"
+    sequence: str, angles: npt.ArrayLike, omega: npt.ArrayLike, *, fixed: bool = False, reference: Axes = "world"
 ) -> EulerRates:
     """Return the rates φ̇ = T(φ)⁻¹ ω of the angles, or where T is singular what of ω can be produced.
 
@@ -127,7 +130,7 @@ def euler_rates(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.6.
     """
     order = euler_sequence(sequence, fixed)
-    one_of("reference", reference, ("world", "body"))
+    one_of("reference", reference, AXES)
     angles = real_array("angles", angles, (3,), "[rad]")
     omega = real_array("omega", omega, (3,), "[rad/s]")
     T, det = rate_map(order, angles, reference), float(rate_determinant(order, angles))
@@ -140,7 +143,7 @@ def euler_rates(
     return EulerRates(np.linalg.pinv(T, rcond=1e-6) @ omega, det, True, unproduced, lost, null)
 
 
-def angular_velocity(R: Any, R_dot: Any, *, reference: str = "world") -> Matrix:
+def angular_velocity(R: Any, R_dot: Any, *, reference: Axes = "world") -> Matrix:
     """Return ω (3,) of Ṙ = [ω]× R in world axes, or Ω = Rᵀω of Ṙ = R [Ω]× in the body's.
 
     Numbers give an array [rad/s], expressions a `sympy.Matrix`, simplified: with R(s) and dR/ds it is ω per unit of ṡ.
@@ -155,7 +158,7 @@ def angular_velocity(R: Any, R_dot: Any, *, reference: str = "world") -> Matrix:
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.1.1.
     """
-    one_of("reference", reference, ("world", "body"))
+    one_of("reference", reference, AXES)
     R, R_dot = expressions("R", R, (3, 3)), expressions("R_dot", R_dot, (3, 3))
     if object not in (R.dtype, R_dot.dtype):
         R = rotation_of("R", R).rotation

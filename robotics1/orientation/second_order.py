@@ -9,11 +9,9 @@ from robotics1.inputs import Array, one_of, real_array
 from robotics1.orientation.elementary import axial_vector, cross_matrix
 from robotics1.orientation.expressions import Matrix, as_matrix, expressions, simplified
 from robotics1.orientation.nearest import PRINTED, rotation_of
-from robotics1.orientation.rates import EulerRates, euler_rates, rate_map
+from robotics1.orientation.rates import AXES, Axes, EulerRates, euler_rates, rate_map
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
 from robotics1.results import Frozen
-
-AXES = ("world", "body")
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +27,7 @@ class RotationRates(Frozen):
     second: Matrix | None
 
 
-def rotation_rates(R: Any, omega: Any, omega_dot: Any = None, *, reference: str = "world") -> RotationRates:
+def rotation_rates(R: Any, omega: Any, omega_dot: Any = None, *, reference: Axes = "world") -> RotationRates:
     """Return Ṙ = S(ω) R and R̈ = (S(ω̇) + S(ω)²) R; of body axes Ṙ = R S(Ω) and R̈ = R (S(Ω̇) + S(Ω)²).
 
     Args:
@@ -54,7 +52,7 @@ def rotation_rates(R: Any, omega: Any, omega_dot: Any = None, *, reference: str 
     return RotationRates(as_matrix(first), as_matrix(turning @ R if world else R @ turning))
 
 
-def angular_acceleration(R: Any, R_dot: Any, R_ddot: Any, *, reference: str = "world") -> Matrix:
+def angular_acceleration(R: Any, R_dot: Any, R_ddot: Any, *, reference: Axes = "world") -> Matrix:
     """Return ω̇ (3,) of R̈: S(ω̇) = R̈ Rᵀ + Ṙ Ṙᵀ in world axes; in the body's S(Ω̇) = Rᵀ R̈ + Ṙᵀ Ṙ.
 
     Numbers give an array [rad/s²], expressions a `sympy.Matrix`, simplified.
@@ -77,7 +75,7 @@ def angular_acceleration(R: Any, R_dot: Any, R_ddot: Any, *, reference: str = "w
 
 
 def euler_rate_map_derivative(
-    sequence: str, angles: Any, rates: Any, *, fixed: bool = False, reference: str = "world"
+    sequence: str, angles: Any, rates: Any, *, fixed: bool = False, reference: Axes = "world"
 ) -> Matrix:
     """Return Ṫ(φ, φ̇), (3, 3), with ω̇ = T φ̈ + Ṫ φ̇.
 
@@ -100,7 +98,7 @@ def euler_rate_map_derivative(
     return as_matrix(_map_derivative(order, phi, phi_dot, reference))
 
 
-def _map_derivative(order: EulerSequence, phi: Array, phi_dot: Array, reference: str) -> Array:
+def _map_derivative(order: EulerSequence, phi: Array, phi_dot: Array, reference: Axes) -> Array:
     axes = rate_map(order, phi, reference).T[order.order]  # a₁, a₂, a₃ of the moving sequence
     speeds = phi_dot[order.order]
     turned = []
@@ -139,7 +137,7 @@ class EulerAccelerations(Frozen):
 
 
 def euler_accelerations(
-    sequence: str, angles: Any, rates: Any, omega_dot: Any, *, fixed: bool = False, reference: str = "world"
+    sequence: str, angles: Any, rates: Any, omega_dot: Any, *, fixed: bool = False, reference: Axes = "world"
 ) -> EulerAccelerations:
     """Return the accelerations φ̈ = T⁻¹ (ω̇ − Ṫ φ̇) of the angles, or where T is singular what of ω̇ can be produced.
 

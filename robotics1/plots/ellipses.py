@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,7 +19,8 @@ from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipso
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
-KINDS = {
+Kind = Literal["velocity", "force"]
+KINDS: dict[Kind, Any] = {
     "velocity": (velocity_ellipsoid, "m/s", {"linestyle": "-", "color": "C0"}),
     "force": (force_ellipsoid, "N", {"linestyle": "--", "color": "C3"}),
 }
@@ -34,7 +35,7 @@ def plot_ellipses(
     at: Any,
     ax: Any = None,
     *,
-    kinds: Sequence[str] = ("velocity", "force"),
+    kinds: Kind | Sequence[Kind] = ("velocity", "force"),
     count: int = 6,
     file: str | Path | None = None,
     title: str = "",
@@ -138,7 +139,7 @@ def _arm(robot: Robot, task: Task, q: Array) -> Array:
 
 
 def _draw(
-    panel: Any, kind: str, shadows: Sequence[Shadow], tools: Sequence[Array], per_metre: float, reach: float
+    panel: Any, kind: Kind, shadows: Sequence[Shadow], tools: Sequence[Array], per_metre: float, reach: float
 ) -> None:
     """Draw the shadows of one kind at the tools; the legend says how much a drawn metre is."""
     _, unit, style = KINDS[kind]

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -11,7 +11,8 @@ from robotics1.inputs import Array, one_of, real_number
 from robotics1.plots.figures import drawn, new_axes
 from robotics1.workspaces.reachability.result import ReachabilityMap
 
-VALUES = {
+Value = Literal["capability", "solutions", "manipulability", "limit_margin"]
+VALUES: dict[Value, str] = {
     "capability": "share of the orientations",
     "solutions": "solutions, the most of a pose",
     "manipulability": "manipulability",
@@ -21,7 +22,7 @@ VALUES = {
 
 def plot_reachability(
     known: ReachabilityMap,
-    value: str = "capability",
+    value: Value = "capability",
     at: Mapping[str, float] | None = None,
     ax: Any = None,
     *,

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -19,7 +19,8 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
-METHODS = ("levels", "projection", "stacked")
+Method = Literal["levels", "projection", "stacked"]
+METHODS: tuple[Method, ...] = get_args(Method)
 
 
 class LevelStatus(Enum):
@@ -95,7 +96,7 @@ def priority_velocity(
     levels: Sequence[tuple[Task, npt.ArrayLike]],
     q: npt.ArrayLike,
     *,
-    method: str = "levels",
+    method: Method = "levels",
     null_velocity: npt.ArrayLike | None = None,
     damping: float = 0.0,
     weights: npt.ArrayLike | None = None,
@@ -139,7 +140,7 @@ def priority_acceleration(
     q: npt.ArrayLike,
     qdot: npt.ArrayLike,
     *,
-    method: str = "levels",
+    method: Method = "levels",
     null_acceleration: npt.ArrayLike | None = None,
     damping: float = 0.0,
 ) -> Priorities:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -34,7 +34,8 @@ from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
-METHODS = ("optimal", "sns", "scaled")
+Method = Literal["optimal", "sns", "scaled"]
+METHODS: tuple[Method, ...] = get_args(Method)
 
 
 class SaturationStatus(Enum):
@@ -94,7 +95,7 @@ def saturated_velocity(
     *,
     limits: npt.ArrayLike | None = None,
     lower: npt.ArrayLike | None = None,
-    method: str = "optimal",
+    method: Method = "optimal",
 ) -> SaturatedMotion:
     """Return joint velocities within their limits with J q̇ = s ṙ, for the largest s ≤ 1 that they allow.
 
@@ -139,7 +140,7 @@ def saturated_acceleration(
     *,
     limits: npt.ArrayLike,
     lower: npt.ArrayLike | None = None,
-    method: str = "optimal",
+    method: Method = "optimal",
 ) -> SaturatedMotion:
     """Return joint accelerations within their limits with J q̈ = s r̈ − J̇ q̇, for the largest s ≤ 1 that they allow.
 

@@ -16,6 +16,10 @@ MOST_DEGREES = 128  # its memory grows with the cube: 200 degrees of freedom tak
 DEFINITIONS = ("xacro:property", "xacro:arg", "xacro:macro")  # without use, they are no harm
 READ = ("link", "joint", "material")  # what a URDF's robot is made of; the rest is for other programs
 RESERVED = {"universe": "Pinocchio's name for the world"}
+OTHER_FORMATS = {
+    "sdf": "is SDF, which is not read; export the robot as URDF, or hand in the pin.Model that Pinocchio makes of it",
+    "mujoco": "is MJCF, which load_robot(..., trusted=True) reads",
+}
 FREEDOM = {"fixed": 0, "revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
 
 
@@ -45,6 +49,9 @@ def _is_a_robot(findings: Findings, root: Element) -> bool:
     found = _unprocessed(root)
     if found is not None:
         findings.error(found, "is unprocessed xacro; expand the file, or give its name the suffix .xacro")
+        return False
+    if root.tag in OTHER_FORMATS:
+        findings.error(root, OTHER_FORMATS[root.tag])
         return False
     if root.tag != "robot":
         findings.error(root, "is not the root of a URDF, which is <robot name='...'>")

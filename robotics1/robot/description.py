@@ -8,7 +8,7 @@ from robotics1.names import printable
 from robotics1.notation import count, joint_value
 from robotics1.results import Shown
 from robotics1.robot.joints import Joint, tips
-from robotics1.tables import Table, table_of
+from robotics1.tables import MORE, Table, table_of
 
 LETTERS = {"revolute": "R", "prismatic": "P"}
 MOST = 12  # letters of joints
@@ -26,6 +26,9 @@ class DescribedRobot(Shown):
     def _tables(self) -> tuple[Table, ...]:
         table = joint_table(self)
         return (table,) if table.rows else ()
+
+    def _drawings(self) -> list[str]:
+        return [shown for make in MORE.get("Robot", ()) if (shown := make(self))]
 
 
 def one_line(robot: Any) -> str:

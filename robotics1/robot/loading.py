@@ -31,7 +31,7 @@ from robotics1.robot.mimic import follow_leaders, narrow_leaders
 from robotics1.robot.mjcf import is_mjcf, robot_of_mjcf
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Parameters, Placements, agree, fitted_placements
-from robotics1.robot.sources import TEXT, robot_file, robot_text
+from robotics1.robot.sources import robot_file, robot_text
 from robotics1.robot.urdf import Link, read_joints, read_links, urdf_text
 from robotics1.robot.xacro.expansion import Expanded, expand_xacro
 
@@ -59,7 +59,7 @@ def load_robot(
     and narrows the limits of the joint that it mimics.
 
     Args:
-        source: a path, a name, or a text; an MJCF file that is trusted; or a `pin.Model`, also with its
+        source: a path, a name, or a text; an MJCF file or text that is trusted; or a `pin.Model`, also with its
             `pin.GeometryModel`. For the last two only `tool` is taken.
         parameters: values for the arguments of a xacro file: named lengths such as {"l2": 0.5} [m], and words such
             as {"ur_type": "ur5e"}, which True and False may stand for.
@@ -88,8 +88,8 @@ def load_robot(
         return robot_of_model(model, shapes, tool)
     path = robot_file(source)
     text = robot_text(source, path)
-    if path is not TEXT and is_mjcf(text, path):
-        return robot_of_mjcf(path, tool, trusted=trusted is True)
+    if is_mjcf(text, path):
+        return robot_of_mjcf(text, path, tool, trusted=trusted is True)
     report = RobotText(text, path, parameters, base, tool, locked, packages, trusted).read()
     robot = report.require()
     # What is odd about masses does not change kinematics, and a mesh that is missing is noticed when it is drawn.

@@ -211,7 +211,8 @@ class Robot(DescribedRobot):
             UnknownNameError: there is no joint or posture of that name.
 
         Warns:
-            RobotWarning: an angle is a whole or half number from 10 to 720, as if in degrees.
+            RobotWarning: an angle is a whole or half number from 10 to 720, or was typed far outside its
+                limits, as if in degrees.
         """
         if isinstance(q, str | Mapping):
             q = in_numbers(name, q, self.joint_names, self.postures)

@@ -8,6 +8,7 @@ import numpy as np
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
+from robotics1.robot.joints import lengths_of
 from robotics1.singularities.spaces import echelon
 from robotics1.tasks.task import turns_of
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from robotics1.symbolic.singular_sets.branch_formulas import BranchFormulas
 
 LONGEST = 40  # operations of a basis vector that is still read
+SHORT = 12  # characters of a value that is read as it is
 WIDEST = 160  # characters of an equation that is still read
 
 
@@ -37,7 +39,7 @@ def set_sentences(found: "SingularSet") -> str:
     lines += [*_names(found), *_turns(found)]
     if found.free_joints:
         verb = "matters" if len(found.free_joints) == 1 else "matter"
-        free = _called(found.free_joints, found.robot, symbols=found.jacobian is not None)
+        free = _called(found.free_joints, found.robot, symbols=_in_symbols(found))
         lines.append(f"{enumeration(free)} never {verb}.")
     lines += [_family(number, family) for number, family in _families(found.branches)]
     return "\n".join([*lines, f"{status}.", *_besides(found)])
@@ -82,16 +84,24 @@ def _almost_everywhere(found: "SingularSet") -> list[str]:
     """Say what is lost, and what does not move the task, where nothing is singular."""
     if found.generic_bases is None:
         return []
-    lost, still = (_written(found.generic_bases, name, _lengths(found.robot)) for name in ("left_null", "null"))
+    lost, still = (
+        _written(found.generic_bases, name, lengths_of(found.robot.joints)) for name in ("left_null", "null")
+    )
     lines = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
     return ["Almost everywhere", *lines[:-1], lines[-1][:-1] + "."] if lines else []
+
+
+def _in_symbols(found: "SingularSet") -> bool:
+    """Whether the joints are called q1, q2, ...: where formulas are written."""
+    exact = [branch.formulas is not None for branch in found.branches]
+    return found.jacobian is not None and (any(exact) or not exact)
 
 
 def _names(found: "SingularSet") -> list[str]:
     """Say which joint is q1, q2, ..., where formulas are written and the joints have other names."""
     names = found.robot.joint_names
     symbols = _symbols(names)
-    if found.jacobian is None or list(names) == symbols:
+    if not _in_symbols(found) or list(names) == symbols:
         return []
     return [f"Here {', '.join(f'{q} is {name}' for q, name in zip(symbols, names, strict=True))}."]
 
@@ -102,7 +112,7 @@ def _turns(found: "SingularSet") -> list[str]:
     for i, number in enumerate(turns_of(robot, found.task) if robot.nq == robot.nv else ()):
         if number == 1 or np.isfinite([robot.lower[i], robot.upper[i]]).any():
             continue
-        (name,) = _called([robot.joint_names[i]], robot, symbols=found.jacobian is not None)
+        (name,) = _called([robot.joint_names[i]], robot, symbols=_in_symbols(found))
         if np.isfinite(number):
             lines.append(
                 f"The joints that follow {name} are back after {number:g} turns of it: its values count modulo "
@@ -169,12 +179,18 @@ def _equation(branch: "SingularBranch", condition: Any) -> str:
     from robotics1.symbolic.writing.decimals import in_decimals
     from robotics1.symbolic.writing.printing import line_text
 
-    text = in_decimals(condition.lhs, _lengths(branch.robot)) if condition.rhs == 0 else None
+    if condition.lhs.is_Symbol and condition.rhs.is_number:
+        return f"{condition.lhs} = {_value(condition.rhs)}"
+    text = in_decimals(condition.lhs, lengths_of(branch.robot.joints)) if condition.rhs == 0 else None
     return line_text(condition) if text is None else f"{text} = 0"
 
 
-def _lengths(robot: "Robot") -> list[float]:
-    return [abs(length) for joint in robot.joints for length in joint.xyz]
+def _value(exact: Any) -> str:
+    """Return the value of a joint: exact where it is short, as −π/3 or atan(3/4), else four decimals."""
+    from robotics1.symbolic.writing.printing import line_text
+
+    text = line_text(exact)
+    return text if len(text) <= SHORT else joint_value(float(exact))
 
 
 def _because(branch: "SingularBranch") -> str:
@@ -215,7 +231,7 @@ def _body(branch: "SingularBranch", there: str) -> list[str]:
         return _nothing_moves(rows, there)
     lines = []
     lost, still = (
-        None if branch.formulas is None else _written(branch.formulas, name, _lengths(branch.robot))
+        None if branch.formulas is None else _written(branch.formulas, name, lengths_of(branch.robot.joints))
         for name in ("left_null", "null")
     )
     in_symbols = [*_lost(rows, lost), *_still(still)]

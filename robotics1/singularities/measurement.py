@@ -1,6 +1,6 @@
 """How near to singular a task is at many configurations: by the kernels, or one configuration at a time."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
@@ -8,8 +8,10 @@ import numpy as np
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
+from robotics1.kernels.compilation import is_ready
 from robotics1.kernels.singularity_measures import (
     SingularityMeasures,
+    measure_blocks,
     measures_of,
     singularity_measures,
     task_jacobians,
@@ -17,6 +19,8 @@ from robotics1.kernels.singularity_measures import (
 from robotics1.kinematics import reference_axes
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import FrameMap, Task
+
+MOST_UNCOMPILED = 16_000_000  # entries of Jacobians: NumPy takes four seconds for them, the compiler eight
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +33,7 @@ class KernelMeasurement:
         moving: which entries of q move the frame.
         units: (nq,) what counts as one of each entry of q [rad or m].
         rank: ρ, how many singular values count.
+        compiled: whether by the compiled kernel, else by NumPy and LAPACK: the values agree to rounding.
     """
 
     chain: ChainArrays
@@ -36,14 +41,20 @@ class KernelMeasurement:
     moving: Indices
     units: Array
     rank: int
+    compiled: bool = True
     sendable: ClassVar[bool] = True
 
     def measures(self, q: Array, names: tuple[str, ...]) -> dict[str, Array]:
         """Return measure → values (N,) at the configurations q (nq, N)."""
         moved = q[self.moving] / self.units[self.moving, None]
-        if self.rank < min(len(self.S), len(self.moving)):
+        if not self.compiled or self.rank < min(len(self.S), len(self.moving)):
             return named(measures_of(task_jacobians(self.chain, self.S, moved), self.rank), names)
         return named(singularity_measures(self.chain, self.S, moved, largest="condition" in names), names)
+
+    def worth_compiling(self, count: int) -> "KernelMeasurement":
+        """Return the measurement for this many configurations: by NumPy, where to compile the kernel takes longer."""
+        small = count * len(self.S) * len(self.moving) <= MOST_UNCOMPILED
+        return replace(self, compiled=not small or is_ready(measure_blocks))
 
 
 @dataclass(frozen=True, eq=False)

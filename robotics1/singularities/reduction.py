@@ -5,7 +5,7 @@ The distribution is a histogram whose bins are of equal relative width. Two chun
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -23,8 +23,9 @@ PER_OCTAVE = 128
 SHIFT = 52 - 7  # a double is 52 bits of mantissa below its exponent; 7 of them tell which of the 128 bins
 FIRST = (1023 + LOWEST) * PER_OCTAVE  # 1023 is the exponent of 1
 BINS = (HIGHEST - LOWEST) * PER_OCTAVE + 2
+Measure = Literal["sigma_min", "condition", "manipulability"]
 WORST_IS_LARGEST = {"sigma_min": False, "condition": True, "manipulability": False}
-MEASURES = tuple(WORST_IS_LARGEST)
+MEASURES: tuple[Measure, ...] = get_args(Measure)
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,14 @@ from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
 from robotics1.robot.given import RobotLike
 from robotics1.singularities.points import MOVES, SingularPoints, singular_points
-from robotics1.singularities.reduction import MEASURES, Reduction, joined_together, reduced_together, reduction_from
+from robotics1.singularities.reduction import (
+    MEASURES,
+    Measure,
+    Reduction,
+    joined_together,
+    reduced_together,
+    reduction_from,
+)
 from robotics1.singularities.refinement import refine as refine_worst
 from robotics1.singularities.samples import CHUNK, METHODS, Chunk, samples_of
 from robotics1.singularities.scan_result import SingularityScan
@@ -38,7 +45,7 @@ def scan_singularities(
     task: TaskLike,
     *,
     samples: int | float | Sequence[int],
-    measures: Sequence[str] = ("sigma_min",),
+    measures: Sequence[Measure] = ("sigma_min",),
     method: Sampling = "random",
     seed: int = 0,
     refine: int = 0,
@@ -104,9 +111,11 @@ def scan_singularities(
     where = joint_box(robot, box, turns=turns_of(robot, task))
     points = singular_points(robot, task, where, np.random.default_rng(seed)).require_motion()
     count, chunks = samples_of(method, where, samples, seed, _moving(points))
-    from robotics1.singularities.measurement import measurement_of
+    from robotics1.singularities.measurement import KernelMeasurement, measurement_of
 
     measurement = measurement_of(robot, task, points.rank, length)
+    if isinstance(measurement, KernelMeasurement) and executor is None and checkpoint is None:
+        measurement = measurement.worth_compiling(count)
     keep = max(KEPT, refine)
     asked: dict[str, Any] = {"measures": chosen, "method": method, "samples": count, "seed": seed, "worst": keep}
     asked |= {"length": length, "box": [where.lower, where.upper]}

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import cast
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +13,7 @@ from robotics1.notation import count, enumeration, joint_value, vector
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.singularities.explain import place
-from robotics1.singularities.reduction import MeasureDistribution
+from robotics1.singularities.reduction import Measure, MeasureDistribution
 from robotics1.singularities.result import SingularBranch, SingularSet
 from robotics1.tables import Table, table_of
 from robotics1.tasks.task import Task
@@ -112,11 +113,11 @@ class SingularityScan(Frozen):
         return (table_of((name, "q"), rows, "nearest to singular"),)
 
     @property
-    def measures(self) -> tuple[str, ...]:
+    def measures(self) -> tuple[Measure, ...]:
         """The measures; the first decides what is worst."""
-        return tuple(self.distributions)
+        return cast("tuple[Measure, ...]", tuple(self.distributions))
 
-    def distribution(self, measure: str | None = None) -> MeasureDistribution:
+    def distribution(self, measure: Measure | None = None) -> MeasureDistribution:
         """Return the distribution of a measure, by default the first.
 
         Raises:
@@ -124,19 +125,19 @@ class SingularityScan(Frozen):
         """
         return self.distributions[one_of("measure", measure or self.measures[0], self.measures)]
 
-    def minimum(self, measure: str | None = None) -> float:
+    def minimum(self, measure: Measure | None = None) -> float:
         """Return the least value of a measure."""
         return self.distribution(measure).minimum
 
-    def maximum(self, measure: str | None = None) -> float:
+    def maximum(self, measure: Measure | None = None) -> float:
         """Return the largest value of a measure."""
         return self.distribution(measure).maximum
 
-    def quantile(self, p: float, measure: str | None = None) -> float:
+    def quantile(self, p: float, measure: Measure | None = None) -> float:
         """Return the value that a part p of the configurations do not exceed, to 0.4 %."""
         return self.distribution(measure).quantile(p)
 
-    def histogram(self, measure: str | None = None, *, per_octave: int = 1) -> tuple[Array, npt.NDArray[np.int64]]:
+    def histogram(self, measure: Measure | None = None, *, per_octave: int = 1) -> tuple[Array, npt.NDArray[np.int64]]:
         """Return edges (b + 1,) and counts (b,) of a histogram with 1, 2, 4, ... or 128 bins from x to 2x."""
         return self.distribution(measure).histogram(per_octave)
 

@@ -1,7 +1,7 @@
 """The task that a caller hands in: a task, or its short form such as "position:xy"."""
 
 from collections.abc import Callable
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from robotics1.errors import InputError
 from robotics1.inputs import a_task, is_a_robot, is_a_task
@@ -36,9 +36,18 @@ def robot_and_task(robot: RobotLike, task: TaskLike) -> tuple[Robot, Task]:
     Raises:
         Robotics1Error: one of them cannot be read, or they are swapped.
     """
+    refuse_swapped(robot, task)
+    return robot_from(robot), task_from(task)
+
+
+def refuse_swapped(robot: Any, task: Any) -> None:
+    """Refuse a task in the place of the robot, and a robot in that of the task.
+
+    Raises:
+        InputError: they are swapped.
+    """
     if is_a_task(robot) or is_a_robot(task) or (isinstance(robot, str) and robot.partition(":")[0] in KINDS):
         raise InputError("the robot comes first, then the task; here they are swapped")
-    return robot_from(robot), task_from(task)
 
 
 def short_form(text: str, frame: str | None = None, angles: str | None = None) -> FrameTask:

@@ -11,7 +11,7 @@ from robotics1.curves.given import as_curve, joint_motion
 from robotics1.errors import InputError
 from robotics1.inputs import positive_bound
 from robotics1.robot.given import RobotLike, robot_from
-from robotics1.trajectories.norms import peak_norm
+from robotics1.trajectories.norms import Norm, peak_norm
 
 ORDERS = {"position": 0, "velocity": 1, "acceleration": 2, "jerk": 3, "deceleration": 2, "normal acceleration": 2}
 BOUNDS = ("velocity", "acceleration", "jerk", "deceleration")
@@ -157,10 +157,11 @@ class NormLimits:
             InputError: the motion turns too sharply, or oscillates too quickly, for them to be found.
         """
         found = []
-        for name in ("velocity", "acceleration", "jerk", "normal_acceleration"):
+        quantities: tuple[Norm, ...] = ("velocity", "acceleration", "jerk", "normal acceleration")
+        for quantity in quantities:
+            name = quantity.replace(" ", "_")
             bound = float(positive_bound(name, getattr(self, name), 1)[0])
             if bound < np.inf:
-                quantity = name.replace("_", " ")
                 peak = peak_norm(trajectory, quantity, rows=self.rows)
                 if not peak.resolved:
                     raise InputError(

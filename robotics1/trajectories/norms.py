@@ -1,7 +1,7 @@
 """The largest speed, acceleration and normal acceleration of a motion: exact extrema, not samples."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,8 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, one_of
 from robotics1.results import Frozen
 
-NORMS = ("velocity", "acceleration", "jerk", "tangential acceleration", "normal acceleration")
+Norm = Literal["velocity", "acceleration", "jerk", "tangential acceleration", "normal acceleration"]
+NORMS: tuple[Norm, ...] = get_args(Norm)
 
 ROUNDING = 1e-12  # of the acceleration: a part as small as this is none
 
@@ -57,7 +58,7 @@ def acceleration_split(trajectory: Any, t: npt.ArrayLike, *, side: Side = "right
     return AccelerationSplit(tangential, a - tangential)
 
 
-def peak_norm(trajectory: Any, quantity: str = "velocity", *, rows: slice | None = None) -> Extreme:
+def peak_norm(trajectory: Any, quantity: Norm = "velocity", *, rows: slice | None = None) -> Extreme:
     """Return where |ṗ|, |p̈|, or another norm of a motion is largest over its whole duration.
 
     Between the switching times the square of the norm is a smooth function of t. It is replaced by Chebyshev

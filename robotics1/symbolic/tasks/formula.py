@@ -16,7 +16,7 @@ from robotics1.symbolic.polynomials.trig_polynomial import ROOTS
 from robotics1.symbolic.tasks.symbolic_task import SymbolicTask
 from robotics1.symbolic.tasks.task_formulas import Formulas
 from robotics1.symbolic.tasks.task_map import task_map
-from robotics1.tasks.given import TaskLike, task_from
+from robotics1.tasks.given import TaskLike, refuse_swapped, task_from
 from robotics1.tasks.task import FrameMap, Task
 
 
@@ -39,6 +39,7 @@ def formulas(robot: RobotLike, task: TaskLike, *, point: Any = None, rows: Seque
         FormulaError: the task's function cannot be read, the file's numbers depend on the parameters in a way that
             cannot be found, or a formula does not agree with Pinocchio to 1e-9.
     """
+    refuse_swapped(robot, task)
     robot = robot_from(robot)
     asked: Task = task_from(task) if isinstance(task, type | str) else task
     form, given = _on_a_frame(asked), {*robot.parameters}

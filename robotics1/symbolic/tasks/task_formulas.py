@@ -12,11 +12,13 @@ from robotics1.caching import cached_property
 from robotics1.differentiation import Estimate, derivative
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
+from robotics1.robot.joints import lengths_of
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.symbolic.tasks.at_configuration import ConfigurationFormulas, at_values, exact_values
 from robotics1.symbolic.tasks.rates import rate_of, velocity_product_of
+from robotics1.symbolic.tasks.shown_formulas import in_characters, in_html, in_latex
 from robotics1.symbolic.tasks.symbolic_task import SymbolicTask
 from robotics1.symbolic.tasks.verification import (
     Point,
@@ -28,7 +30,7 @@ from robotics1.symbolic.tasks.verification import (
     rounded,
 )
 from robotics1.symbolic.tasks.written_formulas import WrittenFormulas
-from robotics1.symbolic.writing.printing import aligned, latex_text, mathml_text, unicode_text
+from robotics1.symbolic.writing.readable import readable
 from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import Task
 
@@ -58,20 +60,19 @@ class Formulas(WrittenFormulas):
 
     def _sentences(self) -> str:
         """Return r, J and det J, each below its name."""
-        named = {"r": self.value, "J": self.jacobian, **self._determinant()}
-        return "\n".join(f"{name} =\n{unicode_text(formula)}" for name, formula in named.items())
+        return "\n".join(in_characters(name, formula) for name, formula in self._readable().items())
 
     def _repr_latex_(self) -> str:
-        named = {"r": self.value, "J": self.jacobian, **self._determinant()}
-        named = {name.replace("det", r"\det"): formula for name, formula in named.items()}
-        return aligned(f"{name} &= {latex_text(formula)}" for name, formula in named.items())
+        return in_latex(self._readable())
 
     def _repr_html_(self) -> str:
+        return in_html(self._readable())
+
+    def _readable(self) -> dict[str, Any]:
+        """Return r, J and det J by their names, in decimals and lengths."""
         named = {"r": self.value, "J": self.jacobian, **self._determinant()}
-        return "\n".join(
-            f'<div style="display: flex; align-items: center">{name} = {mathml_text(formula)}</div>'
-            for name, formula in named.items()
-        )
+        lengths = lengths_of(self.robot.joints)
+        return {name: readable(formula, lengths) for name, formula in named.items()}
 
     def _determinant(self) -> dict[str, sympy.Expr]:
         """Return the determinant by its name, where J is square and it is found."""

@@ -12,8 +12,6 @@ MOST_TERMS = 12
 MOST_LENGTHS = 16  # whose sums and differences are formed
 SAME = 1e-6  # relative difference of a coefficient and a length that it is
 
-Terms = list[tuple[float, str]]
-
 
 def in_decimals(formula: sympy.Expr | sympy.Matrix, lengths: Iterable[float]) -> str | None:
     """Return a sum, or a column of sums, up to a factor: 0.425·cos(q2) + 0.39225·cos(q2 + q3).
@@ -29,28 +27,40 @@ def in_decimals(formula: sympy.Expr | sympy.Matrix, lengths: Iterable[float]) ->
         The text, or None where the formula is no such sum, or its coefficients are small.
     """
     column = isinstance(formula, sympy.MatrixBase)
-    sums = [_terms(entry) for entry in (formula if column else [formula])]
-    read = [terms for terms in sums if terms is not None]
-    sizes = [abs(coefficient) for terms in read for coefficient, _ in terms]
-    if len(read) < len(sums) or not sizes or max(sizes) < LEAST:
+    entries = [sympy.expand(entry) for entry in (formula if column else [formula])]
+    scale = scale_to_lengths(entries, lengths)
+    if scale is None:
         return None
-    factor = _factor(sizes, sorted({abs(length) for length in lengths if length}))
+    factor, split = float(scale), [_terms(entry) for entry in entries]
     if not column:  # an equation may change its sign, a vector keeps its own
-        first = max(read[0], key=lambda term: abs(term[0]))
-        factor = factor if first[0] > 0 else -factor
-    texts = [_sum(terms, factor) for terms in read]
+        factor = factor if max(split[0], key=lambda term: abs(term[0]))[0] > 0 else -factor
+    texts = [_sum([(float(c), "" if rest == 1 else line_text(rest)) for c, rest in terms], factor) for terms in split]
     return f"({', '.join(texts)})" if column else texts[0]
 
 
-def _terms(entry: sympy.Expr) -> Terms | None:
-    """Return the coefficients of a sum and what each multiplies; None where one is no number."""
-    summands = sympy.Add.make_args(sympy.expand(entry))
-    split = [summand.as_coeff_Mul() for summand in summands if summand != 0]
-    if len(split) > MOST_TERMS or any(not coefficient.is_Rational or rest.is_Add for coefficient, rest in split):
+def scale_to_lengths(entries: Iterable[sympy.Expr], lengths: Iterable[float]) -> sympy.Rational | None:
+    """Return by what expanded sums with large whole coefficients are multiplied to have lengths for them.
+
+    Where a slide's coordinate or a named length is in a term, its coefficient becomes 1, if the others are lengths
+    then. None where coefficients are small, no numbers, or too many.
+    """
+    split = [_terms(entry) for entry in entries]
+    terms = [term for sums in split for term in sums]
+    if not terms or max(map(len, split)) > MOST_TERMS or any(not coefficient.is_Rational for coefficient, _ in terms):
         return None
-    if any(not rest.is_number and _bare_symbols(rest) for _, rest in split):
+    bare = {abs(coefficient) for coefficient, rest in terms if not rest.is_number and _bare_symbols(rest)}
+    sizes = [abs(float(coefficient)) for coefficient, rest in terms if rest.is_number or not _bare_symbols(rest)]
+    if len(bare) > 1 or max([*sizes, *map(float, bare)]) < LEAST or any(rest.is_Add for _, rest in terms):
         return None
-    return [(float(coefficient), "" if rest == 1 else line_text(rest)) for coefficient, rest in split]
+    if bare:
+        k = 1 / bare.pop()
+        return k if sizes and _are_lengths([float(k) * size for size in sizes], _sums(lengths)) else None
+    return sympy.Rational(str(factor_to_lengths(sizes, lengths)))
+
+
+def _terms(entry: sympy.Expr) -> list[tuple[sympy.Expr, sympy.Expr]]:
+    """Return the coefficients of a sum and what each multiplies."""
+    return [summand.as_coeff_Mul() for summand in sympy.Add.make_args(entry) if summand != 0]
 
 
 def _bare_symbols(e: sympy.Expr) -> set[sympy.Symbol]:
@@ -60,19 +70,26 @@ def _bare_symbols(e: sympy.Expr) -> set[sympy.Symbol]:
     )
 
 
-def _factor(sizes: Sequence[float], lengths: Sequence[float]) -> float:
+def factor_to_lengths(sizes: Sequence[float], lengths: Iterable[float]) -> float:
     """Return by what coefficients are multiplied so that each is a length; else so that the largest is 1."""
-    largest = max(sizes)
-    known = list(lengths[-MOST_LENGTHS:])
-    known += [a + sign * b for b, a in combinations(known, 2) for sign in (1, -1)]
+    largest, known = max(sizes), _sums(lengths)
     for length in known:
-        scaled = [length / largest * size for size in sizes]
-        if length > 0 and all(any(abs(value - other) <= SAME * value for other in known) for value in scaled):
+        if length > 0 and _are_lengths([length / largest * size for size in sizes], known):
             return length / largest
     return 1 / largest
 
 
-def _sum(terms: Terms, factor: float) -> str:
+def _sums(lengths: Iterable[float]) -> list[float]:
+    """Return the lengths, and the sums and differences of two."""
+    known = sorted({abs(length) for length in lengths if length})[-MOST_LENGTHS:]
+    return known + [a + sign * b for b, a in combinations(known, 2) for sign in (1, -1)]
+
+
+def _are_lengths(values: Iterable[float], known: Sequence[float]) -> bool:
+    return all(any(abs(value - other) <= SAME * value for other in known) for value in values)
+
+
+def _sum(terms: list[tuple[float, str]], factor: float) -> str:
     """Return a sum, the largest coefficient first; 0 of none."""
     written = ""
     for coefficient, rest in sorted(terms, key=lambda term: -abs(term[0])):

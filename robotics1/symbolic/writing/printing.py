@@ -11,6 +11,8 @@ import sympy
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.mathml import MathMLPresentationPrinter
 from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.pretty.pretty import PrettyPrinter
+from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 from sympy.printing.str import StrPrinter
 
 from robotics1.names import printable
@@ -21,6 +23,7 @@ USED = {"np", "float", "__debug__"}  # a written function needs the first two; P
 LATEX = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}"}
 LATEX |= {">": r"\textgreater{}"} | {c: rf"\{c}" for c in "{}$&#%_"}
 JOINT = re.compile(r"q(\d+)")  # the symbol of a joint
+DIGITS = 5  # of a number that is read
 LARGEST_DENOMINATOR = 9  # of a fraction that is read as one
 WORD = re.compile(r"[^\W_]+(_[^\W_]+)*")  # a name such as l2 or l_2
 
@@ -29,7 +32,11 @@ Formula = Any  # a sympy.Expr, a sympy.Matrix, or a list of expressions that is 
 
 def unicode_text(formula: Any) -> str:
     """Return a formula drawn with characters, on one or several lines."""
-    return str(sympy.pretty(formula, use_unicode=True, wrap_line=False))
+    unicode = pretty_use_unicode(True)
+    try:
+        return str(_Pretty({"use_unicode": True, "wrap_line": False}).doprint(formula))
+    finally:
+        pretty_use_unicode(unicode)
 
 
 def latex_text(formula: Any) -> str:
@@ -49,13 +56,28 @@ def mathml_text(formula: Any, *, short: bool = False) -> str:
         formula: an expression, a matrix or a relation.
         short: whether to write c₂₃ for cos(q2 + q3), s₂₃ for its sine, and decimals for fractions that no one reads.
     """
-    text = _ShortMathML().doprint(_with_decimals(formula)) if short else _MathML().doprint(formula)
+    text = _ShortMathML().doprint(with_decimals(formula)) if short else _MathML().doprint(formula)
     text = re.sub(r"<mi>(\w)dot</mi>", r"<mover><mi>\1</mi><mo>˙</mo></mover>", text)
     text = re.sub("<(mo|mn|mi)>-", r"<\1>−", text)
     return f'<math display="block">{text}</math>'
 
 
-class _Latex(LatexPrinter):  # type: ignore[misc]
+class _LargestFirst:
+    """A printer's order of terms: where coefficients are decimals the largest first, else SymPy's."""
+
+    def _as_ordered_terms(self, expr: sympy.Expr, order: Any = None) -> list[sympy.Expr]:
+        terms: list[sympy.Expr] = super()._as_ordered_terms(expr, order=order)  # type: ignore[misc]
+        coefficients = [term.as_coeff_Mul()[0] for term in terms]
+        if not any(coefficient.is_Float for coefficient in coefficients):
+            return terms
+        return sorted(terms, key=lambda term: -abs(term.as_coeff_Mul()[0]))
+
+
+class _Pretty(_LargestFirst, PrettyPrinter):  # type: ignore[misc]
+    """SymPy's printer of several lines."""
+
+
+class _Latex(_LargestFirst, LatexPrinter):  # type: ignore[misc]
     """SymPy's printer, with names from a file as text: SymPy writes a name such as </math> or a macro as it is."""
 
     def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> str:
@@ -64,7 +86,7 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         return rf"\text{{{''.join(LATEX.get(c, c) for c in printable(symbol.name))}}}"
 
 
-class _MathML(MathMLPresentationPrinter):  # type: ignore[misc]
+class _MathML(_LargestFirst, MathMLPresentationPrinter):  # type: ignore[misc]
     """SymPy's printer, with names from a file as text: SymPy writes a name such as <img> as it is."""
 
     def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> Any:
@@ -185,7 +207,7 @@ def _inside_quotes(text: str) -> str:
     return printable(text.replace("\\", r"\\").replace('"', r"\""))
 
 
-class _Line(StrPrinter):  # type: ignore[misc]
+class _Line(_LargestFirst, StrPrinter):  # type: ignore[misc]
     """SymPy's text, with |x| for its Abs(x)."""
 
     def _print_Abs(self, formula: sympy.Abs) -> str:
@@ -204,13 +226,13 @@ def line_text(formula: Any) -> str:
 
 
 def _with_short_numbers(formula: Any) -> Any:
-    """Return an expression whose long fractions are decimals with six digits."""
+    """Return an expression whose long fractions are decimals with five digits."""
     long = {x for x in sympy.sympify(formula).atoms(sympy.Rational, sympy.Float) if len(str(x)) > LONGEST_NUMBER}
-    return formula.xreplace({x: sympy.Float(x, 6) for x in long}) if long else formula
+    return formula.xreplace({x: sympy.Float(x, DIGITS) for x in long}) if long else formula
 
 
-def _with_decimals(formula: Any) -> Any:
+def with_decimals(formula: Any) -> Any:
     """Return a formula with 0.425 for 17/40: only fractions such as 1/2 and 2/3 stay."""
     numbers = formula.atoms(sympy.Rational, sympy.Float)
     long = {x for x in numbers if not x.is_Rational or x.q > LARGEST_DENOMINATOR or x.p > 999 * x.q}
-    return formula.xreplace({x: sympy.Float(x, 5) for x in long if not x.is_Integer}) if long else formula
+    return formula.xreplace({x: sympy.Float(x, DIGITS) for x in long if not x.is_Integer}) if long else formula

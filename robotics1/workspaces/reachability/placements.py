@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -34,7 +34,8 @@ from robotics1.workspaces.reachability.evaluation import (
 )
 from robotics1.workspaces.reachability.poses import refuse_no_rotations, refuse_too_many
 
-MOVES = ("base", "poses")
+Moves = Literal["base", "poses"]
+MOVES: tuple[Moves, ...] = get_args(Moves)
 AXES = ("x", "y", "z", "turn")
 IN_PLANE = 1e-9
 
@@ -113,7 +114,7 @@ def best_placements(
     poses: Any,
     places: Any,
     *,
-    moves: str = "base",
+    moves: Moves = "base",
     starts: int = 16,
     seed: int = 0,
     tolerance: float = 1e-6,

@@ -1,0 +1,36 @@
+"""How the commands answer what is typed wrong: with the command or the option that may be meant."""
+
+from typing import Any
+
+from typer.core import TyperCommand, TyperGroup
+
+MEANT = {"--q": "the values of the joints", "--target": "a target", "--force": "a force"}
+
+
+class CommandGroup(TyperGroup):
+    """The commands; the beginning of a name is answered with the whole name."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Return the command that is named first."""
+        try:
+            return super().resolve_command(ctx, args)
+        except Exception as error:
+            whole = [name for name in self.commands if name.startswith(args[0])]
+            if whole and "Did you mean" not in getattr(error, "message", "Did you mean"):
+                error.message = f"{error.message.rstrip('.')}. Did you mean {', '.join(map(repr, whole))}?"  # type: ignore[attr-defined]
+            raise
+
+
+class RobotCommand(TyperCommand):
+    """A command; a word too many is answered with the options that such words stand behind."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read the words of the command line."""
+        names = {name for parameter in self.params for name in parameter.opts}
+        try:
+            return super().parse_args(ctx, args)
+        except Exception as error:
+            behind = [f"{what} behind {option}" for option, what in MEANT.items() if option in names]
+            if behind and "extra argument" in getattr(error, "message", ""):
+                error.message = f"{error.message}: write {', '.join(behind)}"  # type: ignore[attr-defined]
+            raise
