@@ -4,11 +4,12 @@ from robotics1.data_sheet.asked import Answer, Asked
 from robotics1.data_sheet.markup import equation, folded, note, paragraphs, sentences, table
 from robotics1.kinematics import forward_kinematics
 from robotics1.notation import enumeration, number, vector
-from robotics1.singularities.explain import place
+from robotics1.singularities.explain import lengths_of, place
 from robotics1.singularities.find import find_singularities
 from robotics1.singularities.result import SingularSet
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.symbolic.tasks.task_formulas import Formulas
+from robotics1.symbolic.writing.decimals import with_sums_in_metres
 from robotics1.symbolic.writing.printing import line_text
 from robotics1.tasks.pose import PoseTask
 
@@ -16,6 +17,7 @@ EXACT_ANGLE = 1e-9  # rad: a smaller correction is not worth a sentence
 SINGULAR_SET_TIME = 12.0  # s
 SHOWN_PLACES = 6
 LONGEST_FACT = 160  # characters
+WRITTEN_OUT = "(see `conditions`)"  # what a sentence says of an equation that is too long for it
 
 
 def direct_kinematics(asked: Asked) -> Answer:
@@ -81,6 +83,7 @@ def determinant(asked: Asked) -> Answer:
     n = len(moving)
     if m == n:
         det = found.minors[tuple(i for i in range(len(found.q)) if i not in moving)]
+        det = with_sums_in_metres(det, lengths_of(asked.robot))
         if not det.free_symbols & set(found.q):
             return Answer(
                 equation("det J", det) + paragraphs("It is the same everywhere."), f"det J = {line_text(det)}"
@@ -104,16 +107,23 @@ def singular_set(asked: Asked) -> Answer:
     shown = "; or ".join(places[:SHOWN_PLACES]) + ("; or elsewhere" if len(places) > SHOWN_PLACES else "")
     fact = f"singular where {shown}" if places else found.status.value
     fact = _short(fact)
-    return Answer(_equations(found) + sentences(found.explain()) + note(_surety(found)), fact)
+    inside, outside, other = found.explain().partition("\nOutside the joint limits")
+    said = inside.replace(WRITTEN_OUT, "(written out above)") + (outside + other).replace(f" {WRITTEN_OUT}", "")
+    return Answer(_equations(found) + sentences(said) + note(_surety(found)), fact.replace(f" {WRITTEN_OUT}", ""))
 
 
 def _equations(found: SingularSet) -> str:
     """Return the branches as a short list of equations above the sentences."""
-    rows = [
-        (i, place(branch), branch.rank, branch.dimension, "exact" if branch.formulas is not None else "by numbers")
+    rows = []
+    for i, branch in enumerate(found.branches, 1):
+        where = place(branch).replace(WRITTEN_OUT, "(below)")
+        rows.append((i, where, branch.rank, branch.dimension, "by numbers" if branch.formulas is None else "exact"))
+    long = "".join(
+        folded(f"The equations of branch {i}", "".join(equation("", condition) for condition in branch.conditions))
         for i, branch in enumerate(found.branches, 1)
-    ]
-    return table(("branch", "where", "rank", "dimension", "found"), rows) if rows else ""
+        if WRITTEN_OUT in place(branch)
+    )
+    return (table(("branch", "where", "rank", "dimension", "found"), rows) if rows else "") + long
 
 
 def _surety(found: SingularSet) -> str:

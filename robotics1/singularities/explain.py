@@ -82,7 +82,7 @@ def _almost_everywhere(found: "SingularSet") -> list[str]:
     """Say what is lost, and what does not move the task, where nothing is singular."""
     if found.generic_bases is None:
         return []
-    lost, still = (_written(found.generic_bases, name, _lengths(found.robot)) for name in ("left_null", "null"))
+    lost, still = (_written(found.generic_bases, name, lengths_of(found.robot)) for name in ("left_null", "null"))
     lines = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
     return ["Almost everywhere", *lines[:-1], lines[-1][:-1] + "."] if lines else []
 
@@ -169,11 +169,12 @@ def _equation(branch: "SingularBranch", condition: Any) -> str:
     from robotics1.symbolic.writing.decimals import in_decimals
     from robotics1.symbolic.writing.printing import line_text
 
-    text = in_decimals(condition.lhs, _lengths(branch.robot)) if condition.rhs == 0 else None
+    text = in_decimals(condition.lhs, lengths_of(branch.robot)) if condition.rhs == 0 else None
     return line_text(condition) if text is None else f"{text} = 0"
 
 
-def _lengths(robot: "Robot") -> list[float]:
+def lengths_of(robot: "Robot") -> list[float]:
+    """Return the lengths in a robot's file, with which coefficients are compared [m]."""
     return [abs(length) for joint in robot.joints for length in joint.xyz]
 
 
@@ -215,7 +216,7 @@ def _body(branch: "SingularBranch", there: str) -> list[str]:
         return _nothing_moves(rows, there)
     lines = []
     lost, still = (
-        None if branch.formulas is None else _written(branch.formulas, name, _lengths(branch.robot))
+        None if branch.formulas is None else _written(branch.formulas, name, lengths_of(branch.robot))
         for name in ("left_null", "null")
     )
     in_symbols = [*_lost(rows, lost), *_still(still)]

@@ -42,6 +42,31 @@ def in_decimals(formula: sympy.Expr | sympy.Matrix, lengths: Iterable[float]) ->
     return f"({', '.join(texts)})" if column else texts[0]
 
 
+def with_sums_in_metres(product: sympy.Expr, lengths: Iterable[float]) -> sympy.Expr:
+    """Return a product whose sums with large coefficients have lengths of the arm for them, or 1 for the largest.
+
+    −8.3353e−6 (8500 c2 + 7845 c23) s3 becomes −0.16671 (0.425 c2 + 0.39225 c23) s3: the same but for rounding.
+    """
+    known = sorted({abs(length) for length in lengths if length})
+    parts, outside = [], 1.0
+    for part in sympy.Mul.make_args(product):
+        sum_, power = part.as_base_exp()
+        terms = _terms(sum_) if sum_.is_Add and power.is_Integer else None
+        sizes = [abs(coefficient) for coefficient, _ in terms or []]
+        if not sizes or max(sizes) < LEAST:
+            parts.append(part)
+            continue
+        factor = _factor(sizes, known)
+        split = [summand.as_coeff_Mul() for summand in sympy.Add.make_args(sympy.expand(sum_))]
+        parts.append(sympy.Add(*(sympy.Float(factor * float(c), 5) * rest for c, rest in split)) ** power)
+        outside /= factor ** int(power)
+    if outside == 1.0:
+        return product
+    numbers = [part for part in parts if part.is_number]
+    others = [part for part in parts if not part.is_number]
+    return sympy.Mul(sympy.Float(outside * float(sympy.Mul(*numbers)), 5), *others)
+
+
 def _terms(entry: sympy.Expr) -> Terms | None:
     """Return the coefficients of a sum and what each multiplies; None where one is no number."""
     summands = sympy.Add.make_args(sympy.expand(entry))
