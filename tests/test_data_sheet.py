@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 import pytest
+import sympy
 from arms import arm
 from command import answer, run
 from hostile_names import NAMES, arm_file
@@ -15,7 +16,9 @@ from pages import OpenPage
 import robotics1 as r1
 from robotics1.data_sheet.asked import Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS
+from robotics1.data_sheet.formula_steps import shortened
 from robotics1.data_sheet.worker import NoAnswer, Worker, written
+from robotics1.dh.named_lengths import with_named_lengths
 from robotics1.names import printable
 
 PLANE = r1.PositionTask("xy")
@@ -47,6 +50,10 @@ def words(html):
     return re.sub(r"\s+", " ", unescape(re.sub("<[^>]*>", " ", html))).strip()
 
 
+def written_out(values):
+    return " ".join(f"{value:.4f}" for value in values).replace("-", "−")
+
+
 def test_every_section_has_an_answer_and_progress_goes_from_none_to_all(sheet):
     page, told = sheet
     assert re.findall(r'<section id="(\w+)">', page.html) == [section.name for section in SECTIONS]
@@ -76,7 +83,7 @@ def test_numbers_at_the_posture_are_those_of_forward_kinematics_and_of_the_singu
     assert f"p = ({x:.4f}, {y:.4f}, 0) m" in words(section(page, "direct_kinematics"))
     J = PLANE.jacobian(robot, Q)
     for row in J:
-        assert " ".join(f"{value:.4f}" for value in row) in words(section(page, "jacobian"))
+        assert written_out(row) in words(section(page, "jacobian"))
     sigma = np.linalg.svd(J / robot.reach, compute_uv=False)
     assert f"σ1 {sigma[0]:.4f} σ2 {sigma[1]:.4f}" in words(section(page, "ellipsoids"))
 
@@ -91,7 +98,7 @@ def test_the_singular_set_and_the_inverse_kinematics_say_how_sure_they_are(sheet
     assert "Verified" in words(section(page, "inverse_formulas"))
     found = r1.ik_solutions(arm("planar_2r"), PLANE, PLANE.value(arm("planar_2r"), Q))
     for q in found.q:
-        assert " ".join(f"{value:.4f}" for value in q) in inverse
+        assert written_out(q) in inverse
 
 
 def test_the_workspace_of_the_2r_arm_is_its_ring(sheet):
@@ -99,6 +106,40 @@ def test_the_workspace_of_the_2r_arm_is_its_ring(sheet):
     l1, l2 = (arm("planar_2r").parameters[name] for name in ("l1", "l2"))
     area = pi * ((l1 + l2) ** 2 - (l1 - l2) ** 2)
     assert f"area {area:.4g} m²" in words(page.html[: page.html.index("<section")])
+
+
+SKEW = [["R", 0.2, pi / 2, 0, 0], ["R", 0.4, 0.7, 0.1, 0], ["R", 0.3, 0, 0.1, 0]]
+PUMA = [
+    ["R", 0, pi / 2, 0, 0],
+    ["R", 0.4318, 0, 0, 0],
+    ["R", 0.0203, -pi / 2, 0.15005, 0],
+    ["R", 0, pi / 2, 0.4318, 0],
+    ["R", 0, -pi / 2, 0, 0],
+    ["R", 0, 0, 0.1, 0],
+]
+
+
+@pytest.mark.parametrize(
+    ("robot", "kind", "sentence"),
+    [
+        (arm("planar_2r"), "arcs", "Proven: the boundary is made of arcs and segments"),
+        (
+            r1.robot_from_dh(SKEW),
+            "traced",
+            "Computed: the boundary is where the joints are singular or at limits, traced",
+        ),
+        (arm("six_r"), "cells", "Searched: the section is sampled in cells of 0.0158 m"),
+    ],
+)
+def test_a_workspace_is_called_exact_traced_or_sampled_as_it_is(robot, kind, sentence):
+    found = r1.workspaces.workspace(robot, "position:xy" if kind == "arcs" else "position")
+    assert (found.resolution > 0) == (kind == "cells")
+    assert any(curve.kind == "curve" for curve in found.boundary) == (kind == "traced")
+    answer = written(Asked(robot, None, np.zeros(robot.nq)), "workspace")
+    said = words(answer.html)
+    assert sentence in said
+    assert [word for word in ("Proven", "Computed", "Searched") if word in said] == [sentence.partition(":")[0]]
+    assert ("by samples" in answer.fact) == (kind == "cells")
 
 
 def test_an_arm_without_joints_has_a_sheet_that_says_why_sections_are_missing(tmp_path):
@@ -129,6 +170,37 @@ def test_a_task_that_no_other_process_can_read_is_answered_in_this_one():
     task = r1.FunctionTask(lambda p, R, q: [p[0], p[1]], 2)
     with Worker(Asked(arm("planar_2r"), task, np.array(Q))) as worker:
         assert "det J = " in worker.answer("determinant", 60).fact
+
+
+def test_a_dh_table_has_the_names_of_lengths_and_the_digits_of_the_file():
+    said = words(written(Asked(r1.load_robot("prr"), None, np.zeros(3)), "dh_tables").html)
+    assert "2 R l2 0 0 q2 − π/2 3 R l3 0 0 q3" in said
+    robot = r1.robot_from_dh([["R", 0.39225, pi / 2, 0, 0], ["R", 0.5, 0, 0, 0]])
+    assert "1 R 0.39225 π/2 0 q1 2 R 0.5000 0 0 q2" in words(written(Asked(robot, None, np.zeros(2)), "dh_tables").html)
+
+
+def test_a_length_with_the_value_of_an_entry_that_does_not_change_with_it_is_not_its_name():
+    robot = r1.robot_from_dh([["R", "a1", 0, 0, 0], ["R", 0.5, 0, "b1", 0]], parameters={"a1": 0.5, "b1": 0.2})
+    table = with_named_lengths(r1.urdf_to_dh(robot), robot)
+    assert [(row.a, row.d) for row in table.rows] == [("a1", 0), (0.5, "b1")]
+    assert table.pose([0.3, -0.4]).isApprox(r1.forward_kinematics(robot, [0.3, -0.4]))
+
+
+@pytest.mark.parametrize(("rows", "task"), [(PUMA, "pose"), (PUMA[:2], PLANE), (SKEW[:1] + PUMA[1:3], "position")])
+def test_formulas_in_steps_are_the_formulas(rows, task):
+    joints = r1.ik_formulas(r1.robot_from_dh(rows), task).joints
+    symbols = sorted(
+        {symbol for joint in joints for option in joint.options for symbol in option.free_symbols}, key=str
+    )
+    drawn = np.random.default_rng(3).uniform(0.2, 0.5, len(symbols))
+    values = {symbol: float(x) for symbol, x in zip(symbols, drawn, strict=True)}
+    known = dict(values)
+    for joint, steps in zip(joints, shortened(joints), strict=True):
+        for name, formula in steps.named:
+            assert sympy.count_ops(formula) < 60
+            known[name] = sympy.N(formula.subs(known))
+        for option, short in zip(joint.options, steps.options, strict=True):
+            assert complex(short.subs(known)) == pytest.approx(complex(option.subs(values)), abs=1e-3)
 
 
 def test_the_posture_is_far_from_singular_and_inside_the_limits():

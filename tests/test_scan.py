@@ -14,6 +14,7 @@ from differences import unitless
 from joint_kinds import mimic, urdf
 
 from robotics1 import (
+from robotics1.singularities import measurement
     FunctionTask,
     OrientationTask,
     PlanarPoseTask,
@@ -385,16 +386,16 @@ def test_where_j_is_zero_sigma_min_is_zero_and_the_condition_infinite():
 
 
 def test_a_small_scan_is_not_worth_compiling_and_gives_the_same(monkeypatch):
-    with_the_kernel = r1.scan_singularities(
+    with_the_kernel = scan_singularities(
         "prr", "planar-pose", samples=2000, measures=("condition", "manipulability")
     )
     monkeypatch.setattr(measurement, "is_ready", lambda kernel: False)
     monkeypatch.setattr(measurement, "singularity_measures", None)  # nothing compiled is called
-    by_numpy = r1.scan_singularities("prr", "planar-pose", samples=2000, measures=("condition", "manipulability"))
+    by_numpy = scan_singularities("prr", "planar-pose", samples=2000, measures=("condition", "manipulability"))
     assert by_numpy.worst == pytest.approx(with_the_kernel.worst)
     for measure in ("condition", "manipulability"):
         assert by_numpy.minimum(measure) == pytest.approx(with_the_kernel.minimum(measure), rel=1e-9)
         assert by_numpy.maximum(measure) == pytest.approx(with_the_kernel.maximum(measure), rel=1e-9)
     monkeypatch.setattr(measurement, "MOST_UNCOMPILED", 17_999)  # entries of 2000 Jacobians, 3 × 3
     with pytest.raises(TypeError):
-        r1.scan_singularities("prr", "planar-pose", samples=2000)
+        scan_singularities("prr", "planar-pose", samples=2000)

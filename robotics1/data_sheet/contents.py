@@ -41,9 +41,9 @@ SECTIONS = (
     Section("singular_set", "Singular set", "kinematics", 15.0, late=True),
     Section("inverse_kinematics", "Inverse kinematics", "inverse", 10.0),
     Section("inverse_formulas", "Inverse kinematics in closed form", "inverse", 10.0, late=True),
-    Section("workspace", "Workspace", "measures", 10.0),
+    Section("workspace", "Workspace", "reached", 10.0),
     Section("ellipsoids", "Velocity and force", "measures", 8.0),
-    Section("scan", "How near to singular", "measures", 25.0),
+    Section("scan", "Scan of σ_min: how near to singular", "measures", 25.0),
     Section("origin", "File, warnings, versions", "geometry", 5.0),
 )
 

@@ -8,8 +8,9 @@ import numpy as np
 from robotics1.data_sheet.asked import Answer, Asked
 from robotics1.data_sheet.markup import folded, note, paragraphs, table
 from robotics1.dh.from_robot import urdf_to_dh
+from robotics1.dh.named_lengths import with_named_lengths
 from robotics1.dh.table import DHTable, placement_text
-from robotics1.notation import count, joint_value
+from robotics1.notation import count, enumeration, joint_value
 
 RESIDUAL = 1e-9  # of a DH table: the difference that is rounding
 DH_TITLES = {"standard": "standard: A = Z(θ, d) X(a, α)", "modified": "modified (Craig): A = X(a, α) Z(θ, d)"}
@@ -25,7 +26,7 @@ def joints(asked: Asked) -> Answer:
         (
             f"q{i}",
             joint.name,
-            joint.kind if joint.name in moving else f"{joint.kind} (does not move the tool)",
+            joint.kind,
             _range(low, high, joint.kind),
             _limit(speed, "rad/s" if joint.kind == "revolute" else "m/s"),
             _limit(effort, "N m" if joint.kind == "revolute" else "N"),
@@ -35,16 +36,24 @@ def joints(asked: Asked) -> Answer:
     kinds = [joint.kind for joint in robot.moving_joints]
     parts = [count(kinds.count(kind), f"{kind} joint") for kind in dict.fromkeys(kinds)]
     followers = [
-        (joint.name, f"{joint.multiplier:g} · {joint.leader} + {joint.offset:g}")
+        (joint.name, _followed(joint.multiplier, joint.leader, joint.offset))
         for joint in robot.joints
         if joint.leader and joint.leader != joint.name
     ]
     lines = [f"{name} = {value:g}" for name, value in robot.parameters.items()]
     text = table(("", "joint", "kind", "range", "speed", "effort"), rows) if rows else paragraphs("No joint moves.")
     text += table(("joint that follows", "its value"), followers) if followers else ""
+    still = [joint.name for joint in robot.moving_joints if joint.name not in moving]
+    text += paragraphs(f"The tool is not moved by {enumeration(still)}." if still else "")
     text += paragraphs(f"Named lengths: {', '.join(lines)} [m]." if lines else "")
     reach = f"; the tool is at most {robot.reach:.4g} m from the first joint" if np.isfinite(robot.reach) else ""
     return Answer(text, (", ".join(parts) or "no joint moves") + reach)
+
+
+def _followed(multiplier: float, leader: str, offset: float) -> str:
+    """Return m q + b as it is written."""
+    product = leader if multiplier == 1 else f"{multiplier:g} · {leader}"
+    return product if offset == 0 else f"{product} {'+' if offset > 0 else '−'} {abs(offset):g}"
 
 
 def _range(low: float, high: float, kind: str) -> str:
@@ -65,7 +74,9 @@ def dh_tables(asked: Asked) -> Answer:
         urdf_to_dh(asked.robot, tool=asked.frame, convention=convention) for convention in ("standard", "modified")
     ]
     worst = max(found.residual for found in tables)
-    text = "".join(_dh(found) for found in tables)
+    if asked.robot.parameters:
+        tables = [with_named_lengths(found, asked.robot, asked.frame) for found in tables]
+    text = f'<div class="side">{"".join(_dh(found) for found in tables)}</div>'
     if worst > RESIDUAL:
         text += note(f"The tables differ from the file by at most {worst:.1e} in an entry of the pose.")
     return Answer(text)
@@ -73,9 +84,10 @@ def dh_tables(asked: Asked) -> Answer:
 
 def _dh(found: DHTable) -> str:
     heading, rows = found.written_rows()
-    text = table(heading, rows, DH_TITLES[found.convention])
+    text = table(heading, rows, f"{DH_TITLES[found.convention]}; lengths in m, angles in rad")
     placements = (("base", found.base_placement), ("tool", found.tool_placement))
-    return text + paragraphs(*(f"{name}: {placement_text(T)}" for name, T in placements if not T.isIdentity(1e-12)))
+    text += paragraphs(*(f"{name}: {placement_text(T)}" for name, T in placements if not T.isIdentity(RESIDUAL)))
+    return f"<div>{text}</div>"
 
 
 def origin(asked: Asked) -> Answer:

@@ -1,12 +1,12 @@
 """Sections of inverse kinematics: the method and the number of solutions, and their formulas."""
 
 import time
-from typing import Any
 
 import numpy as np
 import sympy
 
-from robotics1.data_sheet.asked import UNLIMITED, Answer, Asked
+from robotics1.data_sheet.asked import UNLIMITED, Answer, Asked, open_slides
+from robotics1.data_sheet.formula_steps import Steps, shortened
 from robotics1.data_sheet.markup import equation, escaped, folded, note, paragraphs, table
 from robotics1.errors import FormulaError, TaskError
 from robotics1.ik.closed_form.family import IKFormulas
@@ -20,8 +20,6 @@ from robotics1.robot.box import joint_box
 
 POSES = 20  # reached ones, at which solutions are counted
 COUNTING = 6.0  # s
-LONG = 40  # operations of the formulas of a joint, above which what they share gets a name
-WORTH_A_NAME = 4  # operations
 SHOWN = 16  # solutions
 
 
@@ -42,15 +40,6 @@ def inverse_formulas(asked: Asked) -> Answer:
     return Answer(_formulas(found), count(len(found), "solution") + ", one joint after the other")
 
 
-def open_slides(asked: Asked) -> dict[str, tuple[float, float]] | None:
-    """Return the range in which slides without limits are looked for; None if there is no such slide."""
-    robot = asked.robot
-    box = joint_box(robot, unlimited=UNLIMITED)
-    open_ones = ~robot.revolute & ~(np.isfinite(robot.lower) & np.isfinite(robot.upper))
-    ranges = zip(robot.joint_names, box.lower, box.upper, open_ones, strict=True)
-    return {name: (low, high) for name, low, high, is_open in ranges if is_open} or None
-
-
 def _formulas(found: IKFormulas) -> str:
     target = ", ".join(map(str, found.target))
     text = paragraphs(
@@ -58,17 +47,17 @@ def _formulas(found: IKFormulas) -> str:
         if "r11" in target
         else f"The target is ({target}). Joint after joint:"
     )
-    text += "".join(_joint(name, joint) for name, joint in zip(found.names, found.joints, strict=True))
+    for name, joint, steps in zip(found.names, found.joints, shortened(found.joints), strict=True):
+        text += _joint(name, joint, steps)
     return text + note("Verified: these formulas were compared with Pinocchio at random q before they were printed.")
 
 
-def _joint(name: str, joint: JointFormula) -> str:
-    """Return the formulas of a joint; what a long one holds twice gets a name, u₁, u₂, ..., before it."""
+def _joint(name: str, joint: JointFormula, steps: Steps) -> str:
+    """Return the formulas of a joint, after what they use."""
     symbol = str(joint.q)
-    shared, options = _with_names(joint)
     text = f"<h3>{escaped(symbol if symbol == name else f'{symbol} ({name})')}</h3>"
-    text += "<p>or</p>".join(equation(symbol, option) for option in options)
-    text += "<p>with</p>" + "".join(equation(str(u), formula) for u, formula in reversed(shared)) if shared else ""
+    text += "".join(equation(str(u), formula) for u, formula in steps.named)
+    text += "<p>or</p>".join(equation(symbol, option) for option in steps.options)
     conditions = (
         ("It exists where", joint.exists_if, sympy.true),
         ("The two are one where", joint.double_if, sympy.false),
@@ -76,26 +65,6 @@ def _joint(name: str, joint: JointFormula) -> str:
     )
     unusual = "".join(f"<p>{label}</p>{equation('', c)}" for label, c, usual in conditions if c != usual)
     return text + (folded("When it exists", unusual) if unusual else "")
-
-
-def _with_names(joint: JointFormula) -> tuple[list[tuple[sympy.Symbol, Any]], list[Any]]:
-    """Return the names of what the options share, and the options."""
-    if sum(sympy.count_ops(option) for option in joint.options) < LONG:
-        return [], list(joint.options)
-    taken = {str(symbol) for option in joint.options for symbol in option.free_symbols}
-    if any(name.startswith("u") for name in taken):
-        return [], list(joint.options)
-    shared, options = sympy.cse(joint.options, symbols=sympy.numbered_symbols("t", sympy.Dummy), order="canonical")
-    known: dict[sympy.Symbol, Any] = {}  # what gets no name, and the numbers of the names in order
-    kept: list[tuple[sympy.Symbol, Any]] = []
-    for u, found in shared:
-        formula = found.xreplace(known)
-        if sympy.count_ops(formula) < WORTH_A_NAME:
-            known[u] = formula
-        else:
-            known[u] = sympy.Symbol(f"u{len(kept) + 1}", real=True)
-            kept.append((known[u], formula))
-    return kept, [option.xreplace(known) for option in options]
 
 
 def _method(asked: Asked, here: IKSolutions) -> tuple[str, str]:

@@ -18,6 +18,7 @@ EXACT_ANGLE = 1e-9  # rad: a smaller correction is not worth a sentence
 SINGULAR_SET_TIME = 12.0  # s
 SHOWN_PLACES = 6
 LONGEST_FACT = 160  # characters
+WRITTEN_OUT = "(see `conditions`)"  # what a sentence says of an equation that is too long for it
 
 
 def direct_kinematics(asked: Asked) -> Answer:
@@ -107,16 +108,23 @@ def singular_set(asked: Asked) -> Answer:
     shown = "; or ".join(places[:SHOWN_PLACES]) + ("; or elsewhere" if len(places) > SHOWN_PLACES else "")
     fact = f"singular where {shown}" if places else found.status.value
     fact = _short(fact)
-    return Answer(_equations(found) + sentences(found.explain()) + note(_surety(found)), fact)
+    inside, outside, other = found.explain().partition("\nOutside the joint limits")
+    said = inside.replace(WRITTEN_OUT, "(written out above)") + (outside + other).replace(f" {WRITTEN_OUT}", "")
+    return Answer(_equations(found) + sentences(said) + note(_surety(found)), fact.replace(f" {WRITTEN_OUT}", ""))
 
 
 def _equations(found: SingularSet) -> str:
     """Return the branches as a short list of equations above the sentences."""
-    rows = [
-        (i, place(branch), branch.rank, branch.dimension, "exact" if branch.formulas is not None else "by numbers")
+    rows = []
+    for i, branch in enumerate(found.branches, 1):
+        where = place(branch).replace(WRITTEN_OUT, "(below)")
+        rows.append((i, where, branch.rank, branch.dimension, "by numbers" if branch.formulas is None else "exact"))
+    long = "".join(
+        folded(f"The equations of branch {i}", "".join(equation("", condition) for condition in branch.conditions))
         for i, branch in enumerate(found.branches, 1)
-    ]
-    return table(("branch", "where", "rank", "dimension", "found"), rows) if rows else ""
+        if WRITTEN_OUT in place(branch)
+    )
+    return (table(("branch", "where", "rank", "dimension", "found"), rows) if rows else "") + long
 
 
 def _surety(found: SingularSet) -> str:

@@ -10,12 +10,13 @@ from robotics1.errors import MissingExtraError
 from robotics1.names import printable
 
 READABLE = 400  # operations of a formula that is shown at once; a longer one is folded
+MINUS = re.compile(r"(?<![\w.)-])-(?=\.?\d)")
 LONGEST = 6000  # operations of a formula that is shown at all
 
 
 def escaped(text: object) -> str:
-    """Return a text that a page only shows, whatever it holds."""
-    return html.escape(printable(str(text), keep="\n"))
+    """Return a text that a page only shows, whatever it holds, with a minus sign before negative numbers."""
+    return html.escape(MINUS.sub("−", printable(str(text), keep="\n")))
 
 
 def paragraphs(*lines: str) -> str:
@@ -24,8 +25,16 @@ def paragraphs(*lines: str) -> str:
 
 
 def sentences(text: str) -> str:
-    """Return what an `explain()` says, its lines and indents kept."""
-    return f'<pre class="sentences">{escaped(text)}</pre>'
+    """Return what an `explain()` says, a paragraph for each line, as far to the right as it is indented."""
+    return f'<div class="sentences">{"".join(map(_sentence, text.splitlines()))}</div>'
+
+
+def _sentence(line: str) -> str:
+    words = line.strip()
+    depth = (len(line) - len(line.lstrip()) + 2) // 3
+    if words.startswith("- "):
+        return f'<p class="item in-{depth}">{escaped(words[2:])}</p>'
+    return f'<p class="in-{depth}">{escaped(words)}</p>' if words else ""
 
 
 def note(text: str) -> str:

@@ -5,8 +5,8 @@ import warnings
 
 import numpy as np
 
-from robotics1.data_sheet.asked import Answer, Asked
-from robotics1.data_sheet.inverse import SHOWN, open_slides
+from robotics1.data_sheet.asked import Answer, Asked, open_slides
+from robotics1.data_sheet.inverse import SHOWN
 from robotics1.data_sheet.markup import note, paragraphs
 from robotics1.errors import Robotics1Error, RobotWarning
 from robotics1.ik.result import IKStatus
@@ -20,7 +20,7 @@ def scene(asked: Asked) -> Answer:
     """Return the arm to play with, and the solutions of its pose to leaf through, this posture first."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", RobotWarning)
-        page = view(asked.robot, asked.q, task=asked.task, solutions=_solutions(asked))
+        page = view(asked.robot, asked.q, task=asked.task, solutions=_solutions(asked), title=asked.title or None)
     text = html.escape(page.html)
     frame = f'<iframe title="the arm, to play with" srcdoc="{text}" loading="lazy"></iframe>'
     caption = paragraphs(

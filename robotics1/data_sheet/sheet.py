@@ -73,7 +73,7 @@ def report(
     name = text("title", title or "") or robot.name
     chosen = default_task(robot) if task is None else task
     posture = good_posture(robot, chosen) if q is None else robot.configuration(q)
-    answers = _answers(Asked(robot, chosen, posture), limit, progress)
+    answers = _answers(Asked(robot, chosen, posture, name), limit, progress)
     page = Page(None, name, _page(robot, chosen, posture, name, answers))
     return page if file is None else page.save(file)
 
