@@ -119,9 +119,11 @@ def test_2013_01_09_2c_least_norm_velocity_of_a_planar_4r():
     assert np.linalg.norm(found.qdot) == pytest.approx(1.4322, abs=PRINTED)
 
 
+THREE = [("R", 0.2, up, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.5, 0, 0, 0)]
+
+
 def test_2012_09_10_5_velocities_for_an_angular_velocity_of_a_3r_whose_jacobian_is_singular():
-    arm = r1.robot_from_dh([("R", 0.2, up, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
-    q, omega = [0, pi / 4, -pi / 4], [0, -3, 0.949169]
+    arm, q, omega = r1.robot_from_dh(THREE), [0, pi / 4, -pi / 4], [0, -3, 0.949169]
     found = r1.joint_velocity(arm, r1.OrientationTask(), omega, q)
     assert found.qdot == pytest.approx([0.9492, 1.5, 1.5], abs=PRINTED)
     assert (np.linalg.norm(found.qdot), found.rank) == (pytest.approx(2.324, abs=PRINTED), 2)

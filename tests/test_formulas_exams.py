@@ -19,6 +19,28 @@ CAMERA = [("R", 0, H, "L1", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
 CAMERA_TOOL = [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]]
 
 
+def test_2012_09_10_2_position_of_an_arm_with_a_shoulder_offset():
+    rows = [("R", "a1", H, 0, 0), ("R", "a2", 0, 0, 0), ("R", "a3", 0, 0, 0)]
+    robot, (a1, a2, a3) = robot_from_dh(rows, parameters={"a1": 0.2, "a2": 0.5, "a3": 0.5}), real("a1 a2 a3")
+    f = formulas(robot, PositionTask())
+    out, up = a1 + a2 * cos(q2) + a3 * cos(q2 + q3), a2 * sin(q2) + a3 * sin(q2 + q3)
+    assert same(f.value, Matrix([out * cos(q1), out * sin(q1), up]))
+    assert number(f.value, f, [0, pi / 4, -pi / 4]).ravel() == pytest.approx([1.053553, 0, 0.353553], abs=1e-6)
+
+
+def test_2010_07_07_ii_wrist_centre_of_a_six_axis_arm():
+    rows = [("R", "a1", H, "d1", 0), ("R", "a2", 0, 0, 0), ("R", "a3", H, 0, 0)]
+    rows += [("R", 0, -H, "d4", 0), ("R", 0, H, 0, 0), ("R", 0, 0, 0.17, 0)]
+    lengths = {"a1": 0.35, "a2": 0.85, "a3": 0.145, "d1": 0.815, "d4": 0.82}
+    f, (a1, a2, a3, d1, d4) = (
+        formulas(robot_from_dh(rows, parameters=lengths), PositionTask(frame="link4")),
+        real(list(lengths)),
+    )
+    ahead, up = a2 + a3 * cos(q3) + d4 * sin(q3), a3 * sin(q3) - d4 * cos(q3)
+    out = a1 + ahead * cos(q2) - up * sin(q2)
+    assert same(f.value, Matrix([out * cos(q1), out * sin(q1), d1 + ahead * sin(q2) + up * cos(q2)]))
+
+
 def test_2012_06_11_2a_planar_rpr_tip_and_its_2x3_jacobian():
     f = formulas(planar_rpr(), PositionTask("xy"))
     x, y = q2 * cos(q1) + L * cos(q1 + q3), q2 * sin(q1) + L * sin(q1 + q3)
