@@ -83,7 +83,7 @@ def test_exam_2010_06_15_1b_acceleration_law_for_one_coordinate_of_an_rp_arm():
     assert_allclose(law.command([0.4, 0.9], [0.3, -0.2]).joints, [0.649232, 0.30499], atol=1e-6)
 
 
-def test_exam_2012_01_10_2b_acceleration_law_of_a_cylindrical_arm():
+def test_exam_2010_01_12_2b_acceleration_law_of_a_cylindrical_arm():
     arm = r1.robot_from_dh([("R", 0, 0, 0, 0), ("P", 0, pi / 2, 0, pi / 2), ("P", 0, 0, 0, 0)])
     ends = {"v0": [0.1, 0, -0.2], "v1": [0, 0, 0], "a0": [0, 0.3, 0.1], "a1": [0, 0, 0]}
     wanted = r1.quintic([0.7, 0.5, 0.3], [1, 1, 1], 1.0, **ends)

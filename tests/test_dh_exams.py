@@ -86,31 +86,20 @@ def test_2012_06_11_planar_rpr_position_is_q2_along_the_slide_and_l_beyond(q):
     )
 
 
+CAMERA_POSE = [
+    [-0.29552, 0.189796, 0.936293, 0.616243],
+    [0.955336, 0.058711, 0.289629, 0.190626],
+    [0, 0.980067, -0.198669, 0.632169],
+]
+
+
 def test_2012_04_26_camera_pose_and_jacobian_in_camera_axes():
-    lengths = {"L1": 0.5, "L2": 0.4, "L3": 0.3}
+    lengths, q = {"L1": 0.5, "L2": 0.4, "L3": 0.3}, [0.3, 0.5, -0.7]
     robot = robot_from_dh(SPATIAL_3R, parameters=lengths, tool_placement=turn_and_shift(CAMERA))
-    q = [0.3, 0.5, -0.7]
-    assert forward_kinematics(robot, q).homogeneous[:3] == pytest.approx(
-        np.array(
-            [
-                [-0.29552, 0.189796, 0.936293, 0.616243],
-                [0.955336, 0.058711, 0.289629, 0.190626],
-                [0, 0.980067, -0.198669, 0.632169],
-            ]
-        ),
-        abs=1e-6,
-    )
+    assert forward_kinematics(robot, q).homogeneous[:3] == pytest.approx(np.array(CAMERA_POSE), abs=1e-6)
     J = frame_jacobian(robot, q, reference="tool")[:3]
-    assert J == pytest.approx(
-        np.array(
-            [
-                [0.4 * cos(0.5) + 0.3 * cos(-0.2), 0, 0],
-                [0, 0.3 + 0.4 * cos(-0.7), 0.3],
-                [0, 0.4 * sin(-0.7), 0],
-            ]
-        ),
-        abs=1e-15,
-    )
+    across, side, ahead = 0.4 * cos(0.5) + 0.3 * cos(-0.2), 0.3 + 0.4 * cos(-0.7), 0.4 * sin(-0.7)
+    assert pytest.approx(np.array([[across, 0, 0], [0, side, 0.3], [0, ahead, 0]]), abs=1e-15) == J
 
 
 @given(four_q, st.floats(-3, 3))
@@ -159,22 +148,24 @@ def test_2011_07_04_cable_arm_position_is_the_corrected_closed_form(cable_arm, q
     assert position(cable_arm, q) == pytest.approx(p, abs=1e-14)
 
 
+CABLE_POSE = [
+    [0.158165, 0.314077, 0.93613, 0.829858],
+    [-0.370247, 0.897755, -0.238646, 0.13229],
+    [-0.915369, -0.308854, 0.25828, 0.943759],
+]
+CABLE_JACOBIAN = [
+    [0.164627, 0.802813, 0.187591, 0.193362],
+    [0.580341, 0, 0.222716, -0.162867],
+    [0.089936, -0.222716, 0, -0.246192],
+]
+
+
 def test_2011_07_04_cable_arm_pose_and_jacobian_in_frame_2_are_the_printed_ones(cable_arm):
     q = [0.3, 0.5, -0.7, 0.9]
-    printed = [
-        [0.158165, 0.314077, 0.93613, 0.829858],
-        [-0.370247, 0.897755, -0.238646, 0.13229],
-        [-0.915369, -0.308854, 0.25828, 0.943759],
-    ]
-    assert forward_kinematics(cable_arm, q).homogeneous[:3] == pytest.approx(np.array(printed), abs=1e-6)
+    assert forward_kinematics(cable_arm, q).homogeneous[:3] == pytest.approx(np.array(CABLE_POSE), abs=1e-6)
     assert position(cable_arm, [0, 0, 0, 0]) == pytest.approx([0.22, 0.14, 1.246], abs=1e-15)
     J = frame_jacobian(cable_arm, q, reference="link2")[:3]
-    appendix = [
-        [0.164627, 0.802813, 0.187591, 0.193362],
-        [0.580341, 0, 0.222716, -0.162867],
-        [0.089936, -0.222716, 0, -0.246192],
-    ]
-    assert pytest.approx(np.array(appendix), abs=1e-6) == J
+    assert pytest.approx(np.array(CABLE_JACOBIAN), abs=1e-6) == J
 
 
 @pytest.mark.parametrize(
@@ -194,30 +185,25 @@ def test_2011_02_25_arm_is_at_the_target_for_the_printed_solutions(q, p):
 
 @given(four_q)
 def test_2011_02_03_arm_with_named_shoulder_has_its_jacobian(q):
-    lengths = {"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3}
-    robot = robot_from_dh(SHOULDER_3R, parameters=lengths)
+    robot = robot_from_dh(SHOULDER_3R, parameters={"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3})
     s1, c1, s2, c2, s23, c23 = trig([q[0], q[1], q[1] + q[2]])
-    r, z = 0.1 + 0.4 * c2 + 0.3 * c23, 0.4 * s2 + 0.3 * s23
-    J = [
-        [-s1 * r, -c1 * z, -0.3 * c1 * s23],
-        [c1 * r, -s1 * z, -0.3 * s1 * s23],
-        [0, 0.4 * c2 + 0.3 * c23, 0.3 * c23],
-        [0, s1, s1],
-        [0, -c1, -c1],
-        [1, 0, 0],
-    ]
-    assert frame_jacobian(robot, q[:3]) == pytest.approx(np.array(J), abs=1e-14)
+    r, z, out = 0.1 + 0.4 * c2 + 0.3 * c23, 0.4 * s2 + 0.3 * s23, 0.4 * c2 + 0.3 * c23
+    linear = [[-s1 * r, -c1 * z, -0.3 * c1 * s23], [c1 * r, -s1 * z, -0.3 * s1 * s23], [0, out, 0.3 * c23]]
+    angular = [[0, s1, s1], [0, -c1, -c1], [1, 0, 0]]
+    assert frame_jacobian(robot, q[:3]) == pytest.approx(np.array(linear + angular), abs=1e-14)
+
+
+SIX_AXES_POSE = [
+    [0.552696, -0.672943, -0.491605, 0.943554],
+    [-0.698468, -0.695827, 0.167231, 0.346156],
+    [-0.454609, 0.250942, -0.85461, 0.244766],
+]
 
 
 def test_2010_07_07_six_axis_arm_has_the_printed_pose_and_wrist_centre():
     robot = robot_from_dh(SIX_AXES)
-    printed = [
-        [0.552696, -0.672943, -0.491605, 0.943554],
-        [-0.698468, -0.695827, 0.167231, 0.346156],
-        [-0.454609, 0.250942, -0.85461, 0.244766],
-    ]
     T = forward_kinematics(robot, [0.3, 0.5, -0.7, 0.9, -0.4, 0.2])
-    assert T.homogeneous[:3] == pytest.approx(np.array(printed), abs=1e-6)
+    assert T.homogeneous[:3] == pytest.approx(np.array(SIX_AXES_POSE), abs=1e-6)
     for wrist in ([0, 0, 0], [1, -2, 0.5]):
         q = [0, pi / 2, 0, *wrist]
         for frame in ("link4", "link5"):

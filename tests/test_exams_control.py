@@ -37,8 +37,7 @@ def test_2009_06_10_c_b_gains_that_reduce_the_error_as_fast_as_the_rates_allow()
 
 
 def test_2012_02_09_3b_laws_in_cartesian_and_in_joint_space():
-    up = pi / 2
-    arm, xyz = r1.robot_from_dh([("R", 0, up, 1, 0), ("R", 0, up, 0, 0), ("P", 0, 0, 0, 0)]), r1.PositionTask()
+    arm, xyz = r1.robot_from_dh([("R", 0, pi / 2, 1, 0), ("R", 0, pi / 2, 0, 0), ("P", 0, 0, 0, 0)]), r1.PositionTask()
     path = r1.line_path([1, 1, 1], [-1, 1, 3])
     motion = r1.curves.PathTrajectory(path, r1.cubic(0, path.end, path.end, v0=1, v1=1))
     q0 = [pi / 3, pi / 2, 1]

@@ -34,6 +34,17 @@ TURN = "continuous"
 POINTER = chain("pointer", ("beta", TURN, "-1 0 0", "0 0 0"), ("alpha", TURN, "0 -1 0", "0 0 0"), tip="0 0 1")
 
 
+PLATE = chain(
+    "plate", ("q1", "prismatic", "0 0 1", "0.75 0 0"), ("a", TURN, "0 1 0", "0 0 0"), ("b", TURN, "1 0 0", "0 0 0")
+)
+GANTRY = chain(
+    "gantry", *((f"q{i + 4}", "prismatic", axis, "0 0 0") for i, axis in enumerate(("1 0 0", "0 1 0", "0 0 1")))
+)
+OFFSET_RP = r1.robot_from_dh(
+    [("R", "l", -H, 0, 0), ("P", 0, 0, 0, 0)], parameters={"l": 0.5}, lower=[None, -9], upper=[None, 9]
+)
+
+
 def are(found, expected, tolerance=1e-3):
     """Whether these are the solutions, in any order and modulo whole turns."""
     assert len(found) == len(expected)
@@ -56,10 +67,7 @@ def test_two_angles_turn_a_body_fixed_normal_upward():
 
 def test_the_tool_axes_follow_a_point_of_a_tilted_plate():
     """5 July 2012, 3: the plate's frame Ry(α) Rx(β) at (d, 0, q1) takes p to the three Cartesian axes."""
-    plate = chain(
-        "plate", ("q1", "prismatic", "0 0 1", "0.75 0 0"), ("a", TURN, "0 1 0", "0 0 0"), ("b", TURN, "1 0 0", "0 0 0")
-    )
-    f = r1.formulas(plate, XYZ, point=["px", "py", "pz"])
+    f = r1.formulas(PLATE, XYZ, point=["px", "py", "pz"])
     q1, a, b, px, py, pz = (*f.q, *real("px py pz"))
     depth = py * sin(b) + pz * cos(b)
     expected = [0.75 + px * cos(a) + sin(a) * depth, py * cos(b) - pz * sin(b), q1 - px * sin(a) + cos(a) * depth]
@@ -68,22 +76,14 @@ def test_the_tool_axes_follow_a_point_of_a_tilted_plate():
 
 def test_a_riveting_task_has_one_feasible_solution():
     """5 July 2012, 4: with H = 5, D = 10, d = 0.75 the plate points up in two ways, one with a tilt below 90°."""
-    n = np.array([0.5, 0.8138, -0.2962])
-    n /= np.linalg.norm(n)
+    n = np.array([0.5, 0.8138, -0.2962]) / np.linalg.norm([0.5, 0.8138, -0.2962])
     are(r1.ik_solutions(POINTER, XYZ, n).q, [[1.9199, -0.5236], [-1.2217, -2.618]])
     ((beta, alpha),) = r1.ik_solutions(POINTER, XYZ, n, box={"alpha": (-H, H)}).q
     lift = (10 - 2 * 0.75) / 2 * tan(alpha)
-    gantry = chain(
-        "gantry", *((f"q{i + 4}", "prismatic", axis, "0 0 0") for i, axis in enumerate(("1 0 0", "0 1 0", "0 0 1")))
-    )
-    plate = chain(
-        "plate", ("q1", "prismatic", "0 0 1", "0.75 0 0"), ("a", TURN, "0 1 0", "0 0 0"), ("b", TURN, "1 0 0", "0 0 0")
-    )
-    point = r1.forward_kinematics(plate, [2.5 + lift, alpha, beta]).act(np.array([5.5, -0.3, -0.2]))
-    (tool,) = r1.ik_solutions(gantry, XYZ, point).q
-    assert [2.5 + lift, 2.5 - lift, beta, *tool] == pytest.approx(
-        [0.0463, 4.9537, 1.9199, 5.6199, 0.2905, 2.6114], abs=1e-3
-    )
+    point = r1.forward_kinematics(PLATE, [2.5 + lift, alpha, beta]).act(np.array([5.5, -0.3, -0.2]))
+    (tool,) = r1.ik_solutions(GANTRY, XYZ, point).q
+    found = [2.5 + lift, 2.5 - lift, beta, *tool]
+    assert found == pytest.approx([0.0463, 4.9537, 1.9199, 5.6199, 0.2905, 2.6114], abs=1e-3)
 
 
 def test_a_3r_arm_has_four_solutions_with_their_elbows():
@@ -123,15 +123,12 @@ def test_a_camera_orientation_is_reached_by_infinitely_many_pairs():
 
 def test_an_rp_arm_with_an_offset_has_two_solutions_one_or_none():
     """10 July 2009, 1a: q2 = ±√(x² + y² − l²), q1 = atan2(l y − q2 x, l x + q2 y)."""
-    arm = r1.robot_from_dh(
-        [("R", "l", -H, 0, 0), ("P", 0, 0, 0, 0)], parameters={"l": 0.5}, lower=[None, -9], upper=[None, 9]
-    )
-    found = ik_formulas(arm, XY)
+    found = ik_formulas(OFFSET_RP, XY)
     x, y, offset = (*found.target, sympy.Symbol("l", real=True))
     root = sympy.sqrt(x**2 + y**2 - offset**2)
     at = {x: 0.6, y: 0.7, offset: 0.5}
-    values = sorted(float(branch.q["q2"].subs(at)) for branch in found.branches)
-    assert values == pytest.approx([-float(root.subs(at)), float(root.subs(at))])
+    values = sorted(float((branch.q["q2"] / root).subs(at)) for branch in found.branches)
+    assert values == pytest.approx([-1, 1])
     are(found.at([0.6, 0.7]), [[-0.135423, 0.774597], [1.859763, -0.774597]], 1e-6)
-    assert [len(r1.ik_solutions(arm, XY, [r, 0])) for r in (0.6, 0.5, 0.4)] == [2, 1, 0]
+    assert [len(r1.ik_solutions(OFFSET_RP, XY, [r, 0])) for r in (0.6, 0.5, 0.4)] == [2, 1, 0]
     assert [bool(found.branches[0].exists_if.subs({**at, x: r, y: 0})) for r in (0.6, 0.5, 0.4)] == [True, True, False]

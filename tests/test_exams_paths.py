@@ -25,14 +25,12 @@ def test_2010_01_12_a_1a_helix_under_bounds_on_speed_and_acceleration():
     v, a, T = bounds.velocity, bounds.acceleration, 4.0
     law = r1.trajectories.cruise_profile(v, T - 2 * v / a, acceleration=a)
     motion = r1.curves.PathTrajectory(HELIX, law)
-    assert (v, a) == pytest.approx((3.1623, 12.6491), abs=PRINTED)
-    assert v == pytest.approx(1 / sqrt(0.3**2 + 0.1**2))
-    assert a == pytest.approx(sqrt((25 - (0.3 / 0.1) ** 2) / 0.1))
-    assert law.breakpoints[0] == pytest.approx(0.25, abs=PRINTED)
+    assert (v, a) == pytest.approx((1 / sqrt(0.3**2 + 0.1**2), sqrt((25 - (0.3 / 0.1) ** 2) / 0.1)))
+    assert (v, a, law.breakpoints[0]) == pytest.approx((3.1623, 12.6491, 0.25), abs=PRINTED)
     assert law(law.end) == pytest.approx(11.8585, abs=PRINTED)
     assert motion(T) == pytest.approx([0.2279, -0.1951, 1.1859], abs=PRINTED)
-    assert r1.trajectories.peak_norm(motion).value == pytest.approx(1.0)
-    assert r1.trajectories.peak_norm(motion, "acceleration").value == pytest.approx(5.0)
+    peaks = [r1.trajectories.peak_norm(motion, quantity).value for quantity in ("velocity", "acceleration")]
+    assert peaks == pytest.approx([1.0, 5.0])
 
 
 def test_2010_01_12_b_1_frame_that_looks_at_the_axis_of_the_helix_turns_with_sdot():
@@ -78,24 +76,33 @@ def test_2009_07_10_2b_twist_in_the_middle_of_the_motion():
 # --- diff-kin-higher
 
 
+SHOULDER = r1.robot_from_dh(
+    [("R", "L1", up, "D", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)],
+    parameters={"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3},
+)
+
+
 @pytest.mark.parametrize(("A", "w"), [(2.0, 1.5), (-1.0, 0.7)])
 def test_2011_02_03_4_accelerations_for_a_tip_acceleration_along_y_of_the_last_frame(A, w):
-    rows = [("R", "L1", up, "D", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
-    arm = r1.robot_from_dh(rows, parameters={"D": 0.5, "L1": 0.1, "L2": 0.4, "L3": 0.3})
     q, qdot, xyz = [0, pi / 4, -pi / 4], [w, 0, 0], r1.PositionTask("xyz")
-    acc = r1.forward_kinematics(arm, q).rotation @ [0, A, 0]
-    found = r1.joint_acceleration(arm, xyz, acc, q, qdot)
+    acc = r1.forward_kinematics(SHOULDER, q).rotation @ [0, A, 0]
+    found = r1.joint_acceleration(SHOULDER, xyz, acc, q, qdot)
     reach = 0.1 + 0.4 * sqrt(2) / 2 + 0.3
+    second = -sqrt(2) / 0.4 * reach * w**2
     assert acc == pytest.approx([0, 0, A])
     assert found.drift == pytest.approx([-reach * w**2, 0, 0], abs=1e-10)
-    second = -sqrt(2) / 0.4 * reach * w**2
     assert found.qddot == pytest.approx([0, second, A / 0.3 + (1 / 0.3 + sqrt(2) / 0.4) * reach * w**2], abs=1e-9)
-    if A == 2:
-        assert found.qddot == pytest.approx([0, -5.431981, 17.219968], abs=1e-6)
-        single = -(1 + sqrt(2) * 0.3 / 0.4) * reach * w**2
-        assert single == pytest.approx(-3.16599, abs=1e-5)
-        only = r1.joint_acceleration(arm, xyz, [0, 0, single], q, qdot).qddot
-        assert only == pytest.approx([0, only[1], 0], abs=1e-9)  # joint 2 alone accelerates
+
+
+def test_2011_02_03_4_in_numbers_and_the_acceleration_for_which_joint_2_alone_accelerates():
+    q, qdot, xyz = [0, pi / 4, -pi / 4], [1.5, 0, 0], r1.PositionTask("xyz")
+    both = r1.joint_acceleration(SHOULDER, xyz, [0, 0, 2], q, qdot).qddot
+    assert both == pytest.approx([0, -5.431981, 17.219968], abs=1e-6)
+    none = r1.joint_acceleration(SHOULDER, xyz, [0, 0, 0], q, qdot).qddot  # q̈3 is linear in A
+    single = 2 * none[2] / (none[2] - both[2])
+    assert single == pytest.approx(-3.16599, abs=1e-5)
+    only = r1.joint_acceleration(SHOULDER, xyz, [0, 0, single], q, qdot).qddot
+    assert only == pytest.approx([0, only[1], 0], abs=1e-9)
 
 
 # --- redundancy
@@ -112,13 +119,14 @@ def test_2013_01_09_2c_least_norm_velocity_of_a_planar_4r():
     assert np.linalg.norm(found.qdot) == pytest.approx(1.4322, abs=PRINTED)
 
 
+THREE = [("R", 0.2, up, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.5, 0, 0, 0)]
+
+
 def test_2012_09_10_5_velocities_for_an_angular_velocity_of_a_3r_whose_jacobian_is_singular():
-    arm = r1.robot_from_dh([("R", 0.2, up, 0, 0), ("R", 0.5, 0, 0, 0), ("R", 0.5, 0, 0, 0)])
-    q, omega = [0, pi / 4, -pi / 4], [0, -3, 0.949169]
+    arm, q, omega = r1.robot_from_dh(THREE), [0, pi / 4, -pi / 4], [0, -3, 0.949169]
     found = r1.joint_velocity(arm, r1.OrientationTask(), omega, q)
     assert found.qdot == pytest.approx([0.9492, 1.5, 1.5], abs=PRINTED)
-    assert np.linalg.norm(found.qdot) == pytest.approx(2.324, abs=PRINTED)
-    assert found.rank == 2
+    assert (np.linalg.norm(found.qdot), found.rank) == (pytest.approx(2.324, abs=PRINTED), 2)
     null = r1.subspaces(r1.OrientationTask().jacobian(arm, q)).null[:, 0]
     assert null / null[1] == pytest.approx([0, 1, -1], abs=1e-9)
     given = [0.9492, -2.8284, 5.8284]
@@ -127,9 +135,11 @@ def test_2012_09_10_5_velocities_for_an_angular_velocity_of_a_3r_whose_jacobian_
     assert (found.qdot - given) @ [0, 1, -1] / 2 == pytest.approx(4.3284, abs=PRINTED)
 
 
+SCARA = [("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)]
+
+
 def test_2011_09_12_b_twist_of_a_scara_in_a_singular_configuration():
-    rows = [("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0), ("P", 0, 0, 0, 0), ("R", 0, 0, 0, 0)]
-    arm, q, twist = r1.robot_from_dh(rows), [pi / 4, 0, 1, 0], [1, -1, 1, 0, 0, -1]
+    arm, q, twist = r1.robot_from_dh(SCARA), [pi / 4, 0, 1, 0], [1, -1, 1, 0, 0, -1]
     found = r1.joint_velocity(arm, r1.PoseTask(), twist, q)
     assert (found.rank, found.feasible) == (3, True)
     assert found.qdot == pytest.approx([-0.5404, -0.3333, 1, -0.1262], abs=PRINTED)

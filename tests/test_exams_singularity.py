@@ -8,6 +8,7 @@ import pytest
 import sympy
 from dh_arms import NAMED_CABLE, POLAR_ARM, SPATIAL_4R, TWISTED, dh, offset_arm, planar_rpr
 from formula_values import real, same
+from scipy.optimize import minimize
 from singular_checks import numbers, read, spans_range, written
 from sympy import Matrix, cos, sin
 
@@ -24,6 +25,7 @@ from robotics1 import (
     robot_from_dh,
     subspaces,
 )
+from robotics1.redundancy import ManipulabilityObjective
 from robotics1.singularities import find_intersections
 
 H = pi / 2
@@ -131,18 +133,22 @@ def test_2012_02_09_2b_polar_arm_has_rank_1_at_q3_0_and_2_at_s2_0():
     assert both == wanted(found.robot, rank_1="q2 = 0 | pi; q3 = 0")
 
 
+HALF_POLAR = robot_from_dh(POLAR_ARM, lower=[None, None, 0], upper=[None, None, 5])
+
+
 def test_2012_02_09_3a_a_segment_through_the_axis_of_joint_1_needs_q1_along_it():
-    robot = robot_from_dh(POLAR_ARM, lower=[None, None, 0], upper=[None, None, 5])
-    path, tangent = line_path([1, 1, 1], [-1, -1, 3]), Matrix([-1, -1, 1]) / sympy.sqrt(3)
-    assert path.length == pytest.approx(3.464102, abs=1e-6)
-    assert path(1.732051) == pytest.approx([0, 0, 2], abs=1e-6)
-    lost = at(find_singularities(robot, XYZ), "q2 = pi").formulas.left_null
-    assert sympy.solve((lost.T * tangent)[0], q1) == [sympy.pi / 4]  # and π more
-    v = np.array(tangent, float)[:, 0]
-    along, across = (joint_velocity(robot, XYZ, v, [angle, pi, 1]) for angle in (pi / 4, 0.1))
+    path = line_path([1, 1, 1], [-1, -1, 3])
+    assert (path.length, *path(1.732051)) == pytest.approx((3.464102, 0, 0, 2), abs=1e-6)
+    lost = at(find_singularities(HALF_POLAR, XYZ), "q2 = pi").formulas.left_null
+    assert sympy.solve((lost.T * Matrix([-1, -1, 1]))[0], q1) == [sympy.pi / 4]  # and π more
+    v = path.derivative(1.732051)
+    along, across = (joint_velocity(HALF_POLAR, XYZ, v, [angle, pi, 1]) for angle in (pi / 4, 0.1))
     assert (along.feasible, across.feasible) == (True, False)
     assert along.qdot == pytest.approx([0, 0.816497, 0.57735], abs=1e-6)
-    start, end = (ik_solutions(robot, XYZ, p).q for p in ([1, 1, 1], [-1, -1, 3]))
+
+
+def test_2012_02_09_3a_the_segment_begins_and_ends_with_q1_along_it():
+    start, end = (ik_solutions(HALF_POLAR, XYZ, p).q for p in ([1, 1, 1], [-1, -1, 3]))
     assert any(np.allclose(q, [0.785398, 1.570796, 1.414214], atol=1e-6) for q in start)
     assert any(np.allclose(q, [0.785398, 3.757072 - 2 * pi, 2.44949], atol=1e-6) for q in end)
 
@@ -153,19 +159,24 @@ def test_2012_01_11_1c_planar_3r_is_singular_at_s2_0_and_s3_0():
     assert found.complete
 
 
-def test_2012_01_11_1d_and_bonus_manipulability_of_a_planar_3r_and_its_largest_value():
-    """H² is the sum of the squared minors; the printed maximum is at a point of a grid of 0.02 rad."""
+def test_2012_01_11_1d_manipulability_of_a_planar_3r_is_the_sum_of_squared_minors_and_knows_no_q1():
     robot = planar(1, 0.5, 0.25)
     squares = sum(minor**2 for minor in formulas(robot, XY).minors.values())
     parts = (l1 * (l2 * sin(q2) + l3 * sin(q2 + q3)), l3 * (l1 * sin(q2 + q3) + l2 * sin(q3)), l2 * l3 * sin(q3))
     assert same(squares, sum(part**2 for part in parts))
     assert q1 not in squares.free_symbols
-    measure = numbers(robot, [sympy.sqrt(squares)])
-    assert measure([0.3, 1.48, 0.24]) == pytest.approx(0.795515, abs=1e-6)
-    grid = [(float(measure([0, a, b])[0, 0]), a, b) for a, b in product(np.arange(0, pi, 0.02), np.arange(-1, 1, 0.02))]
+    assert numbers(robot, [sympy.sqrt(squares)])([0.3, 1.48, 0.24]) == pytest.approx(0.795515, abs=1e-6)
+
+
+def test_2012_01_11_bonus_manipulability_of_a_planar_3r_is_largest_near_1_48_0_24():
+    """The printed maximum is at a point of a grid of 0.02 rad; the gradient leads to the optimum beside it."""
+    measure = ManipulabilityObjective(planar(1, 0.5, 0.25), XY)
+    best = minimize(lambda q: -measure.value(q), [0, 1, 0], jac=lambda q: -measure.gradient(q), tol=1e-10)
+    assert best.x[1:] == pytest.approx([1.470218, 0.24735], abs=1e-5)
+    assert -best.fun == pytest.approx(0.795537, abs=1e-6)
+    assert measure.value(-best.x) == pytest.approx(-best.fun)
+    grid = [(measure.value([0, a, b]), a, b) for a, b in product(np.arange(1.4, 1.6, 0.02), np.arange(0.2, 0.3, 0.02))]
     assert max(grid) == pytest.approx((0.7955, 1.48, 0.24), abs=1e-4)
-    assert measure([0, 1.470218, 0.24735]) == pytest.approx(0.795537, abs=1e-6)
-    assert measure([0, -1.470218, -0.24735]) == pytest.approx(0.795537, abs=1e-6)
 
 
 def test_2011_07_04_5_cable_arm_has_rank_2_with_q2_q3_q4_at_0_inside_its_limits():

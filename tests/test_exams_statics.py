@@ -52,20 +52,27 @@ def test_a_force_and_a_couple_at_the_tip_of_a_planar_4r(load, tau):
     assert -held.torque == pytest.approx(tau)  # the book exerts them
 
 
+PUMA = r1.robot_from_dh(
+    [
+        *(("R", 0, pi / 2, 0, 0), ("R", 0.4318, 0, 0, 0), ("R", 0.0203, -pi / 2, 0.15005, 0)),
+        *(("R", 0, pi / 2, 0.4318, 0), ("R", 0, -pi / 2, 0, 0), ("R", 0, 0, 0, 0)),
+    ]
+)
+
+
 def test_twenty_newtons_on_a_puma():
-    wrist = [("R", 0, pi / 2, 0.4318, 0), ("R", 0, -pi / 2, 0, 0), ("R", 0, 0, 0, 0)]
-    puma = r1.robot_from_dh(
-        [("R", 0, pi / 2, 0, 0), ("R", 0.4318, 0, 0, 0), ("R", 0.0203, -pi / 2, 0.15005, 0), *wrist]
-    )
     q = [0, pi / 4, pi, 0, pi / 4, 0]
-    along_y, along_x = (-static_torques(puma, q, Load(f)).torque for f in ([0, 20, 0], [20, 0, 0]))
+    along_y, along_x = (-static_torques(PUMA, q, Load(f)).torque for f in ([0, 20, 0], [20, 0, 0]))
     assert along_y == pytest.approx([11.926062971, 0, 0, 0, 0, 0], abs=1e-8)
     assert along_x == pytest.approx([3.001, 0.287085353, 6.393659515, 0, 0, 0], abs=1e-8)
-    turned = [0, pi / 4, -pi, 1, pi / 4, 0]
-    measures = [
-        manipulability(puma, task, turned).measure for task in (r1.PoseTask(), r1.PositionTask(), r1.OrientationTask())
-    ]
+
+
+def test_measures_of_a_puma_and_the_one_that_changes_with_joint_4():
+    tasks, q = (r1.PoseTask(), r1.PositionTask(), r1.OrientationTask()), [0, pi / 4, -pi, 1, pi / 4, 0]
+    measures = [manipulability(PUMA, task, q).measure for task in tasks]
     assert measures == pytest.approx([0.078617165, 0.111181461, 2.593569027], rel=1e-7)
+    moved = [manipulability(PUMA, task, [0, pi / 4, -pi, 0.4, pi / 4, 0]).measure for task in tasks]
+    assert [a == pytest.approx(b) for a, b in zip(moved, measures, strict=True)] == [True, True, False]
 
 
 def test_the_torques_of_a_differential_shoulder_follow_from_those_of_its_motors():

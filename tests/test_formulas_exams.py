@@ -19,6 +19,28 @@ CAMERA = [("R", 0, H, "L1", 0), ("R", "L2", 0, 0, 0), ("R", "L3", 0, 0, 0)]
 CAMERA_TOOL = [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]]
 
 
+def test_2012_09_10_2_position_of_an_arm_with_a_shoulder_offset():
+    rows = [("R", "a1", H, 0, 0), ("R", "a2", 0, 0, 0), ("R", "a3", 0, 0, 0)]
+    robot, (a1, a2, a3) = robot_from_dh(rows, parameters={"a1": 0.2, "a2": 0.5, "a3": 0.5}), real("a1 a2 a3")
+    f = formulas(robot, PositionTask())
+    out, up = a1 + a2 * cos(q2) + a3 * cos(q2 + q3), a2 * sin(q2) + a3 * sin(q2 + q3)
+    assert same(f.value, Matrix([out * cos(q1), out * sin(q1), up]))
+    assert number(f.value, f, [0, pi / 4, -pi / 4]).ravel() == pytest.approx([1.053553, 0, 0.353553], abs=1e-6)
+
+
+def test_2010_07_07_ii_wrist_centre_of_a_six_axis_arm():
+    rows = [("R", "a1", H, "d1", 0), ("R", "a2", 0, 0, 0), ("R", "a3", H, 0, 0)]
+    rows += [("R", 0, -H, "d4", 0), ("R", 0, H, 0, 0), ("R", 0, 0, 0.17, 0)]
+    lengths = {"a1": 0.35, "a2": 0.85, "a3": 0.145, "d1": 0.815, "d4": 0.82}
+    f, (a1, a2, a3, d1, d4) = (
+        formulas(robot_from_dh(rows, parameters=lengths), PositionTask(frame="link4")),
+        real(list(lengths)),
+    )
+    ahead, up = a2 + a3 * cos(q3) + d4 * sin(q3), a3 * sin(q3) - d4 * cos(q3)
+    out = a1 + ahead * cos(q2) - up * sin(q2)
+    assert same(f.value, Matrix([out * cos(q1), out * sin(q1), d1 + ahead * sin(q2) + up * cos(q2)]))
+
+
 def test_2012_06_11_2a_planar_rpr_tip_and_its_2x3_jacobian():
     f = formulas(planar_rpr(), PositionTask("xy"))
     x, y = q2 * cos(q1) + L * cos(q1 + q3), q2 * sin(q1) + L * sin(q1 + q3)
@@ -41,19 +63,13 @@ def test_2012_06_11_2c_planar_rpr_where_all_minors_vanish():
 
 
 def test_2012_04_26_1b_velocity_of_a_camera_in_its_own_axes_and_in_those_of_the_base():
-    names = {"L1": 0.5, "L2": 0.4, "L3": 0.3}
-    robot = robot_from_dh(CAMERA, parameters=names, tool_placement=CAMERA_TOOL)
-    own = formulas(robot, PositionTask(reference="tool"))
-    shoulder = L2 * cos(q2) + L3 * cos(q2 + q3)
-    assert same(own.jacobian, Matrix([[shoulder, 0, 0], [0, L3 + L2 * cos(q3), L3], [0, L2 * sin(q3), 0]]))
-    height = L2 * sin(q2) + L3 * sin(q2 + q3)
-    base = formulas(robot, PositionTask())
-    wanted = [
-        [-sin(q1) * shoulder, -cos(q1) * height, -L3 * cos(q1) * sin(q2 + q3)],
-        [cos(q1) * shoulder, -sin(q1) * height, -L3 * sin(q1) * sin(q2 + q3)],
-        [0, shoulder, L3 * cos(q2 + q3)],
-    ]
-    assert same(base.jacobian, Matrix(wanted))
+    robot = robot_from_dh(CAMERA, parameters={"L1": 0.5, "L2": 0.4, "L3": 0.3}, tool_placement=CAMERA_TOOL)
+    own, base = (formulas(robot, PositionTask(reference=axes)).jacobian for axes in ("tool", "world"))
+    c1, s1, s, c = cos(q1), sin(q1), sin(q2 + q3), cos(q2 + q3)
+    shoulder, height = L2 * cos(q2) + L3 * c, L2 * sin(q2) + L3 * s
+    assert same(own, Matrix([[shoulder, 0, 0], [0, L3 + L2 * cos(q3), L3], [0, L2 * sin(q3), 0]]))
+    x, y = [-s1 * shoulder, -c1 * height, -L3 * c1 * s], [c1 * shoulder, -s1 * height, -L3 * s1 * s]
+    assert same(base, Matrix([x, y, [0, shoulder, L3 * c]]))
 
 
 def test_2012_02_09_1_angular_jacobian_of_a_wrist_with_twists_alpha_and_minus_alpha():
@@ -81,16 +97,12 @@ def test_2012_02_09_2b_rrp_jacobian_and_determinant_s2_q3_squared():
 
 
 def test_2012_01_11_1d_manipulability_of_a_planar_3r_is_the_root_of_the_sum_of_squared_minors():
-    l1, l2, l3 = real("l1 l2 l3")
-    names = {"l1": 1, "l2": 0.5, "l3": 0.25}
+    (l1, l2, l3), names = real("l1 l2 l3"), {"l1": 1, "l2": 0.5, "l3": 0.25}
     robot = robot_from_dh([("R", name, 0, 0, 0) for name in names], parameters=names)
     f = formulas(robot, PositionTask("xy"))
     H2 = sum(minor**2 for minor in f.minors.values())
-    wanted = (
-        (l1 * (l2 * sin(q2) + l3 * sin(q2 + q3))) ** 2
-        + (l3 * (l1 * sin(q2 + q3) + l2 * sin(q3))) ** 2
-        + (l2 * l3 * sin(q3)) ** 2
-    )
+    wanted = (l1 * (l2 * sin(q2) + l3 * sin(q2 + q3))) ** 2
+    wanted += (l3 * (l1 * sin(q2 + q3) + l2 * sin(q3))) ** 2 + (l2 * l3 * sin(q3)) ** 2
     assert same(H2, wanted)
     assert number(sqrt(H2), f, [0.3, 1.48, 0.24]) == pytest.approx(0.795515, abs=1e-6)
 
@@ -107,22 +119,17 @@ def test_2011_02_03_1_to_3_arm_with_a_shoulder_offset():
     assert same(impossible.T * angular.jacobian, sympy.zeros(1, 3))
 
 
+CABLE_BASE = [[1, 0, 0, 0.22], [0, 1, 0, 0.14], [0, 0, 1, 0.346], [0, 0, 0, 1]]
+
+
 def test_2011_07_04_2_position_of_a_cable_arm_with_an_elbow_offset():
-    robot = robot_from_dh(
-        NAMED_CABLE,
-        parameters={"a3": 0.045, "d3": 0.55},
-        base_placement=[[1, 0, 0, 0.22], [0, 1, 0, 0.14], [0, 0, 1, 0.346], [0, 0, 0, 1]],
-    )
-    a3, d3 = real("a3 d3")
-    f = formulas(robot, PositionTask(), point=(0, 0, "L"))
-    side = a3 + L * sin(q4) - a3 * cos(q4)
-    along = d3 + a3 * sin(q4) + L * cos(q4)
-    wanted = [
-        0.22 + (cos(q1) * cos(q2) * cos(q3) - sin(q1) * sin(q3)) * side + cos(q1) * sin(q2) * along,
-        0.14 + (sin(q1) * cos(q2) * cos(q3) + cos(q1) * sin(q3)) * side + sin(q1) * sin(q2) * along,
-        0.346 - sin(q2) * cos(q3) * side + cos(q2) * along,
-    ]
-    assert same(f.value, Matrix([sympy.nsimplify(entry, rational=True) for entry in wanted]))
+    robot = robot_from_dh(NAMED_CABLE, parameters={"a3": 0.045, "d3": 0.55}, base_placement=CABLE_BASE)
+    f, (a3, d3) = formulas(robot, PositionTask(), point=(0, 0, "L")), real("a3 d3")
+    (c1, c2, c3, c4), (s1, s2, s3, s4) = (list(map(turn, (q1, q2, q3, q4))) for turn in (cos, sin))
+    side, along = a3 + L * s4 - a3 * c4, d3 + a3 * s4 + L * c4
+    x, y = (c1 * c2 * c3 - s1 * s3) * side + c1 * s2 * along, (s1 * c2 * c3 + c1 * s3) * side + s1 * s2 * along
+    base = [sympy.Rational(value) for value in ("0.22", "0.14", "0.346")]
+    assert same(f.value, Matrix(base) + Matrix([x, y, c2 * along - s2 * c3 * side]))
     at = number(f.value, f, [0.3, 0.5, -0.7, 0.9], L=0.35).ravel()
     assert at == pytest.approx([0.829858, 0.13229, 0.943759], abs=1e-6)
 
@@ -175,12 +182,9 @@ def test_2009_11_10_2b_orientation_of_a_camera_on_three_joints():
         base_placement=[[0, 0, 1, 0], [1, 0, 0, 0], [0, 1, 0, 0.2], [0, 0, 0, 1]],
     )
     c1, s1, c2, s2, c3, s3 = (g(q) for q in (q1, q2, q3) for g in (cos, sin))
-    wanted = [
-        [-s2 * c3, c2, -s2 * s3],
-        [c1 * c2 * c3 - s1 * s3, c1 * s2, c1 * c2 * s3 + s1 * c3],
-        [s1 * c2 * c3 + c1 * s3, s1 * s2, s1 * c2 * s3 - c1 * c3],
-    ]
-    assert same(formulas(robot, OrientationTask()).value, Matrix(wanted))
+    y = [c1 * c2 * c3 - s1 * s3, c1 * s2, c1 * c2 * s3 + s1 * c3]
+    z = [s1 * c2 * c3 + c1 * s3, s1 * s2, s1 * c2 * s3 - c1 * c3]
+    assert same(formulas(robot, OrientationTask()).value, Matrix([[-s2 * c3, c2, -s2 * s3], y, z]))
 
 
 def test_2009_06_10_b1_position_jacobian_of_a_planar_prp():

@@ -16,6 +16,7 @@ from robotics1 import (
     PositionTask,
     TaskError,
     forward_kinematics,
+    frame_jacobian,
     iterate_ik,
 )
 from robotics1.ik import IKStatus
@@ -242,6 +243,12 @@ def test_a_planar_pose_of_a_spatial_arm_is_a_task_error(spatial):
         {"tolerance": 0},
         {"tolerance": -1},
         {"tolerance": nan},
+        {"tolerance": {"m": 0}},
+        {"tolerance": {"rad": 1e-3}},
+        {"tolerance": {"m": 1e-4, "rad": 1e-3}},
+        {"tolerance": {}},
+        {"tolerance": {1: 1e-4}},
+        {"error": "space"},
         {"max_iterations": -1},
         {"max_iterations": 2.5},
         {"gain": 0},
@@ -268,3 +275,39 @@ def test_the_start_is_not_changed(cylindrical):
     q0 = np.array(Q_A)
     iterate_ik(cylindrical, SPACE, GOAL, q0)
     assert np.array_equal(q0, Q_A)
+
+
+# --- the body twist, and tolerances of their own
+
+
+@pytest.mark.parametrize(("name", "method"), [("six_r", "newton"), ("redundant", "pseudoinverse"), ("six_r", "damped")])
+def test_with_the_body_twist_each_step_is_that_of_log6_and_of_the_body_jacobian(name, method):
+    robot = arm(name)
+    T_d = forward_kinematics(robot, random_q(robot, 3))
+    q0 = random_q(robot, 3) + 0.1
+    run = iterate_ik(robot, PoseTask(), T_d, q0, method=method, error="body", tolerance=1e-9)
+    e = pin.log6(forward_kinematics(robot, q0).inverse() * T_d).vector
+    J = frame_jacobian(robot, q0, kind="body")
+    inverse = J.T @ np.linalg.inv(J @ J.T + (0.01 if method == "damped" else 0) * np.eye(6))
+    assert run[0].e == pytest.approx(e, abs=1e-12)
+    assert run[1].q == pytest.approx(q0 + inverse @ e, abs=1e-9)
+    assert pin.log6(run.require().table[-1].r.actInv(T_d)).vector == pytest.approx(np.zeros(6), abs=1e-9)
+
+
+def test_an_iteration_ends_where_the_norm_in_each_unit_is_within_its_tolerance():
+    robot, task = arm("six_r"), PoseTask()
+    T_d = forward_kinematics(robot, random_q(robot, 3))
+    run = iterate_ik(robot, task, T_d, random_q(robot, 3) + 0.1, error="body", tolerance={"rad": 1e-9, "m": 1.0})
+    linear, angular = (np.array([np.linalg.norm(row.e[part]) for row in run]) for part in (slice(3), slice(3, 6)))
+    assert run.error_norms["m"] == pytest.approx(linear)
+    assert run.error_norms["rad"] == pytest.approx(angular)
+    assert (angular[:-1] > 1e-9).all()  # it went on although the position was near enough
+    assert angular[-1] <= 1e-9
+    assert "|e| [rad]" in str(run)
+    assert " rad" in run.explain()
+
+
+def test_the_body_twist_is_that_of_a_whole_pose(cylindrical):
+    for task, target in ((SPACE, GOAL), (PoseTask(angles="ZYZ"), [0.3, 0.2, 0.4, 0.1, 0.7, 0.2])):
+        with pytest.raises(TaskError, match=r"twist log.* of a whole pose: use PoseTask\(\), without angles"):
+            iterate_ik(cylindrical, task, target, Q_A, method="pseudoinverse", error="body")

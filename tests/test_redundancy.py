@@ -54,8 +54,7 @@ def test_manipulability_and_its_gradient_of_a_planar_3r_arm():
 def test_projected_gradient_is_pinv_v_plus_the_projection():
     J = planar_jacobian(np.array([1.0, 0.8, 0.5]), Q)
     found = projected_gradient(THREE, XY, V, Q, ManipulabilityObjective(THREE, XY), gain=2.0)
-    slope = np.array([0.0, 0.385579769, -0.269167327])
-    P = np.eye(3) - np.linalg.pinv(J) @ J
+    slope, P = np.array([0.0, 0.385579769, -0.269167327]), np.eye(3) - np.linalg.pinv(J) @ J
     assert found.qdot == pytest.approx(np.linalg.pinv(J) @ V + 2 * P @ slope, abs=1e-7)
     assert found.qdot == pytest.approx([-0.097698159, -0.277107807, 0.427852137], abs=1e-7)
     assert J @ found.null_velocity == pytest.approx([0, 0], abs=1e-12)

@@ -1,12 +1,13 @@
 """Inverse kinematics as it is taught: one method, iterated, with its table and the reason it stopped."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
 from robotics1.errors import TaskError
+from robotics1.ik.iteration_error import Bounds, ErrorKind, error_and_jacobian, tolerances
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
@@ -25,7 +26,7 @@ TOO_FAR = 1e6  # a joint value beyond this says that the iteration diverges [rad
 
 @tuple_with_arrays
 class IKIterate(NamedTuple):
-    """One row of the table: k, q, r = f(q), |e|, det J (NaN if J is not square), and the least singular value."""
+    """One row of the table: k, q, r = f(q), |e|, det J (NaN if J is not square), the least singular value, and e."""
 
     k: int
     q: Array
@@ -33,6 +34,7 @@ class IKIterate(NamedTuple):
     error_norm: float
     det: float
     sigma_min: float
+    e: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +47,7 @@ class IKIteration(Frozen):
         table: one row an iterate, the start included.
         within_limits: whether q is inside the joint limits; the iteration itself ignores them.
         method: its name.
+        groups: unit → the rows of e whose norm has a tolerance of its own; under "" all rows, with one tolerance.
     """
 
     status: IKStatus
@@ -52,6 +55,7 @@ class IKIteration(Frozen):
     table: tuple[IKIterate, ...]
     within_limits: bool
     method: str
+    groups: Mapping[str, tuple[int, ...]]
 
     @property
     def converged(self) -> bool:
@@ -72,21 +76,29 @@ class IKIteration(Frozen):
     def __getitem__(self, i: int) -> IKIterate:
         return self.table[i]
 
+    @property
+    def error_norms(self) -> dict[str, Array]:
+        """Unit → (k,) the norm of e in the rows of that unit, of every iterate; under "" of all rows."""
+        return {
+            unit: np.array([np.hypot.reduce(row.e[list(rows)]) for row in self.table])
+            for unit, rows in self.groups.items()
+        }
+
     def _tables(self) -> tuple[Table, ...]:
         square = not np.isnan(self.table[0].det)
-        rows = []
+        norms, rows = self.error_norms, []
         for row in self.table:
             r = getattr(row.r, "translation", row.r)
             last = row.det if square else row.sigma_min
-            rows.append((str(row.k), vector(row.q), vector(r), f"{row.error_norm:.5f}", number(last)))
-        return (table_of(("k", "q", "r", "|e|", "det J" if square else "σ_min"), rows),)
+            errors = [f"{norm[row.k]:.5f}" for norm in norms.values()]
+            rows.append((str(row.k), vector(row.q), vector(r), *errors, number(last)))
+        titles = [f"|e| [{unit}]" if unit else "|e|" for unit in norms]
+        return (table_of(("k", "q", "r", *titles, "det J" if square else "σ_min"), rows),)
 
     def explain(self) -> str:
         """Return why the iteration stopped, with its numbers, in a sentence."""
-        return (
-            f"{self.method} stopped after {self.iterations} iterations with |e| = {self.table[-1].error_norm:.3g}: "
-            f"{self.status.value}"
-        )
+        last = " and ".join(f"{norm[-1]:.3g} {unit}".strip() for unit, norm in self.error_norms.items())
+        return f"{self.method} stopped after {self.iterations} iterations with |e| = {last}: {self.status.value}"
 
     def require(self) -> "IKIteration":
         """Return self if it converged.
@@ -104,12 +116,16 @@ def iterate_ik(
     q0: ConfigurationLike,
     *,
     method: Method = "newton",
-    tolerance: float = 1e-4,
+    error: ErrorKind = "task",
+    tolerance: float | Mapping[str, float] = 1e-4,
     max_iterations: int = 50,
     gain: float | None = None,
     damping: float | None = None,
 ) -> IKIteration:
     """Iterate q ← q + Δq(J(q), e), e = r_d − f(q), from q0 until |e| ≤ tolerance, and return every iterate.
+
+    With error="body", e = (v, ω) = log(T⁻¹ T_d) is the twist, in the tool's own axes, that moves the tool to the target
+    in unit time, and J is the body Jacobian.
 
     Args:
         robot: the robot; its joint limits are ignored, and looked at in the end.
@@ -118,37 +134,41 @@ def iterate_ik(
         q0: (nq,) the start [rad or m].
         method: "newton" Δq = J⁻¹e; "pseudoinverse" Δq = J⁺e; "gradient" Δq = α Jᵀe;
             "damped" Δq = Jᵀ(JJᵀ + λ²1)⁻¹e.
-        tolerance: on |e| in the task's units [m, rad].
+        error: "task", or "body" for a task whose value is a whole pose.
+        tolerance: on |e| in the task's units; or one for each unit, as {"rad": 1e-3, "m": 1e-4}.
         max_iterations: the most updates of q.
         gain: factor of every step, 1 by default; of "gradient" it is α, by default the optimal one (Cauchy).
         damping: λ of "damped", 0.1 by default.
 
     Raises:
-        TaskError: "newton" on a task with m ≠ n rows, or axes that move with the robot.
+        TaskError: "newton" on a task with m ≠ n rows, axes that move with the robot, or the body twist of what is no
+            pose.
         InputError: an argument has the wrong shape or value.
 
-    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.
+    Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7; of the body twist Lynch, Park, Modern
+    Robotics, 2017, section 6.2.
     """
     robot, task = robot_and_task(robot, task)
     step = _step(robot, task, method, gain, damping)
-    tolerance = real_number("tolerance", tolerance, positive=True)
+    bounds = tolerances(task, tolerance)
     limit = counting_number("max_iterations", max_iterations)
     task.check_integrable(robot)
     target = task.target(target)
     q = robot.configuration(q0, "q0")
+    error_at = error_and_jacobian(robot, task, target, error)
     table: list[IKIterate] = []
     too_far = _too_far(robot, task, q, target)
     while True:
-        e, J = task.error(robot, q, target), task.jacobian(robot, q)
+        e, J = error_at(q)
         table.append(_row(len(table), q, task.value(robot, q), e, J))
-        status = _status(J, e, method, tolerance, len(table) > limit)
+        status = _status(J, e, method, bounds, len(table) > limit)
         if status is None:
             with np.errstate(over="ignore", invalid="ignore"):
                 ahead = q + step(J, e)
             if not np.all(np.abs(ahead) < too_far):  # also when it is not a number
                 status = IKStatus.DIVERGED
         if status is not None:
-            return IKIteration(status, q, tuple(table), robot.within_limits(q), method)
+            return IKIteration(status, q, tuple(table), robot.within_limits(q), method, bounds.rows)
         q = ahead
 
 
@@ -201,14 +221,14 @@ def _row(k: int, q: Array, r: Any, e: Array, J: Array) -> IKIterate:
     square = J.shape[0] == J.shape[1]
     det = float(np.linalg.det(J)) if square else float("nan")
     least = np.linalg.svd(J, compute_uv=False)[-1:].sum()  # 0 without joints
-    return IKIterate(k, q, r, float(np.hypot.reduce(e)), det, float(least))
+    return IKIterate(k, q, r, float(np.hypot.reduce(e)), det, float(least), e)
 
 
-def _status(J: Array, e: Array, method: str, tolerance: float, used_up: bool) -> IKStatus | None:
+def _status(J: Array, e: Array, method: str, bounds: Bounds, used_up: bool) -> IKStatus | None:
     """Return why the iteration ends at this iterate, or None if it goes on."""
-    error = float(np.hypot.reduce(e))  # which does not overflow
-    if error <= tolerance:
+    if bounds.hold(e):
         return IKStatus.CONVERGED
+    error = float(np.hypot.reduce(e))  # which does not overflow
     sigma = np.linalg.svd(J, compute_uv=False)
     if method == "newton":
         if numeric_rank(sigma) < len(sigma):

@@ -28,7 +28,7 @@ def ik_formulas(robot: RobotLike, task: TaskLike) -> IKFormulas:
 
     Args:
         robot: an arm of revolute and prismatic joints.
-        task: r = f(q): coordinates of a frame, its rotation, its pose, or its angle in a plane.
+        task: r = f(q): coordinates of a frame, polar ones too, its rotation, its pose, or its angle in a plane.
 
     Raises:
         TaskError: the task does not fit the robot, no joint moves it, or more joints do than it has rows.

@@ -191,6 +191,8 @@ class Peeling:
         return sympy.S.Zero
 
     def _defined(self, e: Any) -> Any:
+        for whole, shorter in self.target.identities:
+            e = e.subs(whole, shorter)
         return e.xreplace({symbol: value for symbol, value in self.definitions.items() if value is not None})
 
     # --- known joints go to the side of the target

@@ -73,6 +73,7 @@ class Target:
         symbols: the target in symbols.
         places: where each is in the flat value of the task, and with which sign.
         groups: the places of the angles that are added up, with those of the target.
+        identities: (e, f), expressions in the symbols of the pose and their shorter forms.
     """
 
     pose: Pose
@@ -80,6 +81,7 @@ class Target:
     symbols: tuple[sympy.Symbol, ...]
     places: tuple[tuple[int, int], ...]
     groups: Groups
+    identities: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()
 
 
 def symbolic_target(chain: TargetChain, task: Task, form: FrameMap, pose: Pose) -> Target:
@@ -99,10 +101,14 @@ def symbolic_target(chain: TargetChain, task: Task, form: FrameMap, pose: Pose) 
     groups: list[tuple[int, ...]] = list(chain.groups)
     angles = iter(chain.angles)
     flat: list[tuple[int, int]] = []
+    polar, identities = _polar_coordinates(chain, list(value.value.flat), here, definitions)
     for n, row in enumerate(value.value.flat):
         if row.is_number:
             continue
-        if row.func is sympy.atan2 and all(entry in here for entry in row.args):
+        if row in polar:
+            symbols.append(polar[row])
+            flat.append((n, 1))
+        elif row.func is sympy.atan2 and all(entry in here for entry in row.args):
             phi = next(angles)
             places = [here[entry] for entry in row.args]
             _set_angle(chain, T, M, places, phi, groups)
@@ -117,7 +123,26 @@ def symbolic_target(chain: TargetChain, task: Task, form: FrameMap, pose: Pose) 
     for (i, j), f in np.ndenumerate(M):
         if definitions[chain.entries[i, j]] is None and not f.symbols & set(chain.q):
             T[i, j] = f
-    return Target((T[:, :3], T[:, 3]), definitions, tuple(symbols), tuple(flat), tuple(groups))
+    return Target((T[:, :3], T[:, 3]), definitions, tuple(symbols), tuple(flat), tuple(groups), identities)
+
+
+def _polar_coordinates(
+    chain: TargetChain,
+    rows: list[sympy.Expr],
+    here: dict[sympy.Symbol, tuple[int, int]],
+    definitions: Definitions,
+) -> tuple[dict[sympy.Expr, sympy.Symbol], tuple[tuple[sympy.Expr, sympy.Expr], ...]]:
+    """Define a = ρ cos θ and b = ρ sin θ of rows √(a² + b²) and atan2(b, a); return row → symbol, and a² + b² = ρ²."""
+    for angle in rows:
+        if angle.func is sympy.atan2 and all(here.get(entry, (0, 0))[1] == 3 for entry in angle.args):
+            y, x = angle.args
+            distance = sympy.sqrt(x**2 + y**2)
+            if distance in rows:
+                a, b = (chain.entries[here[entry]] for entry in (x, y))
+                rho, theta = chain.symbol("rho"), chain.symbol("theta")
+                definitions |= {a: rho * sympy.cos(theta), b: rho * sympy.sin(theta)}
+                return {distance: rho, angle: theta}, ((a**2 + b**2, rho**2),)
+    return {}, ()
 
 
 def _place(row: sympy.Expr, here: dict[sympy.Symbol, tuple[int, int]]) -> tuple[tuple[int, int], int]:
@@ -126,7 +151,7 @@ def _place(row: sympy.Expr, here: dict[sympy.Symbol, tuple[int, int]]) -> tuple[
             return here[sign * row], sign
     raise FormulaError(
         "inverse formulas are written for tasks whose rows are coordinates of the frame, entries of its rotation or "
-        f"its angle in a plane; a row is {row}"
+        f"its angle in a plane; a row is {row.xreplace({s: sympy.Symbol(s.name) for s in row.free_symbols})}"
     )
 
 
