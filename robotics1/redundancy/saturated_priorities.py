@@ -7,9 +7,9 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.redundancy.null_saturation import saturated_levels
 from robotics1.redundancy.priorities import checked_levels
 from robotics1.redundancy.saturation import limits_of
+from robotics1.redundancy.within_bounds import levels_within
 from robotics1.results import Frozen, require
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -84,7 +84,7 @@ def saturated_priority_velocity(
     tasks, rates = checked_levels(robot, levels, "ṙ")
     low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
     jacobians = [task.jacobian(robot, q) for task in tasks]
-    x, scales = saturated_levels(list(zip(jacobians, rates, strict=True)), low, high)
+    x, scales = levels_within([(J, b, 0 * b) for J, b in zip(jacobians, rates, strict=True)], low, high)
     at = (np.abs(x - low) <= 1e-9) | (np.abs(x - high) <= 1e-9)
     left = tuple(rate - J @ x for J, rate in zip(jacobians, rates, strict=True))
     return SaturatedPriorities(x, scales, at, low, high, left)

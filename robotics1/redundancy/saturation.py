@@ -19,14 +19,8 @@ from robotics1.inputs import (
 )
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
-from robotics1.redundancy.null_saturation import (
-    SHRINK,
-    Saturated,
-    SaturationStep,
-    largest_scale,
-    saturate_step_by_step,
-    shortest_within,
-)
+from robotics1.redundancy.null_saturation import Saturated, SaturationStep, saturate_step_by_step
+from robotics1.redundancy.within_bounds import largest_scale_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -203,15 +197,9 @@ def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, me
             ends = np.where(y > 0, (high - shift) / y, np.where(y < 0, (low - shift) / y, np.inf))
         s = float(np.clip(ends.min(initial=1.0), 0.0, 1.0))
         return Saturated(np.clip(s * y + shift, low, high), s)
-    x = shortest_within(J, b - drift, low, high)
-    if x is not None:
-        return Saturated(x, 1.0)
-    s = largest_scale(J, b, low - shift, high - shift)
-    if not np.isnan(s):
-        for less in (0.0, SHRINK, 1e-7):
-            x = shortest_within(J, s * (1 - less) * b - drift, low, high)
-            if x is not None:
-                return Saturated(x, s * (1 - less))
+    s, found_x = largest_scale_within(J, -drift, b, low, high)
+    if found_x is not None:
+        return Saturated(found_x, s)
     from scipy.optimize import lsq_linear
 
     if not n:
