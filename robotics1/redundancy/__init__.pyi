@@ -13,7 +13,7 @@ from .objectives import (
     ObstacleObjective,
 )
 from .priorities import LevelOutcome, LevelStatus, Priorities, priority_acceleration, priority_velocity
-from .saturated_priorities import SaturatedPriorities, saturated_priority_velocity
+from .saturated_priorities import SaturatedPriorities, saturated_priority_acceleration, saturated_priority_velocity
 from .saturation import SaturatedMotion, SaturationStatus, saturated_acceleration, saturated_velocity
 from .weighted import weighted_pseudoinverse
 
@@ -42,6 +42,7 @@ __all__ = [
     "reduced_gradient",
     "redundancy_formulas",
     "saturated_acceleration",
+    "saturated_priority_acceleration",
     "saturated_priority_velocity",
     "saturated_velocity",
     "weighted_pseudoinverse",

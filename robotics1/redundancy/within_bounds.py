@@ -12,7 +12,9 @@ ROUNDING = 1e-10  # of the largest limit or rate: joints above their limit by le
 CONSISTENT = 1e-8  # a residual of the equations that is rounding, relative
 SHRINKS = (1e-9, 1e-7)  # of a scale at the edge of what is possible, whose rounding may be beyond it
 MOST_CUTS = 100  # a few are needed
-SOFT = 1e-7  # of the largest singular value: what makes least squares unique, relative
+SOFT = 1e-3  # of the largest singular value: what makes least squares unique, relative
+PROXIMAL = 4  # repetitions, each of which makes the error 1e-6 times as large, or less
+SOFT_ROUNDING = 1e-8  # as ROUNDING, of the ill-conditioned problem that softness makes
 
 BoundedLevel = tuple[Array, Array, Array]  # A, b, d
 
@@ -80,7 +82,9 @@ def solution_line(C: Array, c: Array, g: Array) -> Line:
     return Line(start, slope, Vt[r:].T, least, most)
 
 
-def nearest_within(start: Array, slope: Array, N: Array, low: Array, high: Array) -> tuple[Array | None, float | None]:
+def nearest_within(
+    start: Array, slope: Array, N: Array, low: Array, high: Array, rounding: float = ROUNDING
+) -> tuple[Array | None, float | None]:
     """Return x = start + N z of the least |z| with low ≤ x ≤ high; else None, and a step of s that the proof allows.
 
     It is a least distance problem, min |z| with G z ≥ h, which one non-negative least squares solves: of u ≥ 0 with the
@@ -91,11 +95,15 @@ def nearest_within(start: Array, slope: Array, N: Array, low: Array, high: Array
     """
     from scipy.optimize import nnls
 
-    h = np.concatenate([low - start, start - high])
+    room = 0.01 * ROUNDING * _size(start, low, high)  # bounds that touch leave a room of rounding only
+    h = np.concatenate([low - start, start - high]) - room
     kept = np.isfinite(h)
     if (h[kept] <= 0).all():
         return np.clip(start, low, high), None
     G, h = np.vstack([N, -N])[kept], h[kept]
+    norms = np.linalg.norm(G, axis=1)
+    norms = np.where(norms > ROUNDING, norms, 1.0)
+    G, h = G / norms[:, None], h / norms
     size = float(np.abs(h).max())
     E = np.vstack([G.T, h / size])
     e = np.zeros(len(E))
@@ -105,32 +113,42 @@ def nearest_within(start: Array, slope: Array, N: Array, low: Array, high: Array
     except RuntimeError:  # it turned in a circle: neither proven nor solved
         return None, None
     if left <= 1e-9:
-        per_s = float(u @ np.concatenate([-slope, slope])[kept])
-        return None, (-float(u @ h) / per_s if per_s > 0 else -np.inf)
+        per_s = float(u @ (np.concatenate([-slope, slope])[kept] / norms))
+        return None, (-float(u @ (h + room / norms)) / per_s if per_s > 0 else -np.inf)
     residual = E @ u - e
     x = start - size * (N @ (residual[:-1] / residual[-1]))
-    return (np.clip(x, low, high), None) if within(x, low, high) else (None, None)
+    return (np.clip(x, low, high), None) if within(x, low, high, rounding) else (None, None)
 
 
 def least_squares_within(A: Array, b: Array, above: Array, right: Array, low: Array, high: Array) -> Array | None:
-    """Return x with the least |A x − b| of all with C x = c and low ≤ x ≤ high, for `above` C and `right` c.
+    """Return the shortest x with the least |A x − b| of all with C x = c within bounds; C is `above` and c is `right`.
 
-    With x = x₀ + N z it is min |A N z − f| with bounds; the change of variables that makes it a least distance problem
-    needs full rank, which a small |z|² gives.
+    With x = x₀ + N z it is min |A N z − f|. The change of variables that makes it a least distance problem needs full
+    rank: a small |z − z_k|² gives it, from a z_k that comes nearer at each repetition (proximal point).
 
-    Source: Lawson, Hanson, Solving Least Squares Problems, 1974, chapter 23 (LSI).
+    Source: Lawson, Hanson, Solving Least Squares Problems, 1974, chapter 23 (LSI); Rockafellar, SIAM J. Control and
+    Optimization 14, 1976 (proximal points).
     """
     line = solution_line(above, right, np.zeros(len(right)))
-    start, N = line.start, line.null
+    x, N = line.start, line.null
     if not N.shape[1]:
-        return start
-    F = A @ N
+        return x
+    F, still = A @ N, np.zeros(len(x))
     soft = SOFT * max(1e-300, float(np.linalg.norm(F, 2)))
     Q, R = np.linalg.qr(np.vstack([F, soft * np.eye(N.shape[1])]))
     turned = N @ np.linalg.inv(R)
-    best = Q.T @ np.concatenate([b - A @ start, np.zeros(N.shape[1])])
-    x, _ = nearest_within(start + turned @ best, np.zeros(len(start)), turned, low, high)
-    return x
+    for _ in range(PROXIMAL):
+        step = turned @ (Q.T @ np.concatenate([b - A @ x, np.zeros(N.shape[1])]))
+        nearer, _ = nearest_within(x + step, still, turned, low, high, SOFT_ROUNDING)
+        if nearer is None:
+            return None
+        x = nearer
+    beside = line.start + N @ (N.T @ (x - line.start))  # C x = c again, to rounding
+    nearest, _ = nearest_within(beside, still, N, low, high)
+    x = x if nearest is None else nearest
+    rows, value = np.vstack([above, A]), np.concatenate([right, A @ x])
+    _, shortest = largest_scale_within(rows, value, 0 * value, low, high)
+    return x if shortest is None else shortest
 
 
 def levels_within(
@@ -164,13 +182,14 @@ def levels_within(
     return x, tuple(scales)
 
 
-def within(x: Array, low: Array, high: Array) -> bool:
+def within(x: Array, low: Array, high: Array, rounding: float = ROUNDING) -> bool:
     """Whether x is within its limits, but for rounding."""
-    room = ROUNDING * max(_size(low, high), float(np.abs(x).max(initial=0.0)))
+    room = rounding * _size(x, low, high)
     return bool((x >= low - room).all() and (x <= high + room).all())
 
 
-def _size(low: Array, high: Array) -> float:
-    """Return the largest finite limit; 1 if there is none but zero."""
+def _size(x: Array, low: Array, high: Array) -> float:
+    """Return the largest finite limit, or entry of x, of which rounding is a part."""
     limits = np.abs(np.concatenate([low, high]))
-    return float(limits[np.isfinite(limits)].max(initial=0.0)) or 1.0
+    size = float(limits[np.isfinite(limits)].max(initial=0.0)) or 1.0
+    return max(size, float(np.abs(x).max(initial=0.0)))
