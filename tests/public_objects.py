@@ -183,6 +183,11 @@ def its_sine(q):
 
 
 @cache
+def by_priority():
+    low = r1.PositionTask("y", frame="link2")
+    return r1.redundancy.ik_by_priority(arm("planar_3r"), [(PLANE, [1.0, 0.5]), (low, [9.0])], [0.3, 0.5, 0.4])
+
+
 def prioritised():
     levels = [(PLANE, [0.1, 0.2]), (r1.PositionTask("x"), [1.0])]
     return r1.redundancy.priority_velocity(arm("planar_3r"), levels, [0.3, 0.5, 0.4])
@@ -380,6 +385,9 @@ INSTANCES = {
     "Objective": lambda: [r1.redundancy.NearObjective([0.1, 0.2], [1, 2])],
     "ObstacleObjective": lambda: [r1.redundancy.ObstacleObjective(arm("planar_3r"), [0.5, 0.5, 0])],
     "Priorities": lambda: [prioritised()],
+    "PriorityIK": lambda: [by_priority()],
+    "PriorityIKLevel": lambda: list(by_priority().levels),
+    "PriorityIKStatus": lambda: list(r1.redundancy.PriorityIKStatus),
     "PriorityRun": lambda: [
         r1.redundancy.follow_by_priority(
             arm("planar_3r"),
