@@ -272,6 +272,7 @@ INSTANCES = {
     "FittingCircle": lambda: [r1.workspaces.largest_circle(reach())],
     "FollowingStatus": lambda: list(r1.trajectories.FollowingStatus),
     "FormulaPath": lambda: [r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
+    "ConfigurationFormulas": lambda: [r1.formulas(arm("planar_2r"), PLANE).at(q1=0, q2=pi / 2)],
     "Formulas": formulas,
     "FrameAlignment": lambda: [r1.orientation.align_two_directions([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1])],
     "FreeWrenches": lambda: [r1.singularities.wrenches_without_torque(arm("six_r"), [0, 0, 0, 0, 3.1416, 0])],

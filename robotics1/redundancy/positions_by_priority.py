@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -126,14 +127,11 @@ def ik_by_priority(
     number = counting_number("starts", starts, least=1, most=10_000)
     others = random_configurations(robot, number - 1, np.random.default_rng(0))
     parts = [_part(robot, task, target) for task, target in goals]
-    best: PriorityIK | None = None
-    for q in (start, *others):
-        ends = descend_by_levels(parts, q, robot.units, tolerance=zero, most_steps=steps)
-        found = _answer(robot, goals, ends, zero)
-        if best is None or _is_better(found, best, zero):
-            best = found
-    assert best is not None
-    return best
+    found = [
+        _answer(robot, goals, descend_by_levels(parts, q, robot.units, tolerance=zero, most_steps=steps), zero)
+        for q in (start, *others)
+    ]
+    return reduce(lambda best, other: other if _is_better(other, best, zero) else best, found)
 
 
 def _part(robot: Robot, task: Task, target: Any) -> Part:
