@@ -151,12 +151,6 @@ def a_task(value: Any) -> None:
     raise InputError(f"the task must be a task {hint}, not {_kind(value)}")
 
 
-def a_robot_and_a_task(robot: Any, task: Any) -> None:
-    """Refuse what is no robot, and what is no task; see `a_robot` and `a_task`."""
-    a_robot(robot)
-    a_task(task)
-
-
 def answer_of(name: str, function: Callable[..., Any], *arguments: Any) -> Any:
     """Return what a function of the user's own returns; InputError where it fails, but for this package's errors."""
     try:

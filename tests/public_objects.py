@@ -183,6 +183,11 @@ def its_sine(q):
 
 
 @cache
+def by_priority():
+    low = r1.PositionTask("y", frame="link2")
+    return r1.redundancy.ik_by_priority(arm("planar_3r"), [(PLANE, [1.0, 0.5]), (low, [9.0])], [0.3, 0.5, 0.4])
+
+
 def prioritised():
     levels = [(PLANE, [0.1, 0.2]), (r1.PositionTask("x"), [1.0])]
     return r1.redundancy.priority_velocity(arm("planar_3r"), levels, [0.3, 0.5, 0.4])
@@ -267,6 +272,7 @@ INSTANCES = {
     "FittingCircle": lambda: [r1.workspaces.largest_circle(reach())],
     "FollowingStatus": lambda: list(r1.trajectories.FollowingStatus),
     "FormulaPath": lambda: [r1.curves.formula_path(["cos(s)", "a*s"], "s", 2.0, values={"a": 0.3})],
+    "ConfigurationFormulas": lambda: [r1.formulas(arm("planar_2r"), PLANE).at(q1=0, q2=pi / 2)],
     "Formulas": formulas,
     "FrameAlignment": lambda: [r1.orientation.align_two_directions([1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1])],
     "FreeWrenches": lambda: [r1.singularities.wrenches_without_torque(arm("six_r"), [0, 0, 0, 0, 3.1416, 0])],
@@ -380,6 +386,9 @@ INSTANCES = {
     "Objective": lambda: [r1.redundancy.NearObjective([0.1, 0.2], [1, 2])],
     "ObstacleObjective": lambda: [r1.redundancy.ObstacleObjective(arm("planar_3r"), [0.5, 0.5, 0])],
     "Priorities": lambda: [prioritised()],
+    "PriorityIK": lambda: [by_priority()],
+    "PriorityIKLevel": lambda: list(by_priority().levels),
+    "PriorityIKStatus": lambda: list(r1.redundancy.PriorityIKStatus),
     "PriorityRun": lambda: [
         r1.redundancy.follow_by_priority(
             arm("planar_3r"),

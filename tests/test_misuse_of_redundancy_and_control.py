@@ -58,6 +58,16 @@ CALLS = {
         [ROBOT, LEVELS, Q],
         {"limits": 1.0, "lower": None},
     ),
+    "saturated_priority_acceleration": (
+        redundancy.saturated_priority_acceleration,
+        [ROBOT, LEVELS, Q, Q],
+        {"limits": 1.0, "lower": None, "max_velocity": 1.0, "step": 0.1},
+    ),
+    "ik_by_priority": (
+        redundancy.ik_by_priority,
+        [ROBOT, [(XY, [1, 1])], Q],
+        {"tolerance": 1e-9, "most_steps": 20, "starts": 2},
+    ),
     "weighted_pseudoinverse": (redundancy.weighted_pseudoinverse, [[[1.0, 2.0, 3.0]]], {"weights": None}),
     "JointRangeObjective": (redundancy.JointRangeObjective, [ROBOT, [-1] * 3, [1] * 3], {}),
     "ObstacleObjective": (redundancy.ObstacleObjective, [ROBOT, [0, 0, 0]], {"frame": None, "point": None}),

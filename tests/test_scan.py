@@ -14,7 +14,6 @@ from differences import unitless
 from joint_kinds import mimic, urdf
 
 from robotics1 import (
-from robotics1.singularities import measurement
     FunctionTask,
     OrientationTask,
     PlanarPoseTask,
@@ -24,6 +23,7 @@ from robotics1.singularities import measurement
     load_robot,
     scan_singularities,
 )
+from robotics1.singularities import measurement
 
 CHUNK = 2**14  # configurations that are measured at a time
 ALL = ("sigma_min", "condition", "manipulability")
@@ -386,9 +386,7 @@ def test_where_j_is_zero_sigma_min_is_zero_and_the_condition_infinite():
 
 
 def test_a_small_scan_is_not_worth_compiling_and_gives_the_same(monkeypatch):
-    with_the_kernel = scan_singularities(
-        "prr", "planar-pose", samples=2000, measures=("condition", "manipulability")
-    )
+    with_the_kernel = scan_singularities("prr", "planar-pose", samples=2000, measures=("condition", "manipulability"))
     monkeypatch.setattr(measurement, "is_ready", lambda kernel: False)
     monkeypatch.setattr(measurement, "singularity_measures", None)  # nothing compiled is called
     by_numpy = scan_singularities("prr", "planar-pose", samples=2000, measures=("condition", "manipulability"))

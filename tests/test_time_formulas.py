@@ -203,3 +203,62 @@ def test_a_polynomial_of_high_degree_with_free_data_is_refused_and_a_quintic_at_
 def test_junk_is_an_input_error(call):
     with pytest.raises(r1.InputError):
         call()
+
+
+# --- with velocities at the ends
+
+ENDS = {"velocity": "V", "acceleration": "A", "v0": "v0", "v1": "v1"}
+V0, V1 = sympy.symbols("v0 v1", real=True)
+
+
+def test_with_velocities_at_the_ends_one_condition_decides_whether_the_goal_is_passed():
+    f = time_formula("trapezoidal", **ENDS)
+    cruise, triangle, back = f.cases
+    assert same(cruise.duration, (V - V0) / A + (V - V1) / A + (D - (2 * V**2 - V0**2 - V1**2) / (2 * A)) / V)
+    assert same(cruise.conditions[0].rhs, (2 * V**2 - V0**2 - V1**2) / (2 * A))
+    peak = sympy.sqrt(A * D + (V0**2 + V1**2) / 2)
+    assert same(triangle.duration, (2 * peak - V0 - V1) / A)
+    assert same(triangle.times[0], (peak - V0) / A)
+    assert back.conditions == (sympy.Lt(D, sympy.Abs(V1 - V0) * (V0 + V1) / (2 * A)),)
+    assert same(back.duration, (2 * sympy.sqrt((V0**2 + V1**2) / 2 - A * D) + V0 + V1) / A)
+    assert [f"{s}" for s in f.of_joints(2).free_symbols if "v0" in str(s)] != []
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_formula_with_velocities_at_the_ends_is_the_least_time_in_numbers(seed):
+    rng = np.random.default_rng(seed)
+    f = time_formula("trapezoidal", **ENDS)
+    seen = set()
+    for _ in range(40):
+        d, v, a = np.exp(rng.uniform(-2, 2, 3))
+        v0, v1 = v * rng.uniform(-1, 1, 2)
+        case = f.case_of(Delta=d, V=v, A=a, v0=v0, v1=v1)
+        law = r1.minimum_time([0], [d], r1.MotionLimits(velocity=v, acceleration=a), v0=v0, v1=v1)
+        assert case.duration == pytest.approx(law.duration, rel=1e-9)
+        assert law.laws[0].breakpoints == pytest.approx(np.array(case.times), abs=1e-6 * case.duration)
+        seen.add(case.name)
+    assert seen == {"trapezoidal", "triangular", "past the goal and back"}
+
+
+def test_a_joint_that_is_too_fast_to_stop_by_hand():
+    """From 2 m/s with 1 m/s²: it stands after 2 m, 1 m beyond the goal, and comes back in 2 s: T = 4 s."""
+    f = time_formula("trapezoidal", acceleration="A", v0="v0")
+    assert f.case_of(Delta=1, A=1, v0=2).duration == pytest.approx(2 + 2)
+    assert f.case_of(Delta=1, A=1, v0=2).name == "past the goal and back"
+    assert same(time_formula("trapezoidal", acceleration="A", v0=0, v1=0).duration, 2 * sympy.sqrt(D / A))
+
+
+@pytest.mark.parametrize(
+    ("law", "options", "words"),
+    [
+        ("cubic", {"velocity": "V", "v0": 1}, "belong to a trapezoidal law"),
+        ("trapezoidal", {"acceleration": "A", "deceleration": "B", "v0": 1}, "one bound of the acceleration"),
+        ("trapezoidal", {"acceleration": "A", "velocity": 1, "v0": 2}, "must be within ±1"),
+        ("trapezoidal", {"acceleration": "A", "velocity": "V", "v0": "V"}, "give it another name"),
+        ("trapezoidal", {"acceleration": "A", "v0": [1]}, "v0 must be a finite number"),
+        ("trapezoidal", {"acceleration": "A", "v0": "2x"}, "v0 must be a name"),
+    ],
+)
+def test_velocities_that_are_none_say_what_would_be_right(law, options, words):
+    with pytest.raises(r1.InputError, match=words):
+        time_formula(law, **options)

@@ -182,6 +182,10 @@ def nothing_moves(still, task, folder):
         "saturated_priority_velocity": lambda: r1.redundancy.saturated_priority_velocity(
             still, [(task, np.ones(3))], []
         ),
+        "ik_by_priority": lambda: r1.redundancy.ik_by_priority(still, [(task, np.zeros(3))], []),
+        "saturated_priority_acceleration": lambda: r1.redundancy.saturated_priority_acceleration(
+            still, [(task, np.ones(3))], [], [], limits=1.0
+        ),
         "follow_by_priority": lambda: r1.redundancy.follow_by_priority(still, [(task, motion)], []),
         "reduced_gradient": lambda: r1.redundancy.reduced_gradient(
             still, task, np.zeros(3), [], r1.redundancy.ManipulabilityObjective(still, task)

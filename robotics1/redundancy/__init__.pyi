@@ -12,8 +12,9 @@ from .objectives import (
     Objective,
     ObstacleObjective,
 )
+from .positions_by_priority import PriorityIK, PriorityIKLevel, PriorityIKStatus, ik_by_priority
 from .priorities import LevelOutcome, LevelStatus, Priorities, priority_acceleration, priority_velocity
-from .saturated_priorities import SaturatedPriorities, saturated_priority_velocity
+from .saturated_priorities import SaturatedPriorities, saturated_priority_acceleration, saturated_priority_velocity
 from .saturation import SaturatedMotion, SaturationStatus, saturated_acceleration, saturated_velocity
 from .weighted import weighted_pseudoinverse
 
@@ -27,6 +28,9 @@ __all__ = [
     "Objective",
     "ObstacleObjective",
     "Priorities",
+    "PriorityIK",
+    "PriorityIKLevel",
+    "PriorityIKStatus",
     "PriorityRun",
     "ProjectedGradient",
     "RedundancyFormulas",
@@ -36,12 +40,14 @@ __all__ = [
     "SaturationStep",
     "extended_task",
     "follow_by_priority",
+    "ik_by_priority",
     "priority_acceleration",
     "priority_velocity",
     "projected_gradient",
     "reduced_gradient",
     "redundancy_formulas",
     "saturated_acceleration",
+    "saturated_priority_acceleration",
     "saturated_priority_velocity",
     "saturated_velocity",
     "weighted_pseudoinverse",

@@ -10,10 +10,12 @@ import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, a_robot_and_a_task, answer_of, moderate, real_array, real_number
+from robotics1.inputs import Array, a_robot, answer_of, moderate, real_array, real_number
 from robotics1.kinematics import forward_kinematics, frame_jacobian
 from robotics1.results import Frozen
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
+from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
 TOUCHES = 1e-12  # of the reach: a distance that is rounding
@@ -41,9 +43,9 @@ class ManipulabilityObjective:
     robot: Robot
     task: Task
 
-    def __post_init__(self) -> None:
-        """Refuse what is no robot and no task."""
-        a_robot_and_a_task(self.robot, self.task)
+    def __init__(self, robot: RobotLike, task: TaskLike) -> None:
+        for name, value in zip(("robot", "task"), robot_and_task(robot, task), strict=True):
+            object.__setattr__(self, name, value)
 
     def value(self, q: npt.ArrayLike) -> float:
         """Return w(q)."""

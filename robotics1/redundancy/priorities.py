@@ -9,13 +9,14 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_task, moderate, one_of, positive_numbers, real_array, real_number
+from robotics1.inputs import Array, moderate, one_of, positive_numbers, real_array, real_number
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike, robot_from
-from robotics1.robot.model import Robot
+from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.tasks.given import TaskLike, task_from
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
@@ -92,9 +93,9 @@ class Priorities(Frozen):
 
 
 def priority_velocity(
-    robot: Robot,
-    levels: Sequence[tuple[Task, npt.ArrayLike]],
-    q: npt.ArrayLike,
+    robot: RobotLike,
+    levels: Sequence[tuple[TaskLike, npt.ArrayLike]],
+    q: ConfigurationLike,
     *,
     method: Method = "levels",
     null_velocity: npt.ArrayLike | None = None,
@@ -128,16 +129,16 @@ def priority_velocity(
     Source: Nakamura, Hanafusa, Yoshikawa, Int. J. Robotics Research 6, 1987; Siciliano, Slotine, ICAR 1991
     ("levels"); Chiaverini, IEEE Trans. Robotics and Automation 13, 1997 ("projection").
     """
-    tasks, rates = checked_levels(robot, levels, "ṙ")
+    robot, tasks, rates = checked_levels(robot, levels, "ṙ")
     q = robot.configuration(q)
     rows = [(task.jacobian(robot, q), b) for task, b in zip(tasks, rates, strict=True)]
     return _solved(robot, rows, rates, method, null_velocity, damping, weights)
 
 
 def priority_acceleration(
-    robot: Robot,
-    levels: Sequence[tuple[Task, npt.ArrayLike]],
-    q: npt.ArrayLike,
+    robot: RobotLike,
+    levels: Sequence[tuple[TaskLike, npt.ArrayLike]],
+    q: ConfigurationLike,
     qdot: npt.ArrayLike,
     *,
     method: Method = "levels",
@@ -163,7 +164,7 @@ def priority_acceleration(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4 (second order).
     """
-    tasks, rates = checked_levels(robot, levels, "r̈")
+    robot, tasks, rates = checked_levels(robot, levels, "r̈")
     q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
     rows = [
         (task.jacobian(robot, q), b - jacobian_rate(robot, task, q, qdot) @ qdot)
@@ -223,9 +224,9 @@ def _status(A: Array, b: Array, at_best: Array, left: Array) -> LevelStatus:
 
 
 def checked_levels(
-    robot: RobotLike, levels: Sequence[tuple[Task, npt.ArrayLike]], symbol: str
-) -> tuple[list[Task], list[Array]]:
-    """Return tasks and rates of the levels.
+    robot: RobotLike, levels: Sequence[tuple[TaskLike, npt.ArrayLike]], symbol: str
+) -> tuple[Robot, list[Task], list[Array]]:
+    """Return the robot, and the tasks and the rates of the levels.
 
     Raises:
         InputError: the levels are no pairs, there is none, or a task is asked twice.
@@ -238,11 +239,11 @@ def checked_levels(
     for number, level in enumerate(levels, 1):
         if not isinstance(level, Sequence) or isinstance(level, str) or len(level) != 2:
             raise InputError(f"level {number} must be a pair (task, {symbol}); it is {level!r}")
-        task, rate = level
-        a_task(task)
+        given, rate = level
+        task = task_from(given)
         if any(task == other for other in tasks):
             raise InputError(f"level {number} has the same task as one before it, which decides it already: {task!r}")
         task.check(robot)
         tasks.append(task)
         rates.append(real_array(f"{symbol} of level {number}", rate, (task.rows,), "one number for each row of J"))
-    return tasks, rates
+    return robot, tasks, rates

@@ -15,18 +15,13 @@ from robotics1.inputs import (
     one_of,
     per_joint,
     real_array,
+    real_number,
     without_infinity,
 )
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
-from robotics1.redundancy.null_saturation import (
-    SHRINK,
-    Saturated,
-    SaturationStep,
-    largest_scale,
-    saturate_step_by_step,
-    shortest_within,
-)
+from robotics1.redundancy.null_saturation import Saturated, SaturationStep, saturate_step_by_step
+from robotics1.redundancy.within_bounds import largest_scale_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -140,6 +135,8 @@ def saturated_acceleration(
     *,
     limits: npt.ArrayLike,
     lower: npt.ArrayLike | None = None,
+    max_velocity: npt.ArrayLike | None = None,
+    step: float | None = None,
     method: Method = "optimal",
 ) -> SaturatedMotion:
     """Return joint accelerations within their limits with J q̈ = s r̈ − J̇ q̇, for the largest s ≤ 1 that they allow.
@@ -155,6 +152,9 @@ def saturated_acceleration(
         qdot: (nv,) q̇ [rad/s or m/s].
         limits: (nv,) the largest q̈ of each joint, or one number.
         lower: (nv,) the least q̈, where it is not −limits.
+        max_velocity: (nv,) V, or one number: after the step |q̇ + q̈ h| ≤ V. A joint that cannot be back within V in one
+            step brakes as much as its limits allow.
+        step: h > 0 [s], for how long q̈ is held; with max_velocity.
         method: as `saturated_velocity` has it.
 
     Raises:
@@ -166,7 +166,7 @@ def saturated_acceleration(
     robot, task = robot_and_task(robot, task)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
     q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
-    low, high = limits_of(robot, limits, lower)
+    low, high = acceleration_limits(robot, qdot, limits, lower, max_velocity, step)
     drift = jacobian_rate(robot, task, q, qdot) @ qdot
     return _resolved(task.jacobian(robot, q), rddot, drift, low, high, one_of("method", method, METHODS))
 
@@ -204,15 +204,9 @@ def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, me
             ends = np.where(y > 0, (high - shift) / y, np.where(y < 0, (low - shift) / y, np.inf))
         s = float(np.clip(ends.min(initial=1.0), 0.0, 1.0))
         return Saturated(np.clip(s * y + shift, low, high), s)
-    x = shortest_within(J, b - drift, low, high)
-    if x is not None:
-        return Saturated(x, 1.0)
-    s = largest_scale(J, b, low - shift, high - shift)
-    if not np.isnan(s):
-        for less in (0.0, SHRINK, 1e-7):
-            x = shortest_within(J, s * (1 - less) * b - drift, low, high)
-            if x is not None:
-                return Saturated(x, s * (1 - less))
+    s, found_x = largest_scale_within(J, -drift, b, low, high)
+    if found_x is not None:
+        return Saturated(found_x, s)
     from scipy.optimize import lsq_linear
 
     if not n:
@@ -221,21 +215,45 @@ def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, me
     return Saturated(np.clip(lsq_linear(J, -drift, bounds=(low, wide), method="bvls").x, low, high), 0.0)
 
 
-def limits_of(robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None) -> tuple[Array, Array]:
+def limits_of(
+    robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None, name: str = "limits"
+) -> tuple[Array, Array]:
     """Return the limits, (nv,) each.
 
     Raises:
         InputError: a shape is wrong, or zero is not within them.
     """
-    upper = _bound(robot, "limits", high)
+    upper = _bound(robot, name, high)
     lower = -upper
     if low is not None:
         dimensions("lower", low)
         raw = np.asarray(low)
         lower = -_bound(robot, "lower", -raw.astype(float) if raw.dtype.kind in "fiu" else low)
     if (upper < 0).any() or (lower > 0).any():
-        raise InputError(f"the limits must leave zero between them; they are from {lower.tolist()} to {upper.tolist()}")
+        raise InputError(f"{name} must leave zero between them; they are from {lower.tolist()} to {upper.tolist()}")
     return lower, upper
+
+
+def acceleration_limits(
+    robot: Robot,
+    qdot: Array,
+    limits: npt.ArrayLike,
+    lower: npt.ArrayLike | None,
+    max_velocity: npt.ArrayLike | None,
+    step: float | None,
+) -> tuple[Array, Array]:
+    """Return the limits of q̈, (nv,) each, that leave |q̇ + q̈ h| ≤ V as far as those of q̈ alone allow.
+
+    Raises:
+        InputError: a shape is wrong, or only one of max_velocity and step is given.
+    """
+    low, high = limits_of(robot, limits, lower)
+    if (max_velocity is None) != (step is None):
+        raise InputError("max_velocity= and step= belong together: |q̇ + q̈ h| ≤ V holds after the step h")
+    if max_velocity is None:
+        return low, high
+    h, (least, most) = real_number("step", step, positive=True), limits_of(robot, max_velocity, None, "max_velocity")
+    return np.clip((least - qdot) / h, low, high), np.clip((most - qdot) / h, low, high)
 
 
 def _bound(robot: Robot, name: str, value: Any) -> Array:

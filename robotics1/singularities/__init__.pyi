@@ -10,6 +10,7 @@ from .equilibrium import (
     static_torques,
     wrenches_without_torque,
 )
+from .exact_values import ConfigurationFormulas
 from .find import find_singularities
 from .intersections import find_intersections
 from .loads import Load, Payload
@@ -25,6 +26,7 @@ from .statics import balancing_torque, exerting_torque
 from .wrist import WristJacobian, wrist_jacobian
 
 __all__ = [
+    "ConfigurationFormulas",
     "Ellipsoid",
     "FreeWrenches",
     "Intersections",

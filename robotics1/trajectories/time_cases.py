@@ -1,4 +1,4 @@
-"""The cases of the least time of each timing law, from rest to rest over Δ, in SymPy."""
+"""The cases of the least time of each timing law over Δ, in SymPy."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -40,8 +40,11 @@ def cases_of(law: str, symbols: Mapping[str, Any]) -> list[TimeCase]:
 
     Args:
         law: its name.
-        symbols: of the distance and the bounds, positive, by what they are: "distance", "velocity", ...
+        symbols: of the distance and the bounds, positive, by what they are: "distance", "velocity", ...; of a
+            trapezoidal law also "v0" and "v1", real.
     """
+    if "v0" in symbols:
+        return _between_velocities(symbols)
     find = {"trapezoidal": _trapezoidal, "double_s": _double_s, "bang_bang": _bang_bang}
     return find[law](symbols) if law in find else _shape(law, symbols)
 
@@ -62,6 +65,39 @@ def _trapezoidal(symbols: Mapping[str, Any]) -> list[TimeCase]:
     T = sympy.expand(d / V + V / (2 * A) + V / (2 * D))
     cruise = TimeCase("trapezoidal", (sympy.Ge(d, needed),), T, (V / A, sympy.expand(T - V / D)), V, A)
     return _decided([cruise, _when(triangle, sympy.Lt(d, needed))])
+
+
+def _between_velocities(symbols: Mapping[str, Any]) -> list[TimeCase]:
+    """Return the cases of accelerations ±A from v0 to v1, which are positive towards the goal and within ±V.
+
+    A ramp straight from v0 to v1 takes Δ₀ = |v1 − v0| (v0 + v1)/(2A). If Δ ≥ Δ₀, the velocity first rises, to
+    c = √(AΔ + (v0² + v1²)/2) or to V. Else the joint passes its goal, turns, and comes back with the velocity −c of
+    c = √((v0² + v1²)/2 − AΔ), which is less than V.
+    """
+    import sympy
+
+    d, A, v0, v1 = (symbols[name] for name in ("distance", "acceleration", "v0", "v1"))
+    squares, straight = (v0**2 + v1**2) / 2, sympy.Abs(v1 - v0) * (v0 + v1) / (2 * A)
+    fastest = [sympy.Abs(v0), sympy.Abs(v1)]
+    c, back = sympy.sqrt(A * d + squares), sympy.sqrt(squares - A * d)
+    rising: tuple[Any, ...] = (sympy.Ge(d, straight),)
+    cases = []
+    if "velocity" in symbols:
+        V = symbols["velocity"]
+        needed = (V**2 - squares) / A
+        T = sympy.expand(d / V + (V + squares / V - v0 - v1) / A)
+        cases.append(TimeCase("trapezoidal", (sympy.Ge(d, needed),), T, ((V - v0) / A, T - (V - v1) / A), V, A))
+        rising += (sympy.Lt(d, needed),)
+    turned = TimeCase(
+        "past the goal and back",
+        (sympy.Lt(d, straight),),
+        (2 * back + v0 + v1) / A,
+        ((back + v0) / A,),
+        sympy.Max(back, *fastest),
+        A,
+    )
+    triangle = TimeCase("triangular", rising, (2 * c - v0 - v1) / A, ((c - v0) / A,), sympy.Max(c, *fastest), A)
+    return _decided([*cases, triangle, turned])
 
 
 def _bang_bang(symbols: Mapping[str, Any]) -> list[TimeCase]:

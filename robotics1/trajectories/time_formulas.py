@@ -8,7 +8,7 @@ import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError, InputError, UnknownNameError
-from robotics1.inputs import counting_number, one_of, positive_number, text
+from robotics1.inputs import counting_number, one_of, positive_number, real_number
 from robotics1.trajectories.law_kinds import KINDS
 from robotics1.trajectories.least_time_of_joints import Law, minimum_time
 from robotics1.trajectories.limits import MotionLimits
@@ -20,11 +20,12 @@ AGREES = 1e-9  # relative
 
 @dataclass(frozen=True)
 class TimeFormula:
-    """The least time of a timing law from rest to rest, in cases.
+    """The least time of a timing law, in cases.
 
     Attributes:
         law: its name.
-        symbols: of the distance and the bounds, by what they are: "distance", "velocity", ...
+        symbols: of the distance and the bounds, by what they are: "distance", "velocity", ..., "v0" and "v1" if one of
+            these is not zero.
         cases: one of them holds.
     """
 
@@ -50,7 +51,7 @@ class TimeFormula:
 
         own = [s for s in self.symbols.values() if isinstance(s, sympy.Symbol)]
         numbered = [
-            {s: sympy.Symbol(f"{s.name}_{i}", positive=True) for s in own}
+            {s: _symbol(f"{s.name}_{i}", signed=not s.is_positive) for s in own}
             for i in range(1, counting_number("n", n, least=1) + 1)
         ]
         return sympy.Max(*(self.duration.xreplace(names) for names in numbered), evaluate=False)
@@ -63,7 +64,7 @@ class TimeFormula:
 
         Raises:
             UnknownNameError: a value is of no symbol.
-            InputError: a symbol has no value, or one that is not positive.
+            InputError: a symbol has no value, one that is not positive, or v0 or v1 is beyond the bound V.
         """
         import sympy
 
@@ -74,11 +75,21 @@ class TimeFormula:
         missing = [name for name in symbols if name not in values]
         if missing:
             raise InputError(f"give {missing[0]} a value too; the formula has {', '.join(symbols)}")
-        known = {symbols[name]: sympy.Float(positive_number(name, value)) for name, value in values.items()}
+        known = {symbols[name]: sympy.Float(_number(symbols[name], value)) for name, value in values.items()}
+        self._check_ends(known)
         for case in self.cases[:-1]:
             if all(_holds(condition, known) for condition in case.conditions):
                 return _with_numbers(case, known)
         return _with_numbers(self.cases[-1], known)
+
+    def _check_ends(self, known: Mapping[Any, Any]) -> None:
+        """Raise InputError where a velocity at an end is beyond its bound."""
+        v, V = (
+            [self.symbols[name] for name in names if name in self.symbols] for names in (("v0", "v1"), ("velocity",))
+        )
+        ends = [abs(float(symbol.evalf(subs=known))) for symbol in v]
+        if ends and V and max(ends) > float(V[0].evalf(subs=known)):
+            raise InputError(f"v0 and v1 must be within ±{V[0]}, the bound of the velocity; one is {max(ends):g}")
 
     def explain(self) -> str:
         """Return the cases, one a line."""
@@ -93,11 +104,16 @@ def time_formula(
     acceleration: Any = None,
     jerk: Any = None,
     deceleration: Any = None,
+    v0: Any = 0,
+    v1: Any = 0,
 ) -> TimeFormula:
-    """Return the least time of a timing law from rest to rest over |Δ|, in symbols: T and the switching times.
+    """Return the least time of a timing law over |Δ|, in symbols: T and the switching times.
 
         time_formula("trapezoidal", velocity="V", acceleration="A").duration
         # Δ/V + V/A if Δ ≥ V²/A, else 2√(Δ/A)
+
+    From rest to rest; a trapezoidal law also from v0 to v1. Then one condition decides whether the goal is passed:
+    Δ < |v1 − v0| (v0 + v1)/(2A).
 
     The formulas are compared with `minimum_time` at random values, to 1e-9.
 
@@ -105,6 +121,7 @@ def time_formula(
         law: "trapezoidal", "double_s", "bang_bang", "cubic", "quintic", "septic", "cosine" or "cycloidal".
         distance: |Δ| > 0: a name, a positive SymPy symbol or a number.
         velocity, acceleration, jerk, deceleration: the bounds likewise; None for no bound.
+        v0, v1: the velocities at the start and at the end, positive towards the goal: names, SymPy symbols or numbers.
 
     Raises:
         InputError: an argument is neither a name, a symbol nor a positive number, or the law needs another bound, or
@@ -123,6 +140,12 @@ def time_formula(
     }
     bounds = {name: value for name, value in given.items() if value is not None or name == "distance"}
     symbols = {name: _positive(name, value) for name, value in bounds.items()}
+    ends = {name: _signed(name, value) for name, value in (("v0", v0), ("v1", v1))}
+    if any(end != 0 for end in ends.values()):
+        for end in ends.values():
+            if end.is_Symbol and end.name in {str(s) for s in symbols.values()}:
+                raise InputError(f"{end.name!r} names a velocity at an end and another quantity; give it another name")
+        symbols |= ends
     _check_bounds(law, symbols)
     formula = TimeFormula(law, symbols, tuple(cases_of(law, symbols)))
     _compare(formula)
@@ -133,19 +156,38 @@ def _positive(name: str, value: Any) -> Any:
     """Return a bound as a positive symbol or number."""
     import sympy
 
-    if isinstance(value, str):
-        if not text(name, value).isidentifier():
-            raise InputError(f"{name} must be a name such as 'V', a positive symbol or a number; it is {value!r}")
-        return sympy.Symbol(value, positive=True)
-    if isinstance(value, sympy.Symbol):
-        return sympy.Symbol(value.name, positive=True)
+    if isinstance(value, str | sympy.Symbol):
+        return _symbol(value, name)
     return sympy.nsimplify(positive_number(name, value), rational=True)
+
+
+def _signed(name: str, value: Any) -> Any:
+    """Return a velocity at an end as a real symbol or number."""
+    import sympy
+
+    if isinstance(value, str | sympy.Symbol):
+        return _symbol(value, name, signed=True)
+    return sympy.nsimplify(real_number(name, value), rational=True)
+
+
+def _symbol(value: Any, name: str = "", *, signed: bool = False) -> Any:
+    import sympy
+
+    if not str(value).isidentifier():
+        raise InputError(f"{name} must be a name such as 'V', a symbol or a number; it is {value!r}")
+    return sympy.Symbol(str(value), real=True) if signed else sympy.Symbol(str(value), positive=True)
+
+
+def _number(symbol: Any, value: Any) -> float:
+    return positive_number(symbol.name, value) if symbol.is_positive else real_number(symbol.name, value)
 
 
 def _check_bounds(law: str, symbols: Mapping[str, Any]) -> None:
     """Refuse bounds that a law needs and has not, or has and cannot keep."""
     if law not in ("trapezoidal",) and "deceleration" in symbols:
         raise InputError(f"a {law} law has one bound on the acceleration; 'trapezoidal' brakes with another")
+    if "v0" in symbols and (law != "trapezoidal" or "deceleration" in symbols):
+        raise InputError("v0 and v1 belong to a trapezoidal law with one bound of the acceleration")
     if law == "trapezoidal" and "acceleration" not in symbols:
         raise InputError("a trapezoidal law needs a bound on the acceleration")
     if law == "double_s" and "jerk" not in symbols:
@@ -180,13 +222,13 @@ def _compare(formula: TimeFormula) -> None:
     """
     rng = np.random.default_rng(0)
     names = [str(s) for s in formula.symbols.values() if s.is_Symbol]
-    for _ in range(TRIALS if names else 1):
-        values = {name: float(np.exp(rng.uniform(-2, 2))) for name in names}
+    for _ in range((3 if "v0" in formula.symbols else 1) * TRIALS if names else 1):
+        values = _drawn(formula, rng)
         found = formula.case_of(**values)
         known = {name: float(values.get(str(s), s if s.is_number else 0)) for name, s in formula.symbols.items()}
-        distance = known.pop("distance")
-        law = minimum_time(0.0, distance, MotionLimits(**known), formula.law).laws[0]
-        first = law.acceleration(0.0) if formula.law == "trapezoidal" else abs(law.peak(2).value)
+        distance, v0, v1 = known.pop("distance"), known.pop("v0", 0.0), known.pop("v1", 0.0)
+        law = minimum_time(0.0, distance, MotionLimits(**known), formula.law, v0=v0, v1=v1).laws[0]
+        first = abs(law.acceleration(0.0) if formula.law == "trapezoidal" else law.peak(2).value)
         theirs = [law.duration, abs(law.peak(1).value), first]
         ours = [found.duration, found.velocity, found.acceleration]
         if not np.allclose(ours, theirs, rtol=AGREES, atol=0):
@@ -194,3 +236,14 @@ def _compare(formula: TimeFormula) -> None:
         breaks = law.breakpoints
         if len(breaks) != len(found.times) or np.abs(breaks - found.times).max(initial=0.0) > 1e-7 * found.duration:
             raise FormulaError(f"the switching times {found.times} are not those of the fastest law, {breaks.tolist()}")
+
+
+def _drawn(formula: TimeFormula, rng: np.random.Generator) -> dict[str, float]:
+    """Return random values of the symbols; the velocities at the ends within their bound."""
+    values = {str(s): float(np.exp(rng.uniform(-2, 2))) for s in formula.symbols.values() if s.is_Symbol}
+    bound = formula.symbols.get("velocity", 3)
+    most = values.get(str(bound), bound)
+    for name in ("v0", "v1"):
+        if name in formula.symbols and formula.symbols[name].is_Symbol:
+            values[str(formula.symbols[name])] = float(most) * float(rng.uniform(-1, 1))
+    return values
