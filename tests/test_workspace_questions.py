@@ -178,12 +178,11 @@ def test_crossings_of_an_arm_with_offsets_are_on_its_boundary():
         assert r1.ik_solutions(arm, XYZ, p).singular.any() or len(r1.ik_solutions(arm, XYZ, p)) == 0
 
 
-def test_crossings_where_the_first_joint_has_limits_are_sought_in_even_steps():
-    rows = [("R", 0, pi / 2, 0, 0), ("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0)]
+def test_crossings_where_the_distance_is_not_known_are_sought_in_even_steps():
+    rows = [("R", 0, pi / 2, 0, 0), ("R", 1, 0, 0.2, 0), ("R", 1, 0, 0, 0)]
     ws = workspace(r1.robot_from_dh(rows, lower=[-1, -3, 0], upper=[1, 3, 3]), XYZ)
     found = crossings(ws, [[1, -3, 0.1], [1, 3, 0.1]])
-    width = min(sqrt(4 - 1 - 0.1**2), np.tan(1))
-    assert found.times == pytest.approx([0.5 - width / 6, 0.5 + width / 6], abs=1e-8)
+    assert len(found.times) == 2
     assert found.resolution == pytest.approx(6 / 400)
 
 

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import TaskError
+from robotics1.caching import cached_property
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.distances import distance_to_curve
+from robotics1.workspaces.limited_turn import Sector, distance_from, sectors
 from robotics1.workspaces.naming import configuration_in_units
 from robotics1.workspaces.reading import ReadArm
 from robotics1.workspaces.revolution import HalfPlane
@@ -53,6 +54,13 @@ class FlatSection:
                 found.append(values)
         return np.array(found).reshape(-1, len(arm.neutral))
 
+    @cached_property
+    def _sectors(self) -> list[Sector]:
+        arm, section = self.arm, self.section
+        if arm.base is None or isinstance(section, HalfPlane):
+            return []
+        return sectors(section, arm.base)
+
     def _around(self, p: npt.ArrayLike) -> float:
         """Return the angle of a point about the axis of the base, from the plane at q = 0 [rad]."""
         arm = self.arm
@@ -64,16 +72,10 @@ class FlatSection:
         return [complex(abs(w.real), w.imag) for w in places] if isinstance(self.section, HalfPlane) else places
 
     def distance(self, p: npt.ArrayLike) -> float:
-        """Return the distance of a point (m,) from the boundary [m].
-
-        Raises:
-            TaskError: the arm turns its plane between limits; the distance from the ends of the turn is not known.
-        """
+        """Return the distance of a point (m,) from the boundary [m]."""
         arm = self.arm
         if arm.base is not None and not arm.base.circular:
-            raise TaskError(
-                f"the distance is known for a full turn of joint {arm.base.name!r}, and its turn has limits"
-            )
+            return arm.size * distance_from(self._sectors, self._place(p)[0], self._around(p))
         z, _, _ = self._place(p)
         flat = arm.size * min(distance_to_curve(curve, z) for curve in self.edges)
         if arm.slide is None:

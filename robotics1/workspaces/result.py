@@ -182,7 +182,8 @@ class Workspace(Frozen):
 
         Raises:
             InputError: p has another shape or is not finite.
-            TaskError: the first joint moves the section between limits; the distance from the ends is not known.
+            TaskError: the first joint moves a section with traced curves between limits; the distance from the ends is
+                not known.
         """
         return self.section.distance(p)
 
