@@ -9,12 +9,14 @@ from robotics1.caching import cached_property
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.distances import distance_to_curve
+from robotics1.workspaces.extents import corners_of_box
 from robotics1.workspaces.limited_turn import Sector, distance_from, sectors
 from robotics1.workspaces.naming import configuration_in_units
 from robotics1.workspaces.reading import ReadArm
 from robotics1.workspaces.revolution import HalfPlane
 from robotics1.workspaces.section import Section
 
+DRAWN = 24  # points of a curve
 ON_BOUNDARY = 1e-9  # of the arm's size: a point that near belongs to the workspace
 
 
@@ -86,6 +88,28 @@ class FlatSection:
         if inside:
             return min(flat, -beyond) if beyond < 0 else beyond
         return float(np.hypot(flat, max(beyond, 0.0)))
+
+    def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
+        """Return which points (k, m) are reached."""
+        return np.array([self.contains(p) for p in points], dtype=bool)
+
+    def full_turn(self) -> tuple[Array, Array] | None:
+        """Return a point (3,) and the direction (3,) of the axis about which a first joint turns fully; or None."""
+        base = self.arm.base
+        return (base.point, base.direction) if base is not None and base.circular else None
+
+    def corners(self) -> Array:
+        """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
+        arm = self.arm
+        ends = [curve.point(t) for curve in self.edges for t in np.linspace(0, curve.length, DRAWN)]
+        z = arm.size * np.array([(w.real, w.imag) for w in ends])
+        axis = arm.second if arm.base is not None else arm.normal
+        frame = np.array([arm.first, np.cross(axis, arm.first), axis])
+        if arm.slide is None:
+            return corners_of_box(z, None if arm.base is not None else (0.0, 0.0), frame, arm.origin)
+        way = float(np.sign(arm.slide.direction @ arm.normal))
+        low, high = sorted((way * arm.slide.lower + arm.height, way * arm.slide.upper + arm.height))
+        return corners_of_box(z, (low, high), frame, arm.origin)
 
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
@@ -47,7 +48,7 @@ class ReadArm:
     slide: Axis | None = None
     height: float = 0.0
 
-    @property
+    @cached_property
     def normal(self) -> Array:
         """The unit vector across the plane."""
         return np.cross(self.first, self.second)

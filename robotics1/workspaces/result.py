@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Protocol
 
+import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
@@ -23,6 +24,15 @@ class PlacedSection(Protocol):
 
     def configurations(self, p: npt.ArrayLike) -> Array:
         """Return configurations (k, nq) that reach a point (m,), some if there are infinitely many."""
+
+    def corners(self) -> Array:
+        """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
+
+    def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
+        """Return which points (k, m) are reached."""
+
+    def full_turn(self) -> tuple[Array, Array] | None:
+        """Return a point (3,) and the direction (3,) of the axis about which a first joint turns fully; or None."""
 
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative where it is outside."""
