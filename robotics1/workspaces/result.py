@@ -113,13 +113,14 @@ class Workspace(Frozen):
         volume: [m³], of an arm in space; else None.
         r_min, r_max: the smallest and largest distance from the first joint's axis [m]; from the world's origin if the
             first joint slides.
-        nearest, farthest: (k, nq) configurations that attain them; a first joint that turns may have any value instead.
+        nearest, farthest: (k, nq) all configurations that attain them, but for the first joint: one that turns, or that
+            slides in space, may have any value instead. Where infinitely many attain them, some.
         boundary: the arcs and segments between what is reached and what is not.
         regions: the reached regions.
         voids: the regions around which there is a reached one, and which are not reached.
         cusps: (k, 2) points of the section [m] in which three solutions meet: critical curves turn back there. A 3R arm
             with cusps changes its posture without a singularity. Arcs and segments have none.
-        nodes: (k, 2) points inside [m] in which critical curves cross that have no end there; of arms in space.
+        nodes: (k, 2) points inside [m] in which curves cross on which the joints are singular.
         coordinates: the names of the section's two coordinates.
         volume_error: about how wrong the volume may be [m³]; 0 where it is exact. It is sampled where the first joint
             has limits and several solutions reach a point.
@@ -221,6 +222,10 @@ class Workspace(Frozen):
         if len(self.cusps):
             where = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in self.cusps)
             lines.append(f"Three solutions meet at {len(self.cusps)} cusps, ({', '.join(self.coordinates)}) = {where}.")
+            lines.append("Around a cusp the arm changes its posture without a singularity: it is cuspidal.")
+        if len(self.nodes):
+            where = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in self.nodes)
+            lines.append(f"Singular curves cross at ({', '.join(self.coordinates)}) = {where}.")
         reasons = dict.fromkeys(curve.reason for curve in self.boundary)
         lines += [f"The boundary is where {'; where '.join(reasons)}."] if reasons else []
         return "\n".join(lines)
