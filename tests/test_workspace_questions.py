@@ -99,6 +99,21 @@ def test_a_wrist_reaches_every_orientation_where_its_sphere_is_in_the_workspace_
     assert "sphere of radius 0.15" in found.explain()
 
 
+@pytest.mark.parametrize("beside", [0.0, 0.2])
+def test_a_wrist_behind_a_shell_reaches_every_orientation_at_its_own_length_from_both_spheres(beside):
+    """The centre reaches |l2 − l3| ≤ r ≤ l2 + l3 about the shoulder, moved away from the axis by the offset."""
+    rows = [("R", 0, pi / 2, 0.5, 0), ("R", 0.9, 0, beside, 0), ("R", 0, pi / 2, 0, 0)]
+    found = dexterous_workspace(r1.robot_from_dh(rows + WRIST), XYZ)
+    outer, inner, offset = 0.9 + 0.7, 0.9 - 0.7, found.offset
+    assert offset == pytest.approx(0.15)
+    far = hypot(outer, beside) - offset
+    assert found.contains([far - 1e-6, 0, 0.5])
+    assert not found.contains([far + 1e-6, 0, 0.5])
+    if not beside:
+        assert found.contains([0, 0, 0.5 + inner + offset + 1e-6])
+        assert not found.contains([0, 0, 0.5 + inner + offset - 1e-6])
+
+
 # --- one point
 
 

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.critical_curves import CriticalCurve
-from robotics1.workspaces.distances import distance_to_curve
+from robotics1.workspaces.distances import distance_to_curve, largest_distance
 from robotics1.workspaces.extents import corners_of_box
 from robotics1.workspaces.limited_turn import Sector, distance_from, sectors
 from robotics1.workspaces.naming import configuration_in_units
@@ -98,6 +98,12 @@ class FlatSection:
         base = self.arm.base
         return (base.point, base.direction) if base is not None and base.circular else None
 
+    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
+        """Return the smallest and largest distance of a point at (ρ, h) [m] from each turned part of the boundary."""
+        size, z = self.arm.size, self._at(place)
+        behind = -z.conjugate()
+        return [(size * distance_to_curve(curve, z), size * largest_distance(curve, behind)) for curve in self.edges]
+
     def corners(self) -> Array:
         """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
         arm = self.arm
@@ -113,13 +119,15 @@ class FlatSection:
 
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""
-        arm = self.arm
-        if arm.base is not None:
-            z = complex(place[0], place[1] - arm.origin @ arm.second) / arm.size
-        else:
-            z = complex(place[0] - arm.origin @ arm.first, place[1] - arm.origin @ arm.second) / arm.size
+        arm, z = self.arm, self._at(place)
         far = arm.size * min(distance_to_curve(curve, z) for curve in self.edges)
         return far if self.section.count(z) else -far
+
+    def _at(self, place: Array) -> complex:
+        """Return z of a place (2,) in the section's coordinates [m]."""
+        arm = self.arm
+        start = 0.0 if arm.base is not None else float(arm.origin @ arm.first)
+        return complex(place[0] - start, place[1] - arm.origin @ arm.second) / arm.size
 
     def _height(self, p: npt.ArrayLike) -> float:
         """Return the value of the slide at which the tip is as high as a point."""

@@ -28,6 +28,9 @@ class PlacedSection(Protocol):
     def corners(self) -> Array:
         """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
 
+    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
+        """Return the smallest and largest distance of a point at (ρ, h) [m] from each turned part of the boundary."""
+
     def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
         """Return which points (k, m) are reached."""
 

@@ -201,6 +201,12 @@ class CurvedSection:
         base = self.base
         return (base.point, base.direction) if base is not None and base.circular else None
 
+    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
+        """Return the smallest and largest distance of a point at (ρ, h) [m] from each turned part of the boundary."""
+        z = place / self.size
+        behind = np.array([-z[0], z[1]])
+        return [(self.size * part.distance(z), self.size * part.farthest(behind)) for part in self.boundary]
+
     def corners(self) -> Array:
         """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
         z = self.size * np.vstack([part.points for part in self.boundary])

@@ -122,6 +122,10 @@ class SampledPlace:
         base = self.base
         return (base.point, base.direction) if base is not None and base.circular else None
 
+    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
+        """Return none: no parts of the boundary are known."""
+        return []
+
     def corners(self) -> Array:
         """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
         section = self.section
