@@ -419,6 +419,10 @@ INSTANCES = {
     "RankStatus": lambda: list(r1.singularities.RankStatus),
     "RateStatus": lambda: list(r1.trajectories.RateStatus),
     "Placements": lambda: [r1.workspaces.best_placements(arm("planar_2r"), PLANE, [TARGET], {"x": [0.0, 0.3, 5.0]})],
+    "PlaneSection": lambda: [
+        r1.workspaces.plane_section(reach(), [0, 0, 0.1], [0, 0, 1]),
+        r1.workspaces.plane_section(reach(), [0.5, 0, 0], [1, 0, 0]),
+    ],
     "PoseStatus": lambda: list(r1.workspaces.PoseStatus),
     "ReachabilityMap": mapped,
     "RefinedGroup": lambda: list(scan().refined.groups),

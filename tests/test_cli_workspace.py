@@ -60,6 +60,15 @@ def test_points_lines_and_circles_are_answered_in_sentences_and_numbers():
     assert "fits; none with a radius above" in sentences
 
 
+def test_a_slice_is_answered_with_its_rings():
+    found = answer("ur5", "--slice", "0,0,0.3:0,0,1")["slice 0,0,0.3:0,0,1"]
+    (inner, outer), *more = found["radii"]
+    assert not more
+    assert found["area"] == pytest.approx(pi * (outer**2 - inner**2))
+    assert outer == pytest.approx(0.926, abs=0.02)
+    assert "It is the ring from" in found["explanation"]
+
+
 def test_every_orientation_is_answered_with_radii():
     found = answer(
         "prr", "--param", "l2=0.5", "--param", "l3=0.05", "--task", "position:xy", "--box", "q1=-0.1:0.1", "--dexterous"
@@ -76,6 +85,8 @@ def test_every_orientation_is_answered_with_radii():
         (["planar_2r", "--task", "pose"], "PositionTask"),
         (["planar_2r", "--line", "1,2"], "is not a line"),
         (["planar_2r", "--point", "1,2,3"], "2"),
+        (["planar_2r", "--slice", "0,0,1"], "is not a plane"),
+        (["planar_2r", "--slice", "0,0,0:0,0,1"], "one in a plane"),
         (["planar_2r", "--dexterous"], "three joints or more"),
     ],
 )

@@ -1,7 +1,7 @@
 """Workspaces with closed forms: areas, volumes, radii, and the reasons of their boundaries."""
 
 from itertools import pairwise
-from math import acos, atan2, hypot, pi, radians
+from math import acos, atan2, hypot, pi, radians, sqrt
 
 import numpy as np
 import pytest
@@ -281,3 +281,13 @@ def test_radii_are_distances_from_the_first_axis_wherever_it_is():
     p = XY.value(chain("RR", [0.4, 0.3], [-2.0, -1.0], [2.0, 1.0]), ws.nearest[0])
     assert hypot(*(p - MOUNT)) == pytest.approx(ws.r_min)
     assert sorted(ws.nearest[:, 1]) == pytest.approx([-1, 1])
+
+
+def test_singular_curves_cross_where_the_inner_circle_of_one_side_meets_the_outer_one_of_the_other():
+    """About ρ = a and ρ = −a: (ρ − a)² + h² = (l2 − l3)² and (ρ + a)² + h² = (l2 + l3)² give 4 a ρ = 4 l2 l3."""
+    a, l2, l3 = 0.5, 1.0, 0.3
+    ws = workspace(r1.robot_from_dh([("R", a, pi / 2, 0, 0), ("R", l2, 0, 0, 0), ("R", l3, 0, 0, 0)]), XYZ)
+    rho = l2 * l3 / a
+    h = sqrt((l2 - l3) ** 2 - (rho - a) ** 2)
+    assert sorted(map(tuple, ws.nodes)) == [pytest.approx((rho, -h)), pytest.approx((rho, h))]
+    assert "Singular curves cross" in ws.explain()

@@ -1,6 +1,6 @@
 """Formulas of workspaces: those of the books, and numbers at other lengths."""
 
-from math import pi
+from math import cos, pi
 
 import pytest
 import sympy
@@ -59,6 +59,14 @@ def test_rp_with_an_offset_has_the_radii_of_the_exam():
         ([("R", "l1", 0, 0, 0), ("R", "l2", pi, 0, 0), ("P", 0, 0, 0, 0)], [-pi, -pi, 0], [pi, pi, 0.2], XYZ),
         ([("R", 0, pi / 2, "d", 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], None, None, XYZ),
         ([("R", 0, pi / 2, "d", 0), ("R", 0, pi / 2, 0, pi / 2), ("P", 0, 0, 0, 0)], [-pi, -pi, 0.3], [pi, pi, 1], XYZ),
+        ([("R", 0, pi / 2, 0, 0), ("P", 0, -pi / 2, 0, 0), ("R", "l1", 0, 0, 0)], [-pi, 0.2, -pi], [pi, 0.6, pi], XY),
+        ([("R", "l1", 0, 0, 0), ("R", "d", pi / 2, 0, 0), ("P", 0, 0, 0, 0)], [-pi, -pi, 0.2], [pi, pi, 0.4], XY),
+        ([("R", "d", pi / 2, 0.1, 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], None, None, XYZ),
+        ([("R", "l1", pi / 2, 0.1, 0), ("R", "d", 0, 0, 0), ("R", "l3", 0, 0, 0)], None, None, XYZ),
+        ([("R", 0, pi / 2, 0.1, 0), ("R", "l1", 0, "d", 0), ("R", "l2", 0, 0, 0)], None, None, XYZ),
+        ([("R", 0, pi / 2, "d", 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], [-1, -pi, -pi], [1, pi, pi], XYZ),
+        ([("R", 0, -pi / 2, 0.1, 0), ("R", 0, pi / 2, "d", 0), ("P", 0, 0, 0, 0)], [-pi, -pi, 0.3], [pi, pi, 1], XYZ),
+        ([("R", 0, pi / 2, "d", 0), ("R", 0, pi / 2, 0, 0), ("P", 0, 0, 0, 0)], [-1, 0.3, 0.3], [0.6, 2, 1], XYZ),
     ],
 )
 def test_numbers_at_other_lengths_are_those_of_the_exact_workspace(rows, lower, upper, task):
@@ -92,9 +100,26 @@ def test_a_gantry_has_the_volume_of_its_strokes():
     assert found.number(found.volume) == pytest.approx(0.5 * 2 * 0.4)
 
 
-def test_an_arm_with_offsets_has_no_formula_and_is_told_so():
-    rows = [("R", "d", pi / 2, 0, 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)]
+def test_a_shoulder_off_the_axis_that_it_does_not_reach_has_the_volume_of_a_ring():
+    """Pappus: the annulus of l2 + l3 and l2 − l3 about a circle of radius l1."""
+    rows = [("R", "l1", pi / 2, 0, 0), ("R", "l2", 0, 0, 0), ("R", "l3", 0, 0, 0)]
+    found = workspace_formulas(named(rows), XYZ)
+    assert sympy.simplify(found.volume - 2 * sympy.pi * l1 * 4 * sympy.pi * l2 * l3) == 0
+    assert found.r_max == l1 + l2 + l3
+    assert "if l2 + l3 <= l1" in found.explain()
+
+
+def test_a_polar_arm_with_limits_has_the_volume_of_a_sector_of_a_shell():
+    rows = [("R", 0, pi / 2, "d", 0), ("R", 0, pi / 2, 0, 0), ("P", 0, 0, 0, 0)]
+    found = workspace_formulas(named(rows, lower=[-1, 0.3, 0.3], upper=[0.6, 2, 1]), XYZ)
+    assert found.number(found.volume) == pytest.approx(1.6 * (1 - 0.3**3) / 3 * (cos(0.3) - cos(2)))
+    assert "one side of the axis" in found.explain()
+
+
+def test_an_arm_of_skew_axes_has_no_formula_and_is_told_so():
+    rows = [("R", "l1", 0.3, 0, 0), ("R", "l2", 0, 0, 0), ("R", "l3", 0, 0, 0)]
     with pytest.raises(r1.TaskError, match="no formula is known"):
         workspace_formulas(named(rows), XYZ)
+    limited = [("R", "d", pi / 2, 0, 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)]
     with pytest.raises(r1.TaskError, match="no formula is known"):
-        workspace_formulas(named([("R", "l1", 0.3, 0, 0), *rows[1:]]), XYZ)
+        workspace_formulas(named(limited, lower=[-1, -1, 0.1], upper=[1, 1, 2]), XYZ)

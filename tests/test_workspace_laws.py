@@ -292,10 +292,3 @@ def test_points_of_another_form_are_refused():
         for wrong in ([nan, 0], [inf, 0], [1, 2, 3], "ab", None):
             with pytest.raises(r1.InputError):
                 ask(wrong)
-
-
-def test_the_distance_from_the_ends_of_a_turn_in_space_is_refused():
-    rows = [("R", 0, pi / 2, 0.5, 0), ("R", 1.5, 0, 0, 0), ("R", 1.0, 0, 0, 0)]
-    ws = workspace(r1.robot_from_dh(rows, lower=[-1, -1, 0.1], upper=[1, 1, 1]), XYZ)
-    with pytest.raises(r1.TaskError, match="full turn"):
-        ws.distance([1, 0, 0])

@@ -99,6 +99,21 @@ def test_a_wrist_reaches_every_orientation_where_its_sphere_is_in_the_workspace_
     assert "sphere of radius 0.15" in found.explain()
 
 
+@pytest.mark.parametrize("beside", [0.0, 0.2])
+def test_a_wrist_behind_a_shell_reaches_every_orientation_at_its_own_length_from_both_spheres(beside):
+    """The centre reaches |l2 − l3| ≤ r ≤ l2 + l3 about the shoulder, moved away from the axis by the offset."""
+    rows = [("R", 0, pi / 2, 0.5, 0), ("R", 0.9, 0, beside, 0), ("R", 0, pi / 2, 0, 0)]
+    found = dexterous_workspace(r1.robot_from_dh(rows + WRIST), XYZ)
+    outer, inner, offset = 0.9 + 0.7, 0.9 - 0.7, found.offset
+    assert offset == pytest.approx(0.15)
+    far = hypot(outer, beside) - offset
+    assert found.contains([far - 1e-6, 0, 0.5])
+    assert not found.contains([far + 1e-6, 0, 0.5])
+    if not beside:
+        assert found.contains([0, 0, 0.5 + inner + offset + 1e-6])
+        assert not found.contains([0, 0, 0.5 + inner + offset - 1e-6])
+
+
 # --- one point
 
 
@@ -178,12 +193,11 @@ def test_crossings_of_an_arm_with_offsets_are_on_its_boundary():
         assert r1.ik_solutions(arm, XYZ, p).singular.any() or len(r1.ik_solutions(arm, XYZ, p)) == 0
 
 
-def test_crossings_where_the_first_joint_has_limits_are_sought_in_even_steps():
-    rows = [("R", 0, pi / 2, 0, 0), ("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0)]
+def test_crossings_where_the_distance_is_not_known_are_sought_in_even_steps():
+    rows = [("R", 0, pi / 2, 0, 0), ("R", 1, 0, 0.2, 0), ("R", 1, 0, 0, 0)]
     ws = workspace(r1.robot_from_dh(rows, lower=[-1, -3, 0], upper=[1, 3, 3]), XYZ)
     found = crossings(ws, [[1, -3, 0.1], [1, 3, 0.1]])
-    width = min(sqrt(4 - 1 - 0.1**2), np.tan(1))
-    assert found.times == pytest.approx([0.5 - width / 6, 0.5 + width / 6], abs=1e-8)
+    assert len(found.times) == 2
     assert found.resolution == pytest.approx(6 / 400)
 
 

@@ -33,6 +33,10 @@ Points = Annotated[
 Line = Annotated[
     str | None, typer.Option("--line", help="Two points [m], as in -1,0.1:1,0.1: where does the line enter and leave?")
 ]
+Slices = Annotated[
+    list[str] | None,
+    typer.Option("--slice", help="A point and a normal, as in 0,0,0.3:0,0,1: what is reached in this plane?"),
+]
 Circle = Annotated[bool, typer.Option("--circle", help="Also the largest circle that fits into the section.")]
 Symbolic = Annotated[bool, typer.Option("--formulas", help="Also the radii and the area or volume as formulas.")]
 Dexterous = Annotated[
@@ -52,6 +56,7 @@ def workspace(
     lock: Locked = None,
     point: Points = None,
     line: Line = None,
+    slices: Slices = None,
     circle: Circle = False,
     dexterous: Dexterous = False,
     formulas: Symbolic = False,
@@ -70,7 +75,7 @@ def workspace(
         from robotics1.plots.reach import plot_workspace
 
         plot_workspace(ws, file=figure, title=arm.name)
-    answers = _answers(ws, point, line, circle)
+    answers = _answers(ws, point, line, circle, slices)
     if dexterous:
         from robotics1.workspaces.questions.dexterous import dexterous_workspace
 
@@ -104,11 +109,14 @@ def _own_task(robot: "Robot", frame: str | None) -> "PositionTask":
     return PositionTask(letters if len(letters) == 2 else "xyz", frame=frame)
 
 
-def _answers(ws: "Workspace", points: Sequence[str] | None, line: str | None, circle: bool) -> list[tuple[str, Any]]:
+def _answers(
+    ws: "Workspace", points: Sequence[str] | None, line: str | None, circle: bool, planes: Sequence[str] | None
+) -> list[tuple[str, Any]]:
     """Return what was asked of a workspace, by name."""
     from robotics1.workspaces.questions.fitting import largest_circle
     from robotics1.workspaces.questions.membership import is_reached
     from robotics1.workspaces.questions.passages import crossings
+    from robotics1.workspaces.questions.plane_sections import plane_section
 
     found: list[tuple[str, Any]] = [
         (f"point {text}", is_reached(ws, arguments.parse_vector(text))) for text in points or ()
@@ -118,6 +126,12 @@ def _answers(ws: "Workspace", points: Sequence[str] | None, line: str | None, ci
         if not colon:
             raise InputError(f"{line[:100]!r} is not a line; write it like -1,0.1:1,0.1")
         found.append(("line", crossings(ws, [arguments.parse_vector(start), arguments.parse_vector(end)])))
+    for text in planes or ():
+        place, colon, normal = text.partition(":")
+        if not colon:
+            raise InputError(f"{text[:100]!r} is not a plane; write a point and a normal like 0,0,0.3:0,0,1")
+        cut = plane_section(ws, arguments.parse_vector(place), arguments.parse_vector(normal))
+        found.append((f"slice {text}", cut))
     if circle:
         found.append(("circle", largest_circle(ws)))
     return found
@@ -127,6 +141,7 @@ def _answer_as_json(answer: Any) -> dict[str, Any]:
     """Return the numbers of an answer and its sentences."""
     plain = {name: value for name, value in vars(answer).items() if not hasattr(value, "__dataclass_fields__")}
     plain.pop("regions", None)
+    plain.pop("outlines", None)
     plain = {name: str(value) if hasattr(value, "free_symbols") else value for name, value in plain.items()}
     return plain | {"explanation": answer.explain()}
 

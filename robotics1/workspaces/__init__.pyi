@@ -8,6 +8,7 @@ from .questions.membership import Membership, is_reached
 from .questions.needed_ranges import JointRanges, joint_ranges
 from .questions.optimized_reach import ExtremeReach, extreme_reach
 from .questions.passages import Passages, crossings
+from .questions.plane_sections import PlaneSection, plane_section
 from .questions.wrist_dexterity import WristDexterity
 from .reachability.comparison import map_difference, map_union
 from .reachability.evaluation import PoseStatus
@@ -26,6 +27,7 @@ __all__ = [
     "Membership",
     "Passages",
     "Placements",
+    "PlaneSection",
     "PoseStatus",
     "ReachabilityMap",
     "Workspace",
@@ -41,6 +43,7 @@ __all__ = [
     "largest_circle",
     "map_difference",
     "map_union",
+    "plane_section",
     "reachability_map",
     "read_map",
     "save_map",

@@ -8,6 +8,11 @@ def distance_to_curve(curve: CriticalCurve, z: complex) -> float:
     return min(abs(curve.point(t) - z) for t in extreme_positions(curve, z))
 
 
+def largest_distance(curve: CriticalCurve, z: complex) -> float:
+    """Return the largest distance of a point from a curve."""
+    return max(abs(curve.point(t) - z) for t in extreme_positions(curve, z))
+
+
 def extreme_positions(curve: CriticalCurve, z: complex) -> list[float]:
     """Return t of the ends of a curve, and of where its distance from a point is stationary.
 

@@ -95,11 +95,26 @@ def flat_workspace(robot: Robot, arm: ReadArm) -> Workspace:
         regions=reached,
         voids=tuple(region for region in found if not region.solutions),
         cusps=np.zeros((0, 2)),
-        nodes=np.zeros((0, 2)),
+        nodes=_nodes(arm, section),
         coordinates=names_of_coordinates(arm),
         redundant=len(arm.joints) > 2,
         section=FlatSection(arm, section, tuple(divider.piece.curve for divider in edges)),
     )
+
+
+def _nodes(arm: ReadArm, section: Section | HalfPlane) -> Array:
+    """Return where two curves cross on which the joints are singular, (k, 2), but on the axis of a turn."""
+    ends: dict[int, list[complex]] = {}
+    on_axis: set[int] = set()
+    for divider in section.divided:
+        piece = divider.piece
+        if piece.curve.joint == ON_AXIS:
+            on_axis |= {piece.start, piece.end}
+        elif len(arm.joints) - len(piece.curve.limits) > 1:
+            ends.setdefault(piece.start, []).append(piece.curve.start)
+            ends.setdefault(piece.end, []).append(piece.curve.point(piece.curve.length))
+    found = [places[0] for vertex, places in ends.items() if len(places) > 3 and vertex not in on_axis]
+    return np.array([coordinates(arm, z) for z in found]).reshape(-1, 2)
 
 
 def _region(arm: ReadArm, outer: Loop, holes: list[Loop], section: Section | HalfPlane) -> WorkspaceRegion:

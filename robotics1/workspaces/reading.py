@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
@@ -47,7 +48,7 @@ class ReadArm:
     slide: Axis | None = None
     height: float = 0.0
 
-    @property
+    @cached_property
     def normal(self) -> Array:
         """The unit vector across the plane."""
         return np.cross(self.first, self.second)
@@ -127,8 +128,15 @@ def _across_a_slide(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot)
     return None
 
 
-def _about_an_axis(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot) -> ReadArm | None:
-    """Return the arm if its first joint turns the plane of the others, which contains the axis."""
+def plane_beside_axis(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> ReadArm | None:
+    """Return the arm as if the plane that its first joint turns contained the axis; None if it turns no plane."""
+    return None if len(rows) == 2 else _about_an_axis(axes, tip, rows, robot, beside=True)
+
+
+def _about_an_axis(
+    axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot, *, beside: bool = False
+) -> ReadArm | None:
+    """Return the arm if its first joint turns the plane of the others, which contains the axis or is beside it."""
     if len(axes) < 3 or not axes[0].revolute:
         return None
     base, others = axes[0], axes[1:]
@@ -137,7 +145,10 @@ def _about_an_axis(axes: Sequence[Axis], tip: Array, rows: Array, robot: Robot) 
     size = np.linalg.norm(normal)
     if size < STRAIGHT or abs(normal @ base.direction) > STRAIGHT or not are_planar(others, normal / size):
         return None
-    if abs((tip - base.point) @ normal) > STRAIGHT * robot.reach:
+    away = float((tip - base.point) @ normal) / size
+    if beside:
+        tip = tip - away * normal / size
+    elif abs(away) > STRAIGHT * robot.reach:
         return None
     _need_room(base)
     first = np.cross(base.direction, normal / size)

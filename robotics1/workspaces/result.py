@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Protocol
 
+import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
@@ -23,6 +24,18 @@ class PlacedSection(Protocol):
 
     def configurations(self, p: npt.ArrayLike) -> Array:
         """Return configurations (k, nq) that reach a point (m,), some if there are infinitely many."""
+
+    def corners(self) -> Array:
+        """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
+
+    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
+        """Return the smallest and largest distance of a point at (ρ, h) [m] from each turned part of the boundary."""
+
+    def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
+        """Return which points (k, m) are reached."""
+
+    def full_turn(self) -> tuple[Array, Array] | None:
+        """Return a point (3,) and the direction (3,) of the axis about which a first joint turns fully; or None."""
 
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative where it is outside."""
@@ -103,13 +116,14 @@ class Workspace(Frozen):
         volume: [m³], of an arm in space; else None.
         r_min, r_max: the smallest and largest distance from the first joint's axis [m]; from the world's origin if the
             first joint slides.
-        nearest, farthest: (k, nq) configurations that attain them; a first joint that turns may have any value instead.
+        nearest, farthest: (k, nq) all configurations that attain them, but for the first joint: one that turns, or that
+            slides in space, may have any value instead. Where infinitely many attain them, some.
         boundary: the arcs and segments between what is reached and what is not.
         regions: the reached regions.
         voids: the regions around which there is a reached one, and which are not reached.
         cusps: (k, 2) points of the section [m] in which three solutions meet: critical curves turn back there. A 3R arm
             with cusps changes its posture without a singularity. Arcs and segments have none.
-        nodes: (k, 2) points inside [m] in which critical curves cross that have no end there; of arms in space.
+        nodes: (k, 2) points inside [m] in which curves cross on which the joints are singular.
         coordinates: the names of the section's two coordinates.
         volume_error: about how wrong the volume may be [m³]; 0 where it is exact. It is sampled where the first joint
             has limits and several solutions reach a point.
@@ -182,7 +196,8 @@ class Workspace(Frozen):
 
         Raises:
             InputError: p has another shape or is not finite.
-            TaskError: the first joint moves the section between limits; the distance from the ends is not known.
+            TaskError: the first joint moves a section with traced curves between limits; the distance from the ends is
+                not known.
         """
         return self.section.distance(p)
 
@@ -210,6 +225,10 @@ class Workspace(Frozen):
         if len(self.cusps):
             where = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in self.cusps)
             lines.append(f"Three solutions meet at {len(self.cusps)} cusps, ({', '.join(self.coordinates)}) = {where}.")
+            lines.append("Around a cusp the arm changes its posture without a singularity: it is cuspidal.")
+        if len(self.nodes):
+            where = ", ".join(f"({x:.6g}, {y:.6g})" for x, y in self.nodes)
+            lines.append(f"Singular curves cross at ({', '.join(self.coordinates)}) = {where}.")
         reasons = dict.fromkeys(curve.reason for curve in self.boundary)
         lines += [f"The boundary is where {'; where '.join(reasons)}."] if reasons else []
         return "\n".join(lines)

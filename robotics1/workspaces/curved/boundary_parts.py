@@ -50,13 +50,21 @@ class BoundaryPart:
 
     def distance(self, z: Array) -> float:
         """Return the least distance of a point (2,) of the section."""
-        far = np.linalg.norm(self.points - z, axis=1)
+        return self._extreme(z, 1)
+
+    def farthest(self, z: Array) -> float:
+        """Return the largest distance of a point (2,) of the section."""
+        return -self._extreme(z, -1)
+
+    def _extreme(self, z: Array, sign: int) -> float:
+        """Return the least value of the distance times a sign: at a sample, or where its slope changes beside one."""
+        far = sign * np.linalg.norm(self.points - z, axis=1)
         best = float(far.min())
         padded = np.concatenate([[np.inf], far, [np.inf]])
         least = np.flatnonzero((far <= padded[:-2]) & (far <= padded[2:]) & (far < best + 2 * self.chord))
 
         def slope(t: Array) -> Array:
-            return np.asarray(((self.image.at(t) - z) * self.image.velocity(t)).sum(axis=1))
+            return np.asarray(sign * ((self.image.at(t) - z) * self.image.velocity(t)).sum(axis=1))
 
         for k in map(int, least):
             a, b = float(self.t[max(k - 1, 0)]), float(self.t[min(k + 1, len(self.t) - 1)])
@@ -64,7 +72,7 @@ class BoundaryPart:
                 at_ends = slope(np.array([low, high]))
                 if at_ends[0] < 0 < at_ends[1]:
                     t = self.image.roots(slope, np.array([low]), np.array([high]))
-                    best = min(best, float(np.linalg.norm(self.image.at(t)[0] - z)))
+                    best = min(best, sign * float(np.linalg.norm(self.image.at(t)[0] - z)))
         return best
 
 

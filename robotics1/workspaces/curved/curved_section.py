@@ -16,6 +16,7 @@ from robotics1.workspaces.curved.domain import Domain
 from robotics1.workspaces.curved.image_curves import TURNED
 from robotics1.workspaces.curved.plane_map import PlaneMap
 from robotics1.workspaces.curved.strips import Strips
+from robotics1.workspaces.extents import corners_of_box
 
 ON_BOUNDARY = 1e-9  # of the arm's size: a point that near belongs to the workspace
 SAME = 1e-6  # of solutions that are one
@@ -179,6 +180,43 @@ class CurvedSection:
             )
         return self.size * self.distance_in_section(self.place(p)[0])
 
+    def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
+        """Return which points (k, m) are reached; those on the boundary may be or not."""
+        places = [self.place(p) for p in points]
+        z = np.array([flat for flat, _ in places]).reshape(-1, 2)
+        counts = self.counts(z)
+        if self.base is None or self.base.circular:
+            return np.asarray(counts > 0)
+        solved = self.solutions_each(z, counts)
+        return np.array(
+            [
+                any(self._base_values(one, local) for one in q) or (len(q) < count and self.contains(p))
+                for q, count, (_, local), p in zip(solved, counts, places, points, strict=True)
+            ],
+            dtype=bool,
+        )
+
+    def full_turn(self) -> tuple[Array, Array] | None:
+        """Return a point (3,) and the direction (3,) of the axis about which a first joint turns fully; or None."""
+        base = self.base
+        return (base.point, base.direction) if base is not None and base.circular else None
+
+    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
+        """Return the smallest and largest distance of a point at (ρ, h) [m] from each turned part of the boundary."""
+        z = place / self.size
+        behind = np.array([-z[0], z[1]])
+        return [(self.size * part.distance(z), self.size * part.farthest(behind)) for part in self.boundary]
+
+    def corners(self) -> Array:
+        """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
+        z = self.size * np.vstack([part.points for part in self.boundary])
+        heights = None
+        if not self.mapped.about_axis:
+            own = self.size * self.mapped.point(self._starts[0])[:, 2]
+            low, high = (0.0, 0.0) if self.base is None else (self.base.lower, self.base.upper)
+            heights = (float(own.min()) + low, float(own.max()) + high)
+        return corners_of_box(z, heights, self.frame, self.origin)
+
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""
         z = place / self.size
@@ -191,24 +229,33 @@ class CurvedSection:
 
     def reached_shares(self, z: Array, expected: int) -> Array:
         """Return how far [rad, or sizes] the base leads the solutions at points (k, 2) of the section: (k,)."""
+        return np.array([self._share(q) for q in self.solutions_each(z, np.full(len(z), expected))])
+
+    def solutions_each(self, z: Array, expected: npt.NDArray[np.intp]) -> list[Array]:
+        """Return the values (n, 2) of the two joints at points (k, 2) of the section, from the nearest ones of a grid.
+
+        Args:
+            z: the points.
+            expected: (k,) their numbers of solutions; where fewer were found, farther ones of the grid are tried.
+        """
         from scipy.spatial import cKDTree
 
         starts, images = self._starts
         positive = self.mapped.determinant(starts) > 0
         sides = [np.flatnonzero(positive), np.flatnonzero(~positive)]
         trees = [(side, cKDTree(images[side])) for side in sides if len(side)]
-        shares, complete, left = np.zeros(len(z)), np.zeros(len(z), dtype=bool), np.arange(len(z))
+        solved: list[Array] = [np.zeros((0, 2))] * len(z)
+        left = np.flatnonzero(expected > 0)
         for nearest in NEAREST:
+            if not len(left):
+                break
             near = [side[np.atleast_2d(tree.query(z[left], min(nearest, len(side)))[1])] for side, tree in trees]
             k = np.hstack([numbers.reshape(len(left), -1) for numbers in near])
             ends = self._newton_at(starts[k.ravel()], np.repeat(z[left], k.shape[1], axis=0)).reshape(*k.shape, 2)
             for i, found in zip(left, ends, strict=True):
-                q = self._distinct(found[np.linalg.norm(self.mapped.image(found) - z[i], axis=1) < ON_BOUNDARY])
-                shares[i], complete[i] = self._share(q), len(q) >= expected
-            left = np.flatnonzero(~complete)
-            if not len(left):
-                break
-        return shares
+                solved[i] = self._distinct(found[np.linalg.norm(self.mapped.image(found) - z[i], axis=1) < ON_BOUNDARY])
+            left = np.array([i for i in left if len(solved[i]) < expected[i]], dtype=int)
+        return solved
 
     def _share(self, q: Array) -> float:
         """Return the length of the union of what the base reaches with solutions (n, 2)."""

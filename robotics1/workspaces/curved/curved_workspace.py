@@ -1,7 +1,7 @@
 """The workspace of an arm whose section has critical curves of any kind: images of D = 0 and of joint limits."""
 
 from collections.abc import Sequence
-from math import cos, tau
+from math import cos, prod, tau
 
 import numpy as np
 
@@ -22,7 +22,8 @@ from robotics1.workspaces.curved.strips import AXIS, Strips, strips_between
 from robotics1.workspaces.naming import reason_of
 from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
 
-CELLS = (160, 320, 640)  # a turn: the grid on which D = 0 is looked for
+CELLS = (160, 320, 640, 1280, 2560)  # a turn: the grid on which D = 0 is looked for
+MOST_POINTS = 2_000_000  # of a grid
 NO_AREA = 1e-9  # of D
 BALANCED = 0.01  # of ∫ |D|: the difference to ∫ N dA that a grid's own error explains
 
@@ -79,9 +80,10 @@ def _decomposition(robot: Robot, arm: SpatialArm) -> tuple[list[ImageCurve], lis
             f"{'volume' if arm.base else 'area'} and no section"
         )
     whole = float(size.mean() * np.prod(arm.domain.span))
-    for cells in CELLS:
+    possible = [cells for cells in CELLS if prod(map(len, arm.domain.grid(cells))) <= MOST_POINTS]
+    for cells in possible:
         singular, clear = singular_curves(arm.mapped, arm.domain, cells)
-        if not clear and cells < CELLS[-1]:
+        if not clear and cells < possible[-1]:
             continue
         images = image_curves(arm.mapped, arm.domain, singular)
         pieces, cusps = rising_pieces(images)

@@ -54,7 +54,7 @@ class Domain:
         """Return q with circular joints between their ends."""
         return np.where(self.circular, self.lower + (q - self.lower) % tau, q)
 
-    def holds(self, q: Array, margin: float = 1e-12) -> Array:
+    def holds(self, q: Array, margin: float | Array = 1e-12) -> Array:
         """Return which of q (k, 2) are inside."""
         inside = (q >= self.lower - margin) & (q <= self.upper + margin)
         return np.asarray((inside | np.array(self.circular)).all(axis=-1))

@@ -12,11 +12,19 @@ from robotics1.inputs import Array
 
 Function = Callable[[Array], Array]
 Grid = tuple[Array, Array]
+Zeros = Callable[[Function, Array, Array], Array]
 MOST_STEPS = 60  # of regula falsi; about ten are usual
 SMALL = 1e-15  # a step that ends it
 
 
-def level_lines(f: Function, grid: Grid, values: Array, circular: tuple[bool, bool]) -> list[tuple[Array, bool]]:
+def points_of(grid: Grid) -> Array:
+    """Return all points (k, 2) of a grid, the second variable the faster."""
+    return np.stack(np.meshgrid(*grid, indexing="ij"), axis=-1).reshape(-1, 2)
+
+
+def level_lines(
+    f: Function, grid: Grid, values: Array, circular: tuple[bool, bool], zeros: Zeros | None = None
+) -> list[tuple[Array, bool]]:
     """Return the lines f = 0, each with its points (k, 2), which lie on lines of the grid, and whether it is closed.
 
     Args:
@@ -24,8 +32,9 @@ def level_lines(f: Function, grid: Grid, values: Array, circular: tuple[bool, bo
         grid: the values of the two variables; the last of a circular one is the first, a turn later.
         values: of f on the grid, none of them zero.
         circular: whether the last value of a variable is the first again.
+        zeros: finds a zero between each two points at which f has different signs; by default `zeros_between`.
     """
-    points, number_x, number_y = _zeros_on_edges(f, grid, values, circular)
+    points, number_x, number_y = _zeros_on_edges(f, grid, values, circular, zeros or zeros_between)
     neighbours: dict[int, list[int]] = {}
     positive = values > 0
     n, m = values.shape[0] - 1, values.shape[1] - 1
@@ -47,7 +56,7 @@ def level_lines(f: Function, grid: Grid, values: Array, circular: tuple[bool, bo
 
 
 def _zeros_on_edges(
-    f: Function, grid: Grid, values: Array, circular: tuple[bool, bool]
+    f: Function, grid: Grid, values: Array, circular: tuple[bool, bool], zeros: Zeros
 ) -> tuple[Array, npt.NDArray[np.intp], npt.NDArray[np.intp]]:
     """Return the zeros (k, 2) on the grid's edges, and their numbers, or −1, by the edges along x and along y."""
     n, m = values.shape[0] - 1, values.shape[1] - 1
@@ -65,7 +74,7 @@ def _zeros_on_edges(
     numbers = (np.full((n, m + 1), -1), np.full((n + 1, m), -1))
     numbers[0][tuple(along_x.T)] = np.arange(len(along_x))
     numbers[1][tuple(along_y.T)] = len(along_x) + np.arange(len(along_y))
-    return zeros_between(f, a, b), *numbers
+    return zeros(f, a, b), *numbers
 
 
 def zeros_between(f: Function, a: Array, b: Array) -> Array:

@@ -77,6 +77,14 @@ class PlaneFormulas:
         ]
         return [_root(a - b) for a, b in zip(sums, [*sums[1:], 0], strict=True)]
 
+    def centre(self) -> list[Any]:
+        """Return where the first joint of the chain, a revolute one, is in the plane."""
+        return [self._mean(row, [self.q[self.joints[0].number]]) for row in self.value]
+
+    def squared_mean(self, k: int, over: int) -> Any:
+        """Return the mean of |∂p/∂qₖ|² over the angle of a joint of the chain."""
+        return self._mean(self.speed_squared(k), [self.q[self.joints[over].number]])
+
     def _mean(self, expression: Any, over: list[Any]) -> Any:
         picks = list(product(THIRDS, repeat=len(over)))
         values = [expression.subs(dict(zip(over, pick, strict=True))) for pick in picks]
@@ -98,6 +106,7 @@ def closed_form(arm: PlaneFormulas) -> ClosedForm | None:
         return _links(arm)
     cases: dict[str, Callable[[PlaneFormulas], ClosedForm | None]] = {
         "RR": _about_the_first, "RP": _about_the_first, "PP": _parallelogram, "PR": _swept_circle, "PRR": _swept_circle,
+        "RPR": _slide_between_turns, "RRP": _slide_after_turns,
     }  # fmt: skip
     return cases[arm.kinds](arm) if arm.kinds in cases else None
 
@@ -152,6 +161,35 @@ def _inside(joint: PlanarJoint, angle: float) -> bool:
     """Return whether an angle, but for whole turns, is strictly inside a joint's range, or the joint turns fully."""
     beyond = (angle - joint.lower) % tau
     return joint.circular or 1e-12 < beyond < joint.upper - joint.lower - 1e-12
+
+
+def _slide_between_turns(arm: PlaneFormulas) -> ClosedForm | None:
+    """Return the annulus of a circle of full turns whose centre is at distances c(q2) from the first joint."""
+    link = _root(arm.speed_squared(2))
+    square = sympy.simplify(arm.squared_mean(0, 2) - link**2)
+    return _annulus_of_two(arm, 1, square, link)
+
+
+def _slide_after_turns(arm: PlaneFormulas) -> ClosedForm | None:
+    """Return the annulus of a link that turns fully, and a tip at distances t(q3) from its end."""
+    square = sympy.simplify(arm.speed_squared(1))
+    link = _root(sympy.simplify(arm.squared_mean(0, 1) - square))
+    return _annulus_of_two(arm, 2, square, link)
+
+
+def _annulus_of_two(arm: PlaneFormulas, slide: int, square: Any, link: Any) -> ClosedForm | None:
+    """Return the annulus of a link and a length between two ends, whose square is known, that both turn fully."""
+    joint = arm.joints[slide]
+    q = arm.q[joint.number]
+    foot = sympy.solve(sympy.diff(square, q), q)[0]
+    if not foot.is_number or not all(j.circular for j in arm.joints if j.revolute):
+        return None
+    ends = [_root(sympy.simplify(square.subs(q, arm.end(slide, name)))) for name in ("min", "max")]
+    crosses = joint.lower < float(foot) < joint.upper
+    least = _root(sympy.simplify(square.subs(q, foot))) if crosses else sympy.Min(*ends)
+    most = sympy.Max(*ends)
+    inner, outer = sympy.Max(0, least - link, link - most), link + most
+    return ClosedForm(inner, outer, sympy.pi * (outer**2 - inner**2), (link,))
 
 
 def _parallelogram(arm: PlaneFormulas) -> ClosedForm:

@@ -17,7 +17,8 @@ from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.workspaces.find import workspace
 from robotics1.workspaces.questions.closed_forms import ClosedForm, PlaneFormulas, closed_form
-from robotics1.workspaces.reading import ReadArm, moving_point, read_arm
+from robotics1.workspaces.questions.forms_in_space import TurnedPlane, form_in_space, without_sign
+from robotics1.workspaces.reading import ReadArm, moving_point, plane_beside_axis, read_arm
 
 AGREE = 1e-9  # relative, between a formula and the exact workspace
 
@@ -60,9 +61,11 @@ def workspace_formulas(
     """Return the radii and the area or volume of a workspace as formulas.
 
     Known are: planar arms of revolute joints that turn fully, r from Max(0, 2 l_max − Σ l) to Σ l; RR with limits and
-    RP, from the extremes of r(q2); PP; PR and PRR along a stroke; these times a slide across their plane (SCARA,
-    cylindrical, gantry); the spherical shells of anthropomorphic and polar arms, 4/3 π (R³ − r³). Each formula is
-    compared with the exact workspace, at the robot's own lengths and at others.
+    RP, from the extremes of r(q2); RPR and RRP that turn fully; PP; PR and PRR along a stroke; these times a slide
+    across their plane (SCARA, cylindrical, gantry); the spherical shells of anthropomorphic and polar arms,
+    4/3 π (R³ − r³), with q1 limited too, also where the shoulder is beside the axis of joint 1 in the arm's plane or
+    across it; the sector of a shell of a polar arm with limits. Each formula is compared with the exact workspace, at
+    the robot's own lengths and at others.
 
     Args:
         robot: the arm, with named lengths where these shall stay.
@@ -75,20 +78,20 @@ def workspace_formulas(
     """
     robot, task = robot_and_task(robot, task)
     rows, tip, axes = moving_point(robot, task, box)
-    arm = read_arm(robot, axes, tip, rows)
+    arm = read_arm(robot, axes, tip, rows) or plane_beside_axis(robot, axes, tip, rows)
     symbolic = formulas(robot, task)
-    found = None
-    if arm is not None:
-        flat = closed_form(_plane(arm, symbolic))
-        found = None if flat is None else _sized(arm, flat, symbolic)
-    if found is None:
-        raise TaskError(
-            f"no formula is known of the workspace of robot {robot.name!r}; workspace(robot, task) has its numbers"
-        )
     values = dict(robot.parameters)
     for axis in axes:
         q = str(symbolic.q[axis.number])
         values |= {f"{q}_min": axis.lower, f"{q}_max": axis.upper}
+    found = None
+    if arm is not None:
+        flat = closed_form(_plane(arm, symbolic))
+        found = None if flat is None else _sized(arm, flat, symbolic, values)
+    if found is None:
+        raise TaskError(
+            f"no formula is known of the workspace of robot {robot.name!r}; workspace(robot, task) has its numbers"
+        )
     result = WorkspaceFormulas(**found, values=values)
     _compare(robot, task, box, result)
     if robot.parameters:
@@ -111,19 +114,26 @@ def _exact(numbers: Array) -> Any:
     return sympy.Matrix([[sympy.nsimplify(float(x), rational=True) for x in row] for row in numbers])
 
 
-def _sized(arm: ReadArm, flat: ClosedForm, symbolic: Any) -> dict[str, Any] | None:
+def _sized(arm: ReadArm, flat: ClosedForm, symbolic: Any, values: dict[str, float]) -> dict[str, Any] | None:
     """Return r_min, r_max, area, volume, lengths and conditions, in the plane or in space."""
     known: dict[str, Any] = {"r_min": flat.r_min, "r_max": flat.r_max, "area": None, "volume": None}
     known |= {"lengths": flat.lengths, "conditions": flat.conditions}
     if arm.slide is not None:
         q = symbolic.q[arm.slide.number]
-        stroke = sympy.Symbol(f"{q}_max", real=True) - sympy.Symbol(f"{q}_min", real=True)
-        return known | {"volume": None if flat.area is None else flat.area * stroke}
+        return known | {"volume": None if flat.area is None else flat.area * _range(q)}
     if arm.base is None:
         return known | {"area": flat.area}
-    if not arm.base.circular or not arm.joints[0].circular or flat.r_max is None:
-        return None
-    return known | {"r_min": None, "volume": sympy.Rational(4, 3) * sympy.pi * (flat.r_max**3 - flat.r_min**3)}
+    q = symbolic.q[arm.base.number]
+    angle = 2 * sympy.pi if arm.base.circular else _range(q)
+    across = sympy.simplify((_exact(arm.normal[None] @ arm.rows.T) * symbolic.value.subs(q, 0))[0])
+    turned = TurnedPlane(_plane(arm, symbolic), flat, without_sign(across), angle, arm.base.circular, values)
+    found = form_in_space(turned)
+    return None if found is None else known | found
+
+
+def _range(q: Any) -> Any:
+    """Return upper − lower of a joint."""
+    return sympy.Symbol(f"{q}_max", real=True) - sympy.Symbol(f"{q}_min", real=True)
 
 
 def _compare(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]] | None, found: WorkspaceFormulas) -> None:

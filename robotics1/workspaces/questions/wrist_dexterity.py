@@ -49,11 +49,9 @@ class WristDexterity(Frozen):
         away = point - self.axis[0]
         h = float(away @ self.axis[1])
         rho = float(np.linalg.norm(away - h * self.axis[1]))
-        for curve in self.wrist.boundary:
-            least = np.hypot(curve.points[:, 0] - rho, curve.points[:, 1] - h)
-            most = np.hypot(curve.points[:, 0] + rho, curve.points[:, 1] - h)
-            if least.min() <= self.offset <= most.max():
-                return False
+        ranges = self.wrist.section.sphere_ranges(np.array([rho, h]))
+        if any(least <= self.offset <= most for least, most in ranges):
+            return False
         return self.wrist.contains(point + self.offset * self.axis[1])
 
     def explain(self) -> str:

@@ -10,6 +10,7 @@ from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.axes import Axis
+from robotics1.workspaces.extents import corners_of_box
 from robotics1.workspaces.sampled.chain_map import ChainMap
 from robotics1.workspaces.sampled.sampled_section import SampledSection, descend, shown
 
@@ -111,6 +112,27 @@ class SampledPlace:
         section, local = self.section, self.local(p)
         z = np.array([np.hypot(local[0], local[1]), local[2]]) if section.about_axis else local[:2]
         return self._far(z, self.contains(p))
+
+    def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
+        """Return at which points (k, m) a configuration was found."""
+        return self.reaches(np.array([self.local(p) for p in points]).reshape(-1, 3))
+
+    def full_turn(self) -> tuple[Array, Array] | None:
+        """Return a point (3,) and the direction (3,) of the axis about which a first joint turns fully; or None."""
+        base = self.base
+        return (base.point, base.direction) if base is not None and base.circular else None
+
+    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
+        """Return none: no parts of the boundary are known."""
+        return []
+
+    def corners(self) -> Array:
+        """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
+        section = self.section
+        z = section.middle(np.argwhere(section.reached))
+        own = self.whole.point(self.whole.drawn(np.random.default_rng(self.seed), DRAWN))[:, 2]
+        heights = None if section.about_axis else (float(own.min()), float(own.max()))
+        return corners_of_box(z, heights, self.frame, self.origin)
 
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""
