@@ -75,6 +75,7 @@ bench: $(PEERS)  ## benchmarks beside the peers, some ten minutes; writes benchm
 	$(BIN)/python -m benchmarks.all_solutions
 	$(BIN)/python -m benchmarks.scans
 	$(BIN)/python -m benchmarks.maps
+	$(BIN)/python -m benchmarks.workspaces
 	$(BIN)/python -m benchmarks.scaling
 	$(BIN)/python -m benchmarks.command_line
 

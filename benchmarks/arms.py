@@ -98,7 +98,15 @@ ARMS = {"Panda": panda, "UR5": ur5, "iiwa": iiwa}
 
 def _arm(name: str, source: str | Path, base: str, tool: str, locked: dict[str, float] | None = None) -> Arm:
     robot = load_robot(source, base=base, tool=tool, locked=locked)
-    urdf = kinematic_urdf(robot_file(source).read_text(encoding="utf-8"))
+    return _with_file(name, robot, base, tool, kinematic_urdf(robot_file(source).read_text(encoding="utf-8")))
+
+
+def arm_of_text(name: str, urdf: str, base: str, tool: str) -> Arm:
+    """Return the arm of a URDF."""
+    return _with_file(name, load_robot(urdf, base=base, tool=tool), base, tool, urdf)
+
+
+def _with_file(name: str, robot: Robot, base: str, tool: str, urdf: str) -> Arm:
     folder = Path(tempfile.mkdtemp())
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     path = folder / f"{name}.urdf"

@@ -15,9 +15,13 @@ from benchmarks.ik_tables import Measured
 from benchmarks.interleaved import Run, ratios, run_interleaved, score
 from benchmarks.inverse_kinematics import available_arms
 from benchmarks.peers import CHAN, NotThisArmError, Solver, make_solver
+from benchmarks.peers.forward_sampling import by_loop
 from benchmarks.report import at_least, at_most
 from benchmarks.singular_targets import FAMILIES, jacobian, singular_configurations
 from benchmarks.workloads import NEAR, Workload, far, singular, tracking
+from benchmarks.workspaces import by_peer
+from robotics1 import PoseTask
+from robotics1.workspaces import reachability_map
 
 COUNT = 12
 
@@ -173,3 +177,16 @@ def test_the_urdf_of_the_peers_keeps_joints_only():
     )
     joint = '<joint name="j"><axis xyz="0 0 1" /></joint>'
     assert kinematic_urdf(text) == f'<robot name="r"><link name="a" />{joint}</robot>'
+
+
+def test_sampling_puts_the_tool_where_pinocchio_has_it(arm):
+    q = np.array([arm.random(np.random.default_rng(i)) for i in range(5)])
+    assert by_loop(arm)(q) == pytest.approx(np.array([arm.pose(x).translation for x in q]), abs=1e-12)
+
+
+def test_the_shares_of_a_peer_that_reaches_nothing_are_zero(arm):
+    known = reachability_map(arm.robot, PoseTask(), [[0.4, 0.1, 0.3]], 4)
+    nothing = by_peer(arm, Solver(lambda target, q0: None, lambda T: T), known)
+    own = by_peer(arm, Solver(lambda target, q0: known.q[0], lambda T: T), known)
+    assert not nothing.any()
+    assert np.flatnonzero(own[0]).tolist() == [known.orientation[0]]  # q reaches the orientation that it belongs to

@@ -172,6 +172,53 @@ def test_the_answer_is_the_same_on_one_thread_two_threads_and_in_other_processes
     assert len(progress) == 3
 
 
+def best_of_self_motion(lengths, p):
+    """The largest √det(J Jᵀ) of a planar 3R arm at p, over the direction φ of its last link and both elbows."""
+    l1, l2, l3 = lengths
+    best = 0.0
+    for phi in np.linspace(-pi, pi, 1441):
+        w = p - l3 * np.array([np.cos(phi), np.sin(phi)])
+        c2 = (w @ w - l1**2 - l2**2) / (2 * l1 * l2)
+        if abs(c2) > 1:
+            continue
+        for q2 in (np.arccos(c2), -np.arccos(c2)):
+            q1 = np.arctan2(w[1], w[0]) - np.arctan2(l2 * np.sin(q2), l1 + l2 * np.cos(q2))
+            from_joints = p - np.array([[0, 0], [l1 * np.cos(q1), l1 * np.sin(q1)], w])
+            J = np.array([-from_joints[:, 1], from_joints[:, 0]])
+            best = max(best, np.sqrt(np.linalg.det(J @ J.T)))
+    return best
+
+
+def test_more_configurations_of_a_redundant_arm_come_near_the_best_of_its_self_motion():
+    lengths = (0.5, 0.4, 0.3)
+    robot = r1.robot_from_dh([("R", a, 0, 0, 0) for a in lengths])
+    positions = np.random.default_rng(4).uniform(-0.8, 0.8, (12, 2))
+    best = np.array([best_of_self_motion(lengths, p) for p in positions])
+    one, few, many = (r1.reachability_map(robot, PLANE, positions, configurations=c) for c in (1, 8, 64))
+    assert (many.manipulability <= best * (1 + 1e-4)).all()
+    assert (many.manipulability > 0.97 * best).all()
+    assert (one.manipulability <= few.manipulability).all()
+    assert (few.manipulability <= many.manipulability).all()
+    assert (one.manipulability < 0.9 * best).any()
+    assert (one.limit_margin <= many.limit_margin).all()
+    for q, p, w in zip(many.q, positions, many.manipulability, strict=True):
+        J = PLANE.jacobian(robot, q)
+        assert PLANE.value(robot, q) == pytest.approx(p, abs=1e-6)
+        assert np.sqrt(np.linalg.det(J @ J.T)) == pytest.approx(w, abs=1e-9)
+
+
+def test_more_configurations_change_nothing_where_a_formula_gives_all():
+    axis = np.linspace(-0.9, 0.9, 7)
+    one, many = (r1.reachability_map(planar(), PLANE, {"x": axis, "y": axis}, configurations=c) for c in (1, 5))
+    assert same_maps(one, many)
+
+
+@pytest.mark.parametrize("wrong", [0, -1, 1.5, "all", 10**6])
+def test_numbers_of_configurations_that_are_none_are_refused(wrong):
+    with pytest.raises(r1.InputError, match="configurations"):
+        r1.reachability_map(planar(), PLANE, [[0.3, 0.2]], configurations=wrong)
+
+
 def test_a_redundant_arm_is_not_counted_and_what_is_not_found_is_not_called_unreachable():
     robot = arm("redundant")
     q = np.random.default_rng(0).uniform(*span(robot), (200, robot.nq))

@@ -43,7 +43,7 @@ class Axis:
 def axes_to(robot: Robot, frame: str | None, tip: Array, box: Mapping[str, tuple[float, float]] | None) -> list[Axis]:
     """Return the joints on the way to the tip, without the last ones if they turn about the tip."""
     axes = all_axes_to(robot, frame, box)
-    while axes and axes[-1].revolute and _distance_to(axes[-1], tip) < STRAIGHT * robot.reach:
+    while axes and axes[-1].revolute and distance_to(axes[-1], tip) < STRAIGHT * robot.reach:
         axes.pop()
     return axes
 
@@ -91,7 +91,8 @@ def _with_one_turn(axis: Axis) -> Axis:
     return replace(axis, lower=lower, upper=lower + tau)
 
 
-def _distance_to(axis: Axis, point: Array) -> float:
+def distance_to(axis: Axis, point: Array) -> float:
+    """Return how far a point (3,) is from the line of an axis."""
     return float(np.linalg.norm(np.cross(axis.direction, point - axis.point)))
 
 

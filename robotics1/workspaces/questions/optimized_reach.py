@@ -1,4 +1,4 @@
-"""How far any arm reaches: the largest and smallest distance from a point, or along a direction, by optimization."""
+"""How far any arm reaches: the largest and smallest distance from a point, or along a direction, between two bounds."""
 
 import itertools
 from collections.abc import Mapping
@@ -8,58 +8,79 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array
-from robotics1.results import Frozen
-from robotics1.robot.box import refuse_open_range
+from robotics1.inputs import Array, real_array, real_number
+from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.workspaces.reading import moving_point
-from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
+from robotics1.workspaces.axes import require_moving
+from robotics1.workspaces.certified.branch_and_bound import Enclosure, enclosed
+from robotics1.workspaces.certified.driven_chain import DrivenChain, driven_chain
+from robotics1.workspaces.certified.idle import free_coordinates
+from robotics1.workspaces.certified.objective import Objective
+from robotics1.workspaces.reading import position_rows
 from robotics1.workspaces.sampled.extremes import Measure, extremes_of
 
 STARTS = 32
 SAME = 1e-7  # of values that are one, by the arm's size
+ROUNDING = 1e-10  # by which a bound is moved outwards, by the arm's size
 
 
 @dataclass(frozen=True, eq=False)
 class ExtremeReach(Frozen):
-    """The largest or smallest value that a distance has inside the joint limits.
+    """The largest or smallest value that a distance has inside the joint limits, between two bounds.
 
     Attributes:
-        value: the distance [m].
+        value: the distance that q attains [m].
         q: (nq,) a configuration that attains it [rad or m].
         point: (3,) where the tip is then, in world axes [m].
+        bound: what no configuration exceeds; of a smallest value, what none is below [m].
+        proven: whether value and bound are no farther apart than the tolerance.
         smallest: whether it is the smallest value, or else the largest.
         starts: the number of configurations from which it was sought.
         agreeing: the number of these that ended at this value.
-        bound: of a largest distance, the sum of the lengths of the links and strokes, which no configuration exceeds;
-            of a smallest one 0; along a direction infinite [m].
-        proven: whether the value is the bound, so that no search could have missed a better one.
+        boxes: into how many boxes of configurations the joint ranges were cut for the bound; 0 if the lengths of the
+            links alone tell it.
         robot_name: the robot's name.
     """
 
     value: float
     q: Array
     point: Array
+    bound: float
+    proven: bool
     smallest: bool
     starts: int
     agreeing: int
-    bound: float
-    proven: bool
+    boxes: int
     robot_name: str
+
+    @property
+    def gap(self) -> float:
+        """How far the value and the bound are apart [m]."""
+        return abs(self.bound - self.value)
 
     def explain(self) -> str:
         """Return the value and how sure it is, in sentences."""
-        which = "smallest" if self.smallest else "largest"
+        which, other = ("smallest", "less than") if self.smallest else ("largest", "more than")
+        how = f"by bounds in {self.boxes} boxes" if self.boxes else "by the lengths of the links"
         lines = [f"The {which} reach of {self.robot_name} is {self.value:.9g} m."]
         if self.proven:
-            lines.append("No configuration can have a better one, since it is the bound of the lengths.")
+            lines.append(f"That is proven {how}: no configuration has {other} {self.bound:.9g} m.")
         else:
             lines.append(
-                f"It was found from {self.agreeing} of {self.starts} starts by optimization inside the limits. "
-                "A better one is not excluded."
+                f"It was found from {self.agreeing} of {self.starts} starts. No configuration has {other} "
+                f"{self.bound:.9g} m, {how}; in between, {self.gap:.2g} m, a better one is not excluded. "
+                f"A longer time_limit brings both nearer."
             )
         return "\n".join(lines)
+
+    def require(self) -> "ExtremeReach":
+        """Return self if it is proven.
+
+        Raises:
+            NotConverged: the value and the bound are farther apart than the tolerance.
+        """
+        return require(self, self.proven)
 
 
 def extreme_reach(
@@ -70,11 +91,16 @@ def extreme_reach(
     direction: npt.ArrayLike | None = None,
     smallest: bool = False,
     box: Mapping[str, tuple[float, float]] | None = None,
+    tolerance: float = 1e-6,
+    time_limit: float = 10.0,
 ) -> ExtremeReach:
     """Return max |p(q) − p₀| inside the limits, or max n·(p(q) − p₀) in a direction n, or the smallest of these.
 
-    Each start is a random configuration, from which L-BFGS-B climbs with the exact gradient Jᵀ (p − p₀)/|p − p₀| and
-    the limits as bounds.
+    The value is found: from each start, a random configuration, L-BFGS-B climbs with the exact gradient Jᵀ (p − p₀) and
+    the limits as bounds. The bound is proven: the joint ranges are cut into boxes |qᵢ − mᵢ| ≤ wᵢ. In each box |∂p/∂qᵢ|
+    is at most ρᵢ, the largest distance from the axis of joint i; with that, Taylor's formula tells how far p can be at
+    most. Boxes that can have a better value are halved. A joint that mimics another one moves with it. Numbers are
+    rounded as usual, not outwards; for that the bound is moved by 1e-10 of the arm's reach.
 
     Args:
         robot: the arm.
@@ -83,37 +109,45 @@ def extreme_reach(
         direction: (3,) the direction n in world axes, of any length; by default the distance from p₀ is meant.
         smallest: whether the smallest value is sought.
         box: joint name → (lower, upper) [rad or m], inside the limits; needed for prismatic joints without limits.
+        tolerance: between value and bound, at which the search ends [m].
+        time_limit: after which it ends as it stands [s]. Four joints that matter take seconds; six may not be done.
 
     Raises:
-        InputError: a prismatic joint has neither limits nor a box, or a point or direction is wrong.
+        InputError: a prismatic joint has neither limits nor a box, or a point, a direction or an option is wrong.
         TaskError: the task is no position, or no joint moves the point.
 
-    Source: Byrd, Lu, Nocedal, Zhu, SIAM J. Scientific Computing 16, 1995 (L-BFGS-B).
+    Source: Horst, Tuy, Global Optimization, 3rd edition, 1996, chapter IV (branch and bound); Byrd, Lu, Nocedal, Zhu,
+    SIAM J. Scientific Computing 16, 1995 (L-BFGS-B).
     """
     robot, task = robot_and_task(robot, task)
-    rows, tip, axes = moving_point(robot, task, box)
-    for axis in axes:
-        if not axis.revolute:
-            refuse_open_range(axis.name, axis.lower, axis.upper)
+    robot.require_single_coordinates("have a workspace")
+    rows, frame = position_rows(task)
     centre = real_array("origin", origin, (3,), "a point in world axes [m]")
-    chain = chain_map(axes, tip)
-    measure = Measure(rows.T @ rows, centre, _unit(direction))
-    values, found = extremes_of(chain, measure, STARTS, largest=not smallest)
+    n = _unit(direction)
+    tolerance = real_number("tolerance", tolerance, positive=True)
+    seconds = real_number("time_limit", time_limit, positive=True)
+    chain = driven_chain(robot, frame, box)
+    require_moving(chain.chain.axes, robot)
+    objective = Objective(chain, Measure(rows.T @ rows, centre, n), -1.0 if smallest else 1.0)
+    values, found = extremes_of(chain, objective.measure, STARTS, largest=not smallest)
     best = int(np.argmin(values) if smallest else np.argmax(values))
-    bound = np.inf if direction is not None else 0.0 if smallest else _longest(chain, centre)
-    near = SAME * (robot.reach or 1.0)
+    sure = _enclosed(objective, float(values[best]), found[best], tolerance, seconds)
     q = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
-    q[[axis.number for axis in axes]] = found[best]
-    value = float(values[best])
+    q[chain.numbers] = sure.q
+    point = chain.point(sure.q[None])
+    value, outwards = float(objective.measure.value(point)[0]), ROUNDING * robot.reach
+    bound = objective.meant(sure.bound) + objective.sign * outwards
+    bound = max(bound, 0.0) if smallest and n is None else bound
     return ExtremeReach(
         value=value,
         q=q,
-        point=chain.point(found[best][None])[0],
-        smallest=smallest,
+        point=point[0],
+        bound=bound,
+        proven=bool(abs(value - bound) <= tolerance + outwards),
+        smallest=bool(smallest),
         starts=STARTS,
-        agreeing=int((np.abs(values - value) < near).sum()),
-        bound=float(bound),
-        proven=bool(abs(value - bound) < near),
+        agreeing=int((np.abs(values - value) < SAME * (robot.reach or 1.0)).sum()),
+        boxes=sure.boxes,
         robot_name=robot.name,
     )
 
@@ -128,8 +162,28 @@ def _unit(direction: npt.ArrayLike | None) -> Array | None:
     return np.asarray(n / length)
 
 
-def _longest(chain: ChainMap, centre: Array) -> float:
+def _enclosed(objective: Objective, value: float, q: Array, tolerance: float, seconds: float) -> Enclosure:
+    """Return bounds on the objective: those of the lengths, if they are near enough, or else of boxes."""
+    chain, measure = objective.chain, objective.measure
+    limit = np.inf
+    if measure.direction is None:
+        limit = _longest(chain, measure.centre) if objective.sign > 0 else 0.0
+    if abs(limit - value) <= tolerance:
+        return Enclosure(objective.wanted(limit), float(objective.value(q[None])[0]), q, 0)
+
+    def enough(F: float) -> float:
+        return objective.wanted(objective.meant(F) + objective.sign * tolerance)
+
+    found = enclosed(objective, free_coordinates(chain, measure), q, enough, seconds)
+    if objective.sign > 0 and objective.wanted(limit) < found.bound:
+        return Enclosure(objective.wanted(limit), found.value, found.q, 0)
+    return found
+
+
+def _longest(chain: DrivenChain, centre: Array) -> float:
     """Return the length of the way from a point along the joints to the tip, with all slides at their ends."""
-    places = [centre, *(axis.point for axis in chain.axes if axis.revolute), chain.tip]
-    slides = sum(max(abs(axis.lower), abs(axis.upper)) for axis in chain.axes if not axis.revolute)
+    axes = chain.chain.axes
+    places = [centre, *(axis.point for axis in axes if axis.revolute), chain.chain.tip]
+    most = np.abs(chain.A) @ np.maximum(np.abs(chain.lower), np.abs(chain.upper))
+    slides = sum(float(length) for length, axis in zip(most, axes, strict=True) if not axis.revolute)
     return slides + sum(float(np.linalg.norm(b - a)) for a, b in itertools.pairwise(places))

@@ -76,6 +76,7 @@ class PoseQuestion:
         starts: how many starts are followed towards a pose, where no formula gives all solutions.
         seed: of the starts.
         tolerance: on |e| of such a descent [m, rad].
+        configurations: how many are sought then of a pose that is reached; the best of them counts.
     """
 
     robot: Robot
@@ -83,13 +84,14 @@ class PoseQuestion:
     starts: int
     seed: int
     tolerance: float
+    configurations: int
 
     def packed(self) -> bytes:
         """Return the question as bytes, by which a worker knows that it is prepared for it."""
         return pickle.dumps(self)
 
 
-def question_of(robot: Robot, task: Task, starts: Any, seed: Any, tolerance: Any) -> PoseQuestion:
+def question_of(robot: Robot, task: Task, starts: Any, seed: Any, tolerance: Any, configurations: Any) -> PoseQuestion:
     """Return the question with its options checked.
 
     Raises:
@@ -103,6 +105,7 @@ def question_of(robot: Robot, task: Task, starts: Any, seed: Any, tolerance: Any
         counting_number("starts", starts, least=1, most=1000),
         counting_number("seed", seed),
         real_number("tolerance", tolerance, positive=True),
+        counting_number("configurations", configurations, least=1, most=1000),
     )
 
 
@@ -142,7 +145,8 @@ class PoseEvaluator:
     @cached_property
     def starts(self) -> Array:
         """The table of starts; the first groups are those of fewer starts."""
-        return self.problem.table(np.random.default_rng((self.question.seed, 0)), GROUP * self.question.starts)
+        groups = max(self.question.starts, self.question.configurations)
+        return self.problem.table(np.random.default_rng((self.question.seed, 0)), GROUP * groups)
 
     def answers(self, goals: Array) -> PoseAnswers:
         """Return what is known of goals (n, 4, 4), in the axes of the task."""
@@ -228,16 +232,35 @@ class PoseEvaluator:
         some = some[~never]
         if not some.size:
             return
-        nq, n = self.question.robot.nq, len(some)
-        q, tried, errors = np.empty((n, nq)), np.empty(n, dtype=np.int64), np.empty(n)
-        wanted, middle = np.ascontiguousarray(goals[some]), np.tile(self.problem.middle, (n, 1))
-        constants = self.problem.arrays(tolerance)
-        solve_all(*constants, self.starts, GROUP, wanted, middle, False, q, tried, errors)
-        arrived = errors <= tolerance
-        reached = some[arrived]
+        q, arrived = self._descended(goals[some], self.starts[: GROUP * self.question.starts])
+        reached, q = some[arrived], q[arrived]
         answer.status[reached] = PoseStatus.REACHED
-        if reached.size:
-            self._judge(q[arrived], reached, np.arange(len(reached) + 1), answer)
+        for start in range(0, len(reached), BLOCK):
+            part = slice(start, start + BLOCK)
+            rows, ends = self._with_others(goals[reached[part]], q[part])
+            self._judge(rows, reached[part], ends, answer)
+
+    def _descended(self, goals: Array, starts: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
+        """Return where descents to goals (n, 4, 4) end, (n, nq), and which of them arrive."""
+        n, tolerance = len(goals), self.question.tolerance
+        q, tried, errors = np.empty((n, self.question.robot.nq)), np.empty(n, dtype=np.int64), np.empty(n)
+        wanted, middle = np.ascontiguousarray(goals), np.tile(self.problem.middle, (n, 1))
+        constants = self.problem.arrays(tolerance)
+        solve_all(*constants, starts, GROUP, wanted, middle, False, q, tried, errors)
+        return q, errors <= tolerance
+
+    def _with_others(self, goals: Array, q: Array) -> tuple[Array, Indices]:
+        """Return configurations of goals (n, 4, 4) whose first is q (n, nq), in one array, and where those of each end.
+
+        Of a redundant arm they are samples of its self-motion: each is the end of a descent from one more start.
+        """
+        found, there = [q], [np.ones(len(q), dtype=bool)]
+        for i in range(1, self.question.configurations):
+            other, arrived = self._descended(goals, self.starts[GROUP * i : GROUP * (i + 1)])
+            found.append(other)
+            there.append(arrived)
+        kept = np.stack(there, axis=1)
+        return np.stack(found, axis=1)[kept], np.append(0, np.cumsum(kept.sum(axis=1)))
 
     def _judge(
         self, rows: Array, reached: npt.NDArray[np.intp], ends: npt.NDArray[np.int64], answer: PoseAnswers

@@ -32,6 +32,7 @@ def reachability_map(
     starts: int = 16,
     seed: int = 0,
     tolerance: float = 1e-6,
+    configurations: int = 1,
     executor: Executor | Any | None = None,
     checkpoint: str | Path | None = None,
     progress: Progress | None = None,
@@ -56,6 +57,8 @@ def reachability_map(
         starts: how many starts are followed, of 128 each the one nearest to the pose, where there is no formula.
         seed: of the starts.
         tolerance: on |e| of a descent [m, rad].
+        configurations: how many of a pose are compared for its manipulability and limit margin, where there is no
+            formula: of a redundant arm so many samples of its self-motion. What is best of them was found, not proven.
         executor: who works: None for threads on all cores; an executor of concurrent.futures; a Dask client; or the
             address of a Dask scheduler.
         checkpoint: a folder in which what is done is kept, as Zarr arrays: the same call goes on where it was. Workers
@@ -72,7 +75,7 @@ def reachability_map(
     """
     robot, task = robot_and_task(robot, task)
     asked, form, error = task_of_map(task, orientations)
-    question = question_of(robot, asked, starts, seed, tolerance)
+    question = question_of(robot, asked, starts, seed, tolerance, configurations)
     check_executor(executor)
     if progress is not None and not callable(progress):
         raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
@@ -144,5 +147,6 @@ def _folder(path: str | Path, question: PoseQuestion, asked: Description) -> Map
         "starts": question.starts,
         "seed": question.seed,
         "tolerance": question.tolerance,
+        "configurations": question.configurations,
     }
     return map_folder(path, identity("a reachability map", question.robot, question.task, options), asked)

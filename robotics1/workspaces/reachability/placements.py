@@ -118,6 +118,7 @@ def best_placements(
     starts: int = 16,
     seed: int = 0,
     tolerance: float = 1e-6,
+    configurations: int = 1,
     executor: Executor | Any | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Placements:
@@ -134,7 +135,7 @@ def best_placements(
         places: (b, 4, 4) or a list of `pin.SE3`; or a grid of some of x, y, z [m] and turn, about z [rad], such as
             {"x": np.linspace(-1, 1, 21), "y": np.linspace(-1, 1, 21), "turn": [0, pi / 2]}.
         moves: what is put there: the "base", or the "poses" as one piece.
-        starts, seed, tolerance, executor: as `reachability_map` has them.
+        starts, seed, tolerance, configurations, executor: as `reachability_map` has them.
         progress: called after each chunk with the poses done and their number.
 
     Raises:
@@ -145,7 +146,7 @@ def best_placements(
     Source: Vahrenkamp, Asfour, Dillmann, Robot placement based on reachability inversion, ICRA 2013.
     """
     robot, task = robot_and_task(robot, task)
-    question = question_of(robot, task, starts, seed, tolerance)
+    question = question_of(robot, task, starts, seed, tolerance, configurations)
     form = task.frame_map()
     if form is None or form.pose_error is None or form.reference != "world":
         raise TaskError("places are tried with a task on the pose of one frame in the world, such as PoseTask()")

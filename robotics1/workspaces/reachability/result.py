@@ -29,7 +29,8 @@ class ReachabilityMap(Frozen):
         solutions: (k, o) how many configurations reach the pose, 255 where that is not known; None where they are not
             counted, for example of a redundant arm.
         manipulability: (k,) the largest of √det(J Jᵀ), in SI units, of the configurations found at a position, over
-            all orientations; NaN where none is reached.
+            all orientations; NaN where none is reached. Where solutions are counted these are all; of a redundant arm
+            as many of each pose as `configurations` asked for, so that the largest of all may be larger.
         limit_margin: (k,) the largest distance from the joint limits of those configurations: of each the least over
             its joints of 2 min(q − lower, upper − q)/(upper − lower), 1 in the middle, 0 at a limit; NaN likewise.
         q: (k, nq) a configuration with that manipulability [rad or m]; NaN likewise.

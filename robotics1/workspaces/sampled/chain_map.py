@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
@@ -35,6 +36,11 @@ class ChainMap:
         """The upper limits (n,) [rad or m]."""
         return np.array([axis.upper for axis in self.axes])
 
+    @property
+    def circular(self) -> npt.NDArray[np.bool_]:
+        """Which joints make a full turn (n,)."""
+        return np.array([axis.circular for axis in self.axes], dtype=bool)
+
     @cached_property
     def _motions(self) -> list["_Motion"]:
         return [_Motion.of(axis) for axis in self.axes]
@@ -58,13 +64,23 @@ class ChainMap:
             columns[i] = motion.velocity(p)
         return np.asarray(p), np.moveaxis(columns, 0, -1)
 
+    def turning(self, q: Array) -> Array:
+        """Return the axes of the joints in the frame of the base at q (k, n): (k, n, 3); zero of slides."""
+        k, n = q.shape
+        directions = np.zeros((n, k, 3))
+        for i in range(n - 1, -1, -1):
+            motion = self._motions[i]
+            directions[i + 1 :] = motion.vectors(q[:, i], directions[i + 1 :])
+            if motion.revolute:
+                directions[i] = motion.direction
+        return np.moveaxis(directions, 0, 1)
+
     def drawn(self, rng: np.random.Generator, count: int) -> Array:
         """Return configurations (count, n) inside the limits; a quarter of the joints' values are at limits."""
         q = rng.uniform(self.lower, self.upper, (count, len(self.axes)))
         at_limit = rng.random(q.shape) < 0.125
         ends = np.where(rng.random(q.shape) < 0.5, self.lower, self.upper)
-        limited = np.array([not axis.circular for axis in self.axes])
-        return np.where(at_limit & limited, ends, q)
+        return np.where(at_limit & ~self.circular, ends, q)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,14 +1,39 @@
 """The extremes of a distance over the configurations of a chain."""
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.workspaces.sampled.chain_map import ChainMap
 
 SAMPLES = 4000  # random configurations; the best of them are starts
-SMALL = 1e-14  # a distance at which the gradient is left out
+
+
+class Chain(Protocol):
+    """Coordinates that move a point: `ChainMap`, `DrivenChain`."""
+
+    @property
+    def lower(self) -> Array:
+        """The lower limits (n,)."""
+
+    @property
+    def upper(self) -> Array:
+        """The upper limits (n,)."""
+
+    @property
+    def circular(self) -> npt.NDArray[np.bool_]:
+        """Where both are the same place (n,)."""
+
+    def point(self, q: Array) -> Array:
+        """Return the point (k, 3) at q (k, n)."""
+
+    def jacobian(self, q: Array) -> tuple[Array, Array]:
+        """Return the point (k, 3) and its Jacobian (k, 3, n)."""
+
+    def drawn(self, rng: np.random.Generator, count: int) -> Array:
+        """Return configurations (count, n)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,16 +60,22 @@ class Measure:
         return self.direction if self.direction is not None else self.P @ (p - self.centre)
 
 
-def extremes_of(chain: ChainMap, measure: Measure, starts: int, *, largest: bool, seed: int = 0) -> tuple[Array, Array]:
+def extremes_of(chain: Chain, measure: Measure, starts: int, *, largest: bool, seed: int = 0) -> tuple[Array, Array]:
     """Return the values (k,) and configurations (k, n) at which the search ends from k starts."""
-    from scipy.optimize import minimize
-
     rng = np.random.default_rng(seed)
     drawn = chain.drawn(rng, SAMPLES)
     order = np.argsort(measure.value(chain.point(drawn)))
     best = drawn[order[::-1] if largest else order][: starts // 2]
+    return ends_of(chain, measure, np.vstack([best, drawn[: starts - len(best)]]), largest=largest)
+
+
+def ends_of(chain: Chain, measure: Measure, starts: Array, *, largest: bool) -> tuple[Array, Array]:
+    """Return the values (k,) and configurations (k, n) to which L-BFGS-B climbs, or descends, from starts (k, n)."""
+    from scipy.optimize import minimize
+
     sign = -1.0 if largest else 1.0
-    bounds = [(None, None) if axis.circular else (axis.lower, axis.upper) for axis in chain.axes]
+    lower, upper, circular = chain.lower, chain.upper, chain.circular
+    bounds = list(zip(np.where(circular, -np.inf, lower), np.where(circular, np.inf, upper), strict=True))
 
     def cost(q: Array) -> tuple[float, Array]:
         p, J = chain.jacobian(q[None])
@@ -52,11 +83,7 @@ def extremes_of(chain: ChainMap, measure: Measure, starts: int, *, largest: bool
         value = offset if measure.direction is not None else offset**2 / 2
         return sign * float(value), sign * (J[0].T @ measure.gradient(p[0]))
 
-    found = []
-    for q in np.vstack([best, drawn[: starts - len(best)]]):
-        end = minimize(cost, q, jac=True, method="L-BFGS-B", bounds=bounds, options={"ftol": 1e-15, "gtol": 1e-10})
-        found.append(end.x)
-    ends = np.array(found)
-    circular = np.array([axis.circular for axis in chain.axes])
-    ends = np.where(circular, chain.lower + (ends - chain.lower) % (2 * np.pi), ends)
+    options = {"ftol": 1e-15, "gtol": 1e-10}
+    ends = np.array([minimize(cost, q, jac=True, method="L-BFGS-B", bounds=bounds, options=options).x for q in starts])
+    ends = np.where(circular, lower + (ends - lower) % np.where(circular, upper - lower, 1.0), ends)
     return measure.value(chain.point(ends)), ends

@@ -1,0 +1,1 @@
+"""The extremes of a distance over all configurations of an arm, between two bounds."""
