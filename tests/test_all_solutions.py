@@ -207,6 +207,21 @@ def test_within_a_micrometre_of_the_boundary_both_ways_to_all_solutions_say_so(r
                 assert least - 1e-3 < found.boundary_distance / shortened < 1 + 1e-3
 
 
+@pytest.mark.parametrize("lowest", [0.0, 1e-4])
+def test_near_a_fold_it_is_the_boundary_too_where_the_other_solution_is_outside_the_limits(lowest):
+    rows, task = ANTHROPOMORPHIC, XYZ
+    robot = robot_from_dh(rows, lower=[None, None, lowest], upper=[None, None, 3])
+    a, b = rows[1][1], rows[2][1]
+    for shortened, status in [(5e-7, IKStatus.BOUNDARY), (1.2e-6, IKStatus.FINITE)]:
+        bent = np.arccos(((a + b - shortened) ** 2 - a**2 - b**2) / (2 * a * b))
+        target = task.value(robot, [0.3, 0.7, bent])
+        for found in (SolutionSolver(robot, task)(target), ik_solutions(robot, task, target)):
+            assert (found.status, found.complete) == (status, True)
+            assert (len(found), len(found.outside_limits)) == (2, 2)
+            if status is IKStatus.BOUNDARY:
+                assert found.boundary_distance == pytest.approx(shortened, rel=1e-2)
+
+
 def test_solutions_outside_the_limits_are_kept_apart_and_whole_turns_are_listed_on_request():
     robot = robot_from_dh([R(1.2, 0, 0), R(0.8, 0, 0)], lower=[-2 * pi, 0], upper=[2 * pi, 3])
     found = ik_solutions(robot, PositionTask("xy"), [0.5, 1.1])

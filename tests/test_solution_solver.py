@@ -191,5 +191,5 @@ def test_the_distance_to_a_fold_is_taken_along_the_singular_set_where_the_other_
     robot, task, bend = robot_from_dh([("R", 1.2, 0, 0, 0), ("R", 0.8, 0, 0, 0)]), PositionTask("xy"), 8e-6
     prepared, q = prepare(robot, task), np.array([0.3, bend])
     search = SolutionSearch(prepared.problem, task.value(robot, q), points=prepared.exact.points)
-    distance = boundary_distance([Root(q, 4e-6, False)], search, prepared.exact.points)
+    distance = boundary_distance([Root(q, 4e-6, False)], [], search, prepared.exact.points)
     assert distance == pytest.approx(1.2 * 0.8 * bend**2 / (2 * 2.0), abs=1e-13)

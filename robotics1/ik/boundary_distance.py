@@ -30,11 +30,14 @@ def shortness(problem: ScaledTask) -> float:
     return max(1.0, 1.0 / problem.length) if "m" in problem.task.row_units else 1.0
 
 
-def boundary_distance(roots: Sequence[Root], search: SolutionSearch, points: SingularPoints) -> float:
+def boundary_distance(
+    roots: Sequence[Root], outside: Sequence[Root], search: SolutionSearch, points: SingularPoints
+) -> float:
     """Return how far the target is from the value at the nearest singular configuration [m, rad]; ∞ if not at hand.
 
     Args:
         roots: the solutions inside the limits.
+        outside: those outside, which may meet one that is inside: J loses rank between them.
         search: for the target.
         points: the singular set of the task.
     """
@@ -46,7 +49,9 @@ def boundary_distance(roots: Sequence[Root], search: SolutionSearch, points: Sin
         if root.sigma < ALMOST_LOST * short:
             near = min(near, _to_the_singular_set(root.q, search, points))
         if root.sigma < NEARLY_SINGULAR * np.sqrt(short):
-            near = min([near, *(_to_the_fold(root.q, other.q, search) for other in roots if other is not root)])
+            near = min(
+                [near, *(_to_the_fold(root.q, other.q, search) for other in (*roots, *outside) if other is not root)]
+            )
     return near if near < BOUNDARY else np.inf
 
 

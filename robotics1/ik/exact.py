@@ -80,7 +80,7 @@ class ExactSolver:
             return otherwise(None)
         if not inside:
             return self._miss(candidates[~reached], outside, search, otherwise, proven=proven)
-        near = boundary_distance(inside, search, self.points)
+        near = boundary_distance(inside, outside, search, self.points)
         if dimension:
             families, relations = self._with_families(inside, search, goal)
             answer = self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)

@@ -14,12 +14,12 @@ import numpy as np
 from robotics1.errors import TaskError
 from robotics1.ik.common_roots import coefficients, real_roots, samples
 from robotics1.ik.descent import REACHED
+from robotics1.ik.joint_chain import FixedChain, fixed_chain
 from robotics1.ik.loops import meeting
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.solution_search import SAME, SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
-from robotics1.ik.structure import FixedChain, fixed_chain
 from robotics1.ik.subproblems import Z, inverse, motion, moved, orientation, placed
 from robotics1.inputs import Array, real_number
 from robotics1.robot.box import nearest_turn

@@ -41,7 +41,7 @@ class IKSolutions(Frozen):
         within_limits: (k,) True where a solution is inside the robot's limits, as all in `q` are.
         outside_limits: (j, nq) the solutions outside the limits, where the method finds these too.
         boundary_distance: how far the target is from the nearest one with a double solution that was seen [m, rad],
-            where that is less than 1e-6; else ∞.
+            where that is less than 1e-6; else ∞. Of the two that meet one may be outside the limits.
         families: of each curve of solutions that was followed, equations that hold along it, such as
             ("q5 = 0", "q4 + q6 = 0.7").
         hits: (k,) how many starts of a search have led to each solution; empty where no search has found single ones.

@@ -35,11 +35,12 @@ def ik_solutions(
 
     Where as many joints move the task as it has rows, and the joint axes allow, all solutions follow from polynomials:
     one to three joints that move a point, a planar pose or an orientation; six joints, three of which, one after the
-    other, have axes through a point (a spherical wrist) or move in a plane (three parallel axes, as UR arms have). An
-    arm with fewer joints than rows has the solutions of one with more joints in which the added ones stand still. Each
-    solution is polished by Newton's method on the robot itself, and verified. `complete` then says that there are no
-    others (of six joints not where two solutions meet, since rounding may hide a third), `method` how they were found,
-    and BOUNDARY that two of them meet.
+    other, have axes through a point (a spherical wrist) or move in a plane (three parallel axes, as UR arms have); six
+    joints of any geometry, three of which may slide, by elimination. An arm with fewer joints than rows has the
+    solutions of one with more joints in which the added ones stand still. Each solution is polished by Newton's method
+    on the robot itself, and verified. `complete` then says that there are no others (of six joints not where two
+    solutions meet, since rounding may hide a third), `method` how they were found, and BOUNDARY that two of them meet,
+    or nearly do: `boundary_distance` says how far the target is from there.
 
     Otherwise a search runs damped least squares from random starts and keeps what differs. It can miss a solution, so
     that `complete` is False where it has found some. UNREACHABLE is proven; a search that finds nothing is NOT_FOUND.

@@ -14,6 +14,7 @@ from robotics1.inputs import Array
 
 Z = np.array([0.0, 0.0, 1.0])
 ON_AXIS = 1e-9  # distance from a joint axis at which its angle is arbitrary
+DEPENDENT = 1e-6  # 1/condition of the directions of three slides that may be dependent
 
 
 def motion(prismatic: bool, x: float) -> Array:
@@ -161,3 +162,33 @@ def orientation(A: Sequence[Array], R: Array) -> Array | None:
         last = M.T @ motion(False, first)[:3, :3].T @ R
         x.append([first, angle, np.arctan2(last[1, 0], last[0, 0])])
     return np.array(x).reshape(-1, 3)
+
+
+def turns_and_slides(A: Sequence[Array], prismatic: Sequence[bool]) -> Array | None:
+    """Return the (k, 6) coordinates of a loop Z₀ A₀ ... Z₅ A₅ = 1 of three joints that turn and three that slide.
+
+    Slides turn nothing: the turns are those of an orientation. Then the loop is linear in the slides. None where these
+    are not independent, or the turns are not finitely many.
+    """
+    turning = [k for k in range(6) if not prismatic[k]]
+    B = [np.eye(3), np.eye(3), np.eye(3), np.eye(3)]  # before and behind each turn
+    for k in range(6):
+        i = sum(turn <= k for turn in turning)
+        B[i] = B[i] @ A[k][:3, :3]
+    turns = orientation(B[1:3], (B[3] @ B[0]).T)
+    if turns is None:
+        return None
+    found = []
+    for angles in turns:
+        x = np.zeros(6)
+        x[turning] = angles
+        T, U = np.eye(4), []
+        for k in range(6):
+            if prismatic[k]:
+                U.append(T[:3, 2])
+            T = T @ motion(prismatic[k], x[k]) @ A[k]
+        if np.linalg.cond(np.array(U)) > 1.0 / DEPENDENT:
+            return None
+        x[list(map(bool, prismatic))] = np.linalg.solve(np.array(U).T, -T[:3, 3])
+        found.append(x)
+    return np.array(found).reshape(-1, 6)

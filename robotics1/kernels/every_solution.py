@@ -103,12 +103,12 @@ def polished_once(
 
 @compiled(contract=True)
 def in_order(
-    joints: Array, unit: float, count: int, x: Array, errors: Array, partner: Indices, near: Array, q: Array
+    joints: Array, unit: float, count: int, x: Array, errors: Array, near: Array, q: Array
 ) -> tuple[int, float, float]:
     """Write solutions to q, (MANY, nq): first those inside the limits, in ascending order, then the others.
 
-    Return how many are inside, |e| of the first, and how far the target is from one where two of them meet. Rows of q
-    hold the values of the other joints already.
+    Return how many are inside, |e| of the first, and how far the target is from one where one of these meets another.
+    Rows of q hold the values of the other joints already.
     """
     n = len(joints)
     outside, place = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
@@ -139,7 +139,7 @@ def in_order(
             q[c, int(joints[j, ENTRY])] = x[place[c], j]
     edge = np.inf
     for c in range(count):
-        if outside[c] + outside[partner[c]] == 0:
+        if outside[c] == 0:  # where its partner is does not matter: J loses rank between them
             edge = min(edge, near[c])
     return inside, errors[place[0]], edge
 
@@ -178,7 +178,7 @@ def settled(
     if count == 0:
         answer[ERROR] = np.inf
     if count > 0:
-        inside, error, edge = in_order(joints, unit, count, x, errors, partner, near, q)
+        inside, error, edge = in_order(joints, unit, count, x, errors, near, q)
         answer[INSIDE], answer[COUNT] = inside, (count if inside > 0 else UNKNOWN)
         answer[ERROR], answer[EDGE] = error, edge
 

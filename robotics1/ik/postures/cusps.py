@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.ik.joint_chain import FixedChain
 from robotics1.ik.postures.joint_lines import joint_lines
-from robotics1.ik.structure import FixedChain
 from robotics1.inputs import Array
 
 Complex = npt.NDArray[np.complex128]

@@ -7,8 +7,8 @@ import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.errors import TaskError
+from robotics1.ik.joint_chain import FixedChain, fixed_chain
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
-from robotics1.ik.structure import FixedChain, fixed_chain
 from robotics1.inputs import Array
 from robotics1.notation import count
 from robotics1.robot.model import Robot

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from robotics1.ik.joint_chain import FixedChain
 from robotics1.ik.postures.joint_lines import (
     JointLines,
     are_parallel,
@@ -25,7 +26,6 @@ from robotics1.ik.postures.joint_lines import (
     joint_lines,
     meeting_point,
 )
-from robotics1.ik.structure import FixedChain
 from robotics1.inputs import Array
 
 SEEN_FROM = np.array([1.0, -1.0, 1.0])  # planes yz, xz and xy are seen from +x, −y and +z: up is y or z on paper

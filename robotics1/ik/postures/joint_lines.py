@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from robotics1.ik.structure import FixedChain
+from robotics1.ik.joint_chain import FixedChain
 from robotics1.ik.subproblems import motions
 from robotics1.inputs import Array
 

@@ -7,11 +7,11 @@ from functools import lru_cache
 import numpy as np
 
 from robotics1.errors import TaskError
+from robotics1.ik.joint_chain import FixedChain
 from robotics1.ik.postures.determinant import Determinant, chain_and_rows, determinant
 from robotics1.ik.postures.factors import EXACT, Factor, posture_factors, some_coordinates
 from robotics1.ik.postures.joint_lines import joint_lines
 from robotics1.ik.scaled_task import never_changes, scaled_task
-from robotics1.ik.structure import FixedChain
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task

@@ -1,0 +1,82 @@
+"""Six joints without special geometry: the ways to eliminate all coordinates but one, and which of them prove most."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from robotics1.ik.general_six import Roots, general_loop
+from robotics1.ik.joint_chain import FixedChain
+from robotics1.ik.subproblems import inverse
+from robotics1.ik.two_slides import roots_of_two_slides
+from robotics1.inputs import Array
+
+SAMPLES = 5  # poses at which an elimination is tried
+BEST = 3  # of them are kept
+Way = Callable[[list[Array]], Roots | None]  # placements of the loop, six (4, 4) → candidates
+
+
+def elimination(chain: FixedChain) -> tuple[str, Callable[[Array], Roots | None] | None]:
+    """Return the name and the solver of six joints; no solver if none proves anything at poses of the arm."""
+    if sum(chain.prismatic) == 2:
+        roots = _best(chain, _ways_of_two_slides(chain))
+        if roots is not None:
+            return "elimination to a polynomial", roots
+    return "elimination to an eigenvalue problem", _best(chain, _ways_of_a_pencil(chain))
+
+
+def _ways_of_two_slides(chain: FixedChain) -> list[Way]:
+    return [
+        partial(roots_of_two_slides, prismatic=chain.prismatic, begin=i, flipped=flipped)
+        for i in range(6)
+        if not chain.prismatic[i]
+        for flipped in (False, True)
+    ]
+
+
+def _ways_of_a_pencil(chain: FixedChain) -> list[Way]:
+    """Return the ways of `general_six.py`: the loop may begin at any joint before one that turns."""
+    return [
+        partial(_roots_in_order, prismatic=chain.prismatic, begin=i) for i in range(6) if not chain.prismatic[i - 1]
+    ]
+
+
+def _best(chain: FixedChain, ways: list[Way]) -> Callable[[Array], Roots | None] | None:
+    """Return the solver that tries those that prove most; None if none proves anything."""
+    x = np.random.default_rng(0).uniform(-1, 1, (SAMPLES, 6)) * np.where(chain.prismatic, chain.length or 1.0, np.pi)
+    goals = chain.poses_and_jacobians(x)[0]
+    found = [[_roots(chain, way, goal) for goal in goals] for way in ways]
+    proofs = [sum(roots is not None and roots.proven for roots in row) for row in found]
+    best = [ways[k] for k in sorted(range(len(ways)), key=lambda k: -proofs[k]) if proofs[k] > 0][:BEST]
+
+    def roots(goal: Array) -> Roots | None:
+        """Return the roots that are proven to be all, or some."""
+        some = None
+        for way in best:
+            found = _roots(chain, way, goal)
+            if found is not None and found.proven:
+                return found
+            some = found if some is None else some
+        return some
+
+    return roots if best else None
+
+
+def _roots(chain: FixedChain, way: Way, goal: Array) -> Roots | None:
+    """Return the roots for a goal, lengths in metres."""
+    P, T, unit = chain.scaled(goal)
+    found = way([*P[1:6], P[6] @ inverse(T) @ P[0]])
+    return None if found is None else replace(found, x=found.x * np.where(chain.prismatic, unit, 1.0))
+
+
+def _roots_in_order(A: list[Array], prismatic: tuple[bool, ...], begin: int) -> Roots | None:
+    """Return the roots of the loop that begins at one of its joints."""
+    order = [(begin + k) % 6 for k in range(6)]
+    around, slides = [A[k] for k in order], [prismatic[k] for k in order]
+    found = general_loop(around, slides).roots(around)
+    if found is None:
+        return None
+    x = np.zeros((len(found.x), 6))
+    x[:, order] = found.x
+    return replace(found, x=x)
