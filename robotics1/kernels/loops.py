@@ -166,8 +166,8 @@ def across(
         x, y = (1.0 - k) * x, (1.0 - k) * y
     px, py = A[0, 0] * x + A[0, 1] * y + A[0, 2] * z + A[0, 3], A[1, 0] * x + A[1, 1] * y + A[1, 2] * z + A[1, 3]
     if i_slides:  # across: z × n
-        return nx * (py - ty) - ny * (px - tx)
-    return px * px + py * py - tx * tx - ty * ty
+        return float(nx * (py - ty) - ny * (px - tx))
+    return float(px * px + py * py - tx * tx - ty * ty)
 
 
 @compiled(inner=True)
