@@ -19,20 +19,24 @@ def real_array(name: str, value: npt.ArrayLike, shape: tuple[int | None, ...], m
     Raises:
         InputError: it is not numeric, has another shape, or holds NaN or infinity.
     """
-    wanted = f"({', '.join('any' if n is None else str(n) for n in shape)}{',' if len(shape) == 1 else ''})"
-    wanted += f", {meaning}" if meaning else ""
     try:
         raw = np.asarray(value)
         if np.iscomplexobj(raw) or raw.dtype.kind in "USMm":
             raise TypeError
         array = np.array(raw, dtype=float)
     except (TypeError, ValueError, OverflowError) as error:
+        wanted = _shape_told(shape, meaning)
         raise InputError(f"{name} must be an array of real numbers of shape {wanted}, not {value!r}") from error
     if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape, strict=True)):
-        raise InputError(f"{name} must have shape {wanted}; it has shape {array.shape}")
+        raise InputError(f"{name} must have shape {_shape_told(shape, meaning)}; it has shape {array.shape}")
     if not np.isfinite(array).all():
         raise InputError(f"{name} must be finite; it is {array.tolist()}")
     return array
+
+
+def _shape_told(shape: tuple[int | None, ...], meaning: str) -> str:
+    wanted = f"({', '.join('any' if n is None else str(n) for n in shape)}{',' if len(shape) == 1 else ''})"
+    return wanted + (f", {meaning}" if meaning else "")
 
 
 def real_number(name: str, value: Any, *, positive: bool = False, non_negative: bool = False) -> float:

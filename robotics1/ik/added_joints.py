@@ -12,8 +12,8 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial.transform import Rotation
 
-from robotics1.ik.fixed_chain import FixedChain, fixed_chain
 from robotics1.ik.general_six import Roots
+from robotics1.ik.joint_chain import FixedChain, fixed_chain
 from robotics1.ik.structure import ClosedForm, closed_form
 from robotics1.ik.subproblems import inverse
 from robotics1.inputs import Array

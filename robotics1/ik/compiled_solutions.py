@@ -13,16 +13,17 @@ from robotics1.ik.general_six import Roots
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import Array
-from robotics1.kernels.candidates import PLANAR, PLANE, ROWS, SPHERICAL, TURNS
+from robotics1.kernels.candidates import PLANE, ROWS, TURNS
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import is_ready, on_all_cores
 from robotics1.kernels.every_solution import (
     COUNT,
     ERROR,
     INSIDE,
+    solutions_of_a_plane,
+    solutions_of_a_wrist,
     solutions_of_candidates,
     solutions_of_few,
-    solutions_of_six,
 )
 from robotics1.kernels.real_roots import MANY, UNKNOWN
 
@@ -56,7 +57,9 @@ class CompiledSolutions:
         self.kernel = partial(self._kernel(exact), *_arrays(exact, joints, rows))
 
     def _kernel(self, exact: ExactSolver) -> Callable[..., None]:
-        return solutions_of_few if exact.form.loop is None else solutions_of_six
+        if exact.form.loop is None:
+            return solutions_of_few
+        return solutions_of_a_wrist if exact.form.loop[0].normal is None else solutions_of_a_plane
 
     @property
     def is_ready(self) -> bool:
@@ -181,5 +184,4 @@ def _arrays(exact: ExactSolver, joints: Array, rows: Indices) -> tuple[Any, ...]
         A = chain.P[1 + begin : 3 + begin]
         normal = A[1][:3, :3].T @ A[0][:3, :3].T @ normal
     numbers = np.array([*loop.ends, *normal, chain.length, least])
-    kind = SPHERICAL if loop.normal is None else PLANAR
-    return links, joints, rows, kind, link_of, joint_of, -1.0 if loop.backwards else 1.0, numbers
+    return links, joints, rows, link_of, joint_of, -1.0 if loop.backwards else 1.0, numbers

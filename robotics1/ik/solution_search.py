@@ -12,6 +12,8 @@ SAME = 1e-6  # distance of two solutions that are one
 NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution may really be a singular one
 # steps along the null space that look for other solutions, in units: a solution that stands alone is met with one step
 ASIDE = 0.05, 0.007
+SMALL = 1e-5  # a step of Newton's method, after which the slopes of J are still good for another
+SETTLED = 1e-13  # a step of Newton's method, after which no other is needed
 FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a family
 
 
@@ -93,12 +95,17 @@ class SolutionSearch(TaskDescent):
         """
         if self.points is None or self.points.relative_sigma(q) > NEARLY_SINGULAR:
             return q
-        box, p = self.problem.box, q
+        box, p, size, slopes = self.problem.box, q, np.inf, None
         for _ in range(6):
-            A, b = self.points.linearised(p)
+            if size > SMALL:
+                slopes = self.points.slopes(p)
+            A, b = self.points.linearised(p, slopes)
             block, J = A * box.unit / self.points.box.unit, self.jacobian(p)
             step = np.linalg.lstsq(np.vstack([J, block]), np.concatenate([self.error(p), -b]), rcond=1e-7)[0]
             p = box.nearest(p + box.unit * step)
+            size = np.abs(step).max()
+            if size < SETTLED:
+                break
         near = self._apart(p, q) < NEARLY_SINGULAR
         reached = self.relative_error(p) <= REACHED and self.points.relative_sigma(p) <= ON_THE_SET
         return p if near and reached else q

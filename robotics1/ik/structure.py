@@ -4,7 +4,7 @@ The joint axes are compared by their own numbers. A wrist whose axes miss each o
 what is found is then polished on the real arm.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np

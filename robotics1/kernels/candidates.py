@@ -6,15 +6,15 @@ from robotics1.inputs import Array
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.equation_pairs import common_roots, function_of_samples, functions_of_samples, sample
-from robotics1.kernels.loops import WORK, beside_a_plane, orientation, planar_loop, point, spherical
+from robotics1.kernels.loops import orientation, planar_loop, point
 from robotics1.kernels.placements import after_joint, invert, place, set_to, turn_back
-from robotics1.kernels.real_roots import MANY, roots_of_one
+from robotics1.kernels.real_roots import roots_of_one
 
-SPHERICAL, PLANAR, ROWS, TURNS, PLANE = 0, 1, 2, 3, 4  # kinds of formulas: of six joints, and of one to three
-HERE, THERE, NORMAL, LENGTH, LEAST = 0, 1, 2, 5, 6  # the entries of `numbers`; NORMAL takes three
+ROWS, TURNS, PLANE = 0, 1, 2  # kinds of formulas of one to three joints
+HERE, THERE, NORMAL, LENGTH, LEAST = 0, 1, 2, 5, 6  # the entries of `numbers`, in metres; NORMAL takes three
 
 
-@compiled()
+@compiled(inner=True)
 def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> int:
     """Solve row · Z(x) p = value; found is (MANY, 1)."""
     moved, values, x = np.empty(3), np.empty(3), np.empty(2)
@@ -28,7 +28,7 @@ def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> in
     return count
 
 
-@compiled()
+@compiled(inner=True)
 def two_rows(A: Array, slides: Indices, c: Array, rows: Array, values: Array, found: Array) -> int:
     """Solve rows · Z₀ A Z₁ c = values; rows are (2, 3), found is (MANY, 2)."""
     F, G, p, moved = np.empty((3, 3)), np.empty((3, 3)), np.empty(3), np.empty(3)
@@ -44,7 +44,7 @@ def two_rows(A: Array, slides: Indices, c: Array, rows: Array, values: Array, fo
     return common_roots(F, G, slides[0], slides[1], found)
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def placement(links: Array, i: int, A: Array) -> None:
     """Write the placement before joint i to A, (3, 4)."""
     for row in range(3):
@@ -52,7 +52,7 @@ def placement(links: Array, i: int, A: Array) -> None:
             A[row, column] = links[i, 4 * row + column]
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def closing_placement(links: Array, goal: Array, A: Array) -> None:
     """Write P_n T⁻¹ P₀, which closes the loop of the joints, to A, (3, 4)."""
     T, P = np.empty((3, 4)), np.empty((3, 4))
@@ -63,21 +63,18 @@ def closing_placement(links: Array, goal: Array, A: Array) -> None:
     after_joint(A, 1, 0.0, P)
 
 
-@compiled(contract=True)
-def six_joints(
-    links: Array, goal: Array, kind: int, link_of: Indices, joint_of: Indices, side: float, numbers: Array,
-    unit: float, x: Array,
-) -> int:  # fmt: skip
-    """Write candidates to x, (MANY, 6), and return how many there are.
+@compiled(contract=True, inner=True)
+def loop_of_six(
+    links: Array, goal: Array, link_of: Indices, joint_of: Indices, side: float, A: Array, L: Array, slides: Indices
+) -> None:
+    """Write the placements behind the joints of a loop to A, (6, 3, 4), and whether each joint slides to slides, (6,).
 
     Args:
         links: with lengths in units, as the goal's.
         link_of, joint_of: (6,) which placement and which joint stand at each place of the loop.
         side: −1 for a loop that is gone through from its other end.
-        numbers: as the constants HERE, ... say, in metres.
+        L: (3, 4) working space.
     """
-    A, L, found = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6))
-    slides = np.empty(6, dtype=np.int64)
     for k in range(6):
         slides[k] = int(links[joint_of[k], PRISMATIC])
         if link_of[k] == 5:
@@ -88,17 +85,17 @@ def six_joints(
             invert(L, A[k])
         else:
             set_to(L, A[k])
-    if kind == SPHERICAL:
-        count = spherical(A, slides, numbers[HERE] / unit, numbers[THERE] / unit, found)
-    else:
-        count = beside_a_plane(A, slides, numbers[NORMAL : NORMAL + 3], found)
+
+
+@compiled(contract=True, inner=True)
+def in_order_of_joints(count: int, found: Array, joint_of: Indices, side: float, x: Array) -> None:
+    """Write the coordinates of a loop, found, to x; both are (MANY, 6)."""
     for n in range(count):
         for k in range(6):
             x[n, joint_of[k]] = side * found[n, k]
-    return count
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def few_joints(links: Array, goal: Array, kind: int, rows: Indices, numbers: Array, x: Array) -> int:
     """Write candidates for one to three joints to x, (MANY, n), and return how many there are."""
     n = len(links) - 1
@@ -119,12 +116,12 @@ def few_joints(links: Array, goal: Array, kind: int, rows: Indices, numbers: Arr
                 for k in range(3):
                     for m in range(3):
                         R[i, j] += P[k, i] * goal[k, m] * C[j, m]
-        return orientation(A, B, R, np.empty((WORK, 4)), x)
+        return orientation(A, B, R, np.empty((3, 4)), np.empty(2), x)
     if kind == PLANE:
         C = np.empty((3, 4))
         closing_placement(links, goal, C)
         turn_back(P, numbers[NORMAL : NORMAL + 3], c)
-        return planar_loop(A, B, C, slides, c, np.empty((WORK, 4)), x)
+        return planar_loop(A, B, C, slides, c, np.empty((3, 4)), np.empty(2), x)
     for i in range(3):
         c[i], d[i] = links[n, 4 * i + 3], goal[i, 3] - P[i, 3]
     if n == 3:

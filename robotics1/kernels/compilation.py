@@ -19,7 +19,7 @@ log = logging.getLogger(__name__)
 SLICES = 8  # a core gets, since some take longer than others
 
 
-def compiled(*, contract: bool = False, inline: bool = False) -> Callable[[Function], Function]:
+def compiled(*, contract: bool = False, inline: bool = False, inner: bool = False) -> Callable[[Function], Function]:
     """Return a decorator that compiles a function with Numba on its first call, and keep the machine code on disk.
 
     The code is kept beside the source, else in the user's cache directory (NUMBA_CACHE_DIR names another); where
@@ -28,11 +28,13 @@ def compiled(*, contract: bool = False, inline: bool = False) -> Callable[[Funct
     Args:
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
             fifth of its time.
+        inner: only other kernels call it: the way in from Python, a seventh of the compilation, is left out.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
     if COMPILED:
         _announce_the_first()
     options: dict[str, Any] = {"nogil": True, "forceinline": inline}
+    options |= {"no_cpython_wrapper": inner}
     options |= {"error_model": "numpy", "no_cfunc_wrapper": True}  # NaN for 0/0; a wrapper that nobody calls
     # False is written, since a function without the option takes that of the caller that compiles it first
     options["fastmath"] = {"contract", "reassoc", "nsz", "arcp"} if contract else False

@@ -19,7 +19,7 @@ PLAUSIBLE, MISS = 0.02, 1e-4  # residual with which Newton's method begins, and 
 SAME = 1e-8  # distance of two roots that are one
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def sample(slides: int, k: int, p: Array, moved: Array) -> None:
     """Write Z(x) p to moved, (3,), at the sample x number k: 0, π/2, π of a joint that turns, −1, 0, 1 of the other."""
     moved[2] = p[2]
@@ -32,7 +32,7 @@ def sample(slides: int, k: int, p: Array, moved: Array) -> None:
         moved[0], moved[1] = (1.0 - k) * p[0], (1.0 - k) * p[1]
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def function_of_samples(slides: int, a: float, b: float, c: float) -> tuple[float, float, float]:
     """Return f₀, f₁, f₂ from the values at the three samples."""
     if slides:
@@ -40,7 +40,7 @@ def function_of_samples(slides: int, a: float, b: float, c: float) -> tuple[floa
     return 0.5 * (a + c), 0.5 * (a - c), b - 0.5 * (a + c)
 
 
-@compiled()
+@compiled(inner=True)
 def functions_of_samples(first: int, second: int, F: Array) -> None:
     """Overwrite values at all samples, (3, 3), with coefficients: the first coordinate's down, the second's across."""
     for i in range(3):
@@ -49,7 +49,7 @@ def functions_of_samples(first: int, second: int, F: Array) -> None:
         F[0, j], F[1, j], F[2, j] = function_of_samples(first, F[0, j], F[1, j], F[2, j])
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def basis(slides: int, x: float, b: Array) -> None:
     """Write (1, cos x, sin x), or (1, x, x²), to b, (3,)."""
     b[0] = 1.0
@@ -59,7 +59,7 @@ def basis(slides: int, x: float, b: Array) -> None:
         b[1], b[2] = math.cos(x), math.sin(x)
 
 
-@compiled()
+@compiled(inner=True)
 def scaled_to_one(F: Array) -> bool:
     """Divide F, (3, 3), by its largest entry; return whether there is one above rounding."""
     largest = 0.0
@@ -74,7 +74,7 @@ def scaled_to_one(F: Array) -> bool:
     return True
 
 
-@compiled()
+@compiled(inner=True)
 def lacks_the_second(F: Array, G: Array) -> bool:
     """Add a multiple of F to G so that the second coordinate leaves G, and return True; False if none does so."""
     ff, fg, gg = 0.0, 0.0, 0.0
@@ -101,7 +101,7 @@ def lacks_the_second(F: Array, G: Array) -> bool:
     return True
 
 
-@compiled()
+@compiled(inner=True)
 def transpose(F: Array) -> None:
     """Exchange the coordinates of F, (3, 3)."""
     for i in range(3):
@@ -109,7 +109,7 @@ def transpose(F: Array) -> None:
             F[i, j], F[j, i] = F[j, i], F[i, j]
 
 
-@compiled()
+@compiled(inner=True)
 def common_roots(F: Array, G: Array, first: int, second: int, pairs: Array) -> int:
     """Write the coordinates at which F = G = 0 to pairs, (MANY, 2), and return how many there are.
 
@@ -140,7 +140,7 @@ def common_roots(F: Array, G: Array, first: int, second: int, pairs: Array) -> i
     return UNKNOWN
 
 
-@compiled()
+@compiled(inner=True)
 def one_after_the_other(F: Array, G: Array, first: int, second: int, flipped: int, pairs: Array) -> int:
     """Do what `common_roots` does where G lacks the second coordinate."""
     b, x, y = np.empty(3), np.empty(2), np.empty(2)
@@ -164,7 +164,7 @@ def one_after_the_other(F: Array, G: Array, first: int, second: int, flipped: in
     return count
 
 
-@compiled()
+@compiled(inner=True)
 def in_half_tangents(slides: int, F: Array, j: int, p: Array) -> None:
     """Write the coefficients in t of the function in column j of F to p, (3,)."""
     if slides:
@@ -173,7 +173,7 @@ def in_half_tangents(slides: int, F: Array, j: int, p: Array) -> None:
         p[0], p[1], p[2] = F[0, j] + F[1, j], 2.0 * F[2, j], F[0, j] - F[1, j]
 
 
-@compiled()
+@compiled(inner=True)
 def product(a: Array, b: Array, factor: float, c: Array) -> None:
     """Add the product of two polynomials, times a factor, to c."""
     for i in range(len(a)):
@@ -181,7 +181,7 @@ def product(a: Array, b: Array, factor: float, c: Array) -> None:
             c[i + j] += factor * a[i] * b[j]
 
 
-@compiled()
+@compiled(inner=True)
 def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) -> bool:
     """Write the polynomial in the first coordinate that vanishes where F and G share a root in the second, (9,).
 
@@ -215,7 +215,7 @@ def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) 
     return True
 
 
-@compiled()
+@compiled(inner=True)
 def both_at_once(
     F: Array, G: Array, first: int, second: int, flipped: int, resultant: Array, work: Array, pairs: Array
 ) -> int:
@@ -240,7 +240,7 @@ def both_at_once(
     return count
 
 
-@compiled()
+@compiled(inner=True)
 def added(pair: Array, first: int, second: int, flipped: int, pairs: Array, count: int) -> int:
     """Write a pair behind the others unless it is one of them; return how many there are."""
     for i in range(count):
@@ -253,7 +253,7 @@ def added(pair: Array, first: int, second: int, flipped: int, pairs: Array, coun
     return count + 1
 
 
-@compiled()
+@compiled(inner=True)
 def led_to_a_root(F: Array, G: Array, first: int, second: int, pair: Array) -> bool:
     """Move a pair, (2,), by Newton's method, and return whether it is then near a common root."""
     a, b, da, db = np.empty(3), np.empty(3), np.empty(3), np.empty(3)

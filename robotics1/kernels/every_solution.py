@@ -9,102 +9,122 @@ import math
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.kernels.candidates import LEAST, LENGTH, few_joints, six_joints
+from robotics1.kernels.block_jacobian import BLOCK, cosines_and_sines
+from robotics1.kernels.candidates import (
+    HERE,
+    LEAST,
+    LENGTH,
+    NORMAL,
+    THERE,
+    few_joints,
+    in_order_of_joints,
+    loop_of_six,
+)
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
-from robotics1.kernels.inverse import TURN, is_pose
-from robotics1.kernels.newton import REACHED, distance_of_meeting, near_singular, norm, polish
+from robotics1.kernels.conditioning import inverse_jacobian
+from robotics1.kernels.inverse import TURN, in_units, is_pose
+from robotics1.kernels.loops import beside_a_plane, spherical
+from robotics1.kernels.newton import REACHED, distance_of_meeting, near_singular, norm, verified
 from robotics1.kernels.real_roots import MANY, UNKNOWN
+from robotics1.kernels.scaling import scaled_links, unit_of
 
 LOWER, UPPER, MIDDLE, UNIT, ENTRY, SLIDES = 0, 1, 2, 3, 4, 5  # the columns of `joints`
 INSIDE, COUNT, ERROR, EDGE = 0, 1, 2, 3  # the columns of `answers`
+MISS, GAP, SIGMA = 0, 1, 2  # what is known of each solution: |e|, how far from a fold, a bound of σ_min/σ_max
 MISSED = 1e-7  # |e| of what may be a solution after all
 SAME, CLOSE = 1e-6, 0.05  # distance of solutions that are one, and of an arm of 1 m that may be about to meet
 DOUBLE = 1e-9  # [units, rad] from a target at which two solutions meet, which is to be looked at
 AT_LIMIT = 1e-9  # outside of a limit by rounding
 SPLIT = 1e-3  # σ_min/σ_max below which two solutions meet, or one is near a family
+TOGETHER = -(-6 * MANY // BLOCK) * BLOCK  # coordinates of all candidates, in whole blocks
 DIGITS = 1e6  # solutions are sorted by their first six decimals
 
 
-@compiled(contract=True)
-def scaled_links(links: Array, unit: float, scaled: Array) -> None:
-    """Write links with lengths in units."""
-    for i in range(len(links)):
-        for j in range(links.shape[1]):
-            scaled[i, j] = links[i, j] / unit if j in (3, 7, 11) else links[i, j]
+@compiled(contract=True, inner=True)
+def apart(links: Array, x: Array, a: int, b: int, far: float, way: Array) -> float:
+    """Write x[b] − x[a], angles the short way round, to way, (n,), and return its largest entry; ∞ if it is beyond far.
 
-
-@compiled(contract=True)
-def unit_of(links: Array, goal: Array, length: float) -> float:
-    """Return what counts as one length: that of the arm and of the way to the goal."""
-    x, y, z = goal[0, 3] - links[0, 3], goal[1, 3] - links[0, 7], goal[2, 3] - links[0, 11]
-    unit = length + math.sqrt(x * x + y * y + z * z)
-    return unit if unit > 0.0 else 1.0
-
-
-@compiled(contract=True)
-def way_between(links: Array, x: Array, y: Array, way: Array) -> float:
-    """Write y − x to way, (n,), angles the short way round, and return its largest entry."""
-    apart = 0.0
-    for j in range(len(x)):
-        way[j] = y[j] - x[j]
+    The rows are numbers and not views, since references are counted, which would take longer than the work.
+    """
+    largest = 0.0
+    for j in range(x.shape[1]):
+        way[j] = x[b, j] - x[a, j]
         if links[j, PRISMATIC] == 0.0:
             way[j] -= TURN * math.floor(way[j] / TURN + 0.5)
-        apart = max(apart, abs(way[j]))
-    return apart
+        if not abs(way[j]) < far:
+            return np.inf
+        largest = max(largest, abs(way[j]))
+    return largest
 
 
-@compiled(contract=True)
-def polished_once(
-    links: Array, goal: Array, rows: Indices, unit: float, least: float, count: int, x: Array, errors: Array,
-    partner: Indices, near: Array,
+@compiled(inner=True)  # not contract, which would be handed on to the reduction of the angles
+def trigonometry(count: int, x: Array, trig: Array) -> None:
+    """Write the first rows of x, (MANY, n), to the first row of trig, (3, TOGETHER), and their cosines and sines."""
+    n, angles, cosines, sines = x.shape[1], trig[0], trig[1], trig[2]
+    for c in range(count):
+        for j in range(n):
+            angles[c * n + j] = x[c, j]
+    for begin in range(0, count * n, BLOCK):
+        end = begin + BLOCK
+        for i in range(count * n, end):
+            angles[i] = 0.0
+        cosines_and_sines(angles[begin:end], cosines[begin:end], sines[begin:end])
+
+
+@compiled(contract=True, inner=True)
+def each_once(
+    links: Array, goal: Array, rows: Indices, unit: float, least: float, count: int, x: Array, of: Array,
+    partner: Indices,
 ) -> int:  # fmt: skip
-    """Polish candidates x, (MANY, n), keep each solution once, and return how many there are; UNKNOWN in doubt.
+    """Verify or polish candidates x, (MANY, n), keep each solution once, and return how many; UNKNOWN in doubt.
 
-    Of two that nearly meet, near[i] is how far the target is from one where they do, and partner[i] the other.
+    Of solution i, of[MISS, i] is |e|. If it nearly meets another, partner[i] is that one, and of[GAP, i] how far the
+    target is from one where they do.
     """
     n = len(rows)
     T, axes, J, e = np.empty((3, 4)), np.empty((n, 6)), np.empty((6, n)), np.empty(n)
-    M, swaps, step, sigmas = np.empty((6, 6)), np.empty(6, dtype=np.int64), np.empty(n), np.empty(MANY)
+    M, swaps, step, trig = np.empty((6, 6)), np.empty(6, dtype=np.int64), np.empty(n), np.empty((3, TOGETHER))
+    trigonometry(count, x, trig)
     kept, close = 0, CLOSE * math.sqrt(max(1.0, 1.0 / unit))
     for c in range(count):
-        error, sigma = polish(links, goal, rows, x[c], T, axes, J, M, swaps, e, step)
+        error, sigma = verified(links, goal, rows, least, x, c, trig, T, axes, J, M, swaps, e, step)
         if not error <= REACHED:
             if error < MISSED:
                 return UNKNOWN
             continue
-        new = True
+        nearest = np.inf
         for k in range(kept):
-            new = new and way_between(links, x[k], x[c], step) >= SAME
-        if not new:
+            nearest = min(nearest, apart(links, x, k, c, close, step))
+        if nearest < SAME:
             continue
-        near[kept], partner[kept], sigmas[kept] = np.inf, kept, sigma
-        errors[kept] = norm(e, rows, unit)
+        of[MISS, kept], of[GAP, kept], of[SIGMA, kept], partner[kept] = norm(e, rows, unit), np.inf, sigma, kept
         for j in range(n):
             x[kept, j] = x[c, j]
-        for k in range(kept):
-            if way_between(links, x[k], x[kept], step) < close:
+        if nearest < np.inf:
+            inverse_jacobian(links, rows, T, axes, J, M, swaps)
+            for k in range(kept):
+                if apart(links, x, k, kept, close, step) == np.inf:
+                    continue
                 gap = distance_of_meeting(links, goal, rows, unit, M, x[k], step, T, axes, e)
                 if gap < DOUBLE * max(1.0, unit):
                     return UNKNOWN
-                if gap < near[kept]:
-                    near[kept], partner[kept] = gap, k
-                if gap < near[k]:
-                    near[k], partner[k] = gap, kept
+                if gap < of[GAP, kept]:
+                    of[GAP, kept], partner[kept] = gap, k
+                if gap < of[GAP, k]:
+                    of[GAP, k], partner[k] = gap, kept
         kept += 1
     for k in range(kept):
-        if sigmas[k] < least and least > SPLIT:
+        if of[SIGMA, k] < least and least > SPLIT:
             return UNKNOWN
         alone = partner[k] == k  # else the distance of the singularity is known
-        if sigmas[k] < least and alone and near_singular(links, rows, unit, x[k], T, axes, J, M, swaps, e, step):
+        if of[SIGMA, k] < least and alone and near_singular(links, rows, unit, x[k], T, axes, J, M, swaps, e, step):
             return UNKNOWN
     return kept
 
 
-@compiled(contract=True)
-def in_order(
-    joints: Array, unit: float, count: int, x: Array, errors: Array, near: Array, q: Array
-) -> tuple[int, float, float]:
+@compiled(contract=True, inner=True)
+def in_order(joints: Array, unit: float, count: int, x: Array, of: Array, q: Array) -> tuple[int, float, float]:
     """Write solutions to q, (MANY, nq): first those inside the limits, in ascending order, then the others.
 
     Return how many are inside, |e| of the first, and how far the target is from one where one of these meets another.
@@ -140,11 +160,11 @@ def in_order(
     edge = np.inf
     for c in range(count):
         if outside[c] == 0:  # where its partner is does not matter: J loses rank between them
-            edge = min(edge, near[c])
-    return inside, errors[place[0]], edge
+            edge = min(edge, of[GAP, c])
+    return inside, of[MISS, place[0]], edge
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def comes_before(joints: Array, outside: Indices, x: Array, a: int, b: int) -> bool:
     """Whether solution a stands before b: those inside the limits first, then by the first joint that differs."""
     if outside[a] != outside[b]:
@@ -156,46 +176,38 @@ def comes_before(joints: Array, outside: Indices, x: Array, a: int, b: int) -> b
     return False
 
 
-@compiled(contract=True)
-def scaled_goal(target: Array, unit: float, goal: Array) -> None:
-    """Write a target, [R p] in metres, to goal, (3, 4), with p in units."""
-    for i in range(3):
-        for j in range(3):
-            goal[i, j] = target[i, j]
-        goal[i, 3] = target[i, 3] / unit
-
-
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def settled(
     links: Array, goal: Array, joints: Array, rows: Indices, unit: float, least: float, count: int, x: Array, q: Array,
     answer: Array,
 ) -> None:  # fmt: skip
-    """Write what is found from candidates x to q and to answer, as `solutions_of_six` does."""
-    errors, near, partner = np.empty(MANY), np.empty(MANY), np.empty(MANY, dtype=np.int64)
+    """Write what is found from candidates x to q and to answer, as `solutions_of_a_wrist` does."""
+    of, partner = np.empty((3, MANY)), np.empty(MANY, dtype=np.int64)
     answer[INSIDE], answer[COUNT], answer[ERROR], answer[EDGE] = 0.0, UNKNOWN, np.nan, np.inf
     if count > 0:
-        count = polished_once(links, goal, rows, unit, least, count, x, errors, partner, near)
+        count = each_once(links, goal, rows, unit, least, count, x, of, partner)
     if count == 0:
         answer[ERROR] = np.inf
     if count > 0:
-        inside, error, edge = in_order(joints, unit, count, x, errors, near, q)
+        inside, error, edge = in_order(joints, unit, count, x, of, q)
         answer[INSIDE], answer[COUNT] = inside, (count if inside > 0 else UNKNOWN)
         answer[ERROR], answer[EDGE] = error, edge
 
 
 @compiled(contract=True)
-def solutions_of_six(
-    links: Array, joints: Array, rows: Indices, kind: int, link_of: Indices, joint_of: Indices, side: float,
-    numbers: Array, targets: Array, q: Array, answers: Array,
+def solutions_of_a_wrist(
+    links: Array, joints: Array, rows: Indices, link_of: Indices, joint_of: Indices, side: float, numbers: Array,
+    targets: Array, q: Array, answers: Array,
 ) -> None:  # fmt: skip
-    """Write all solutions of six joints to q, and what is known of them to answers, for every target.
+    """Write all solutions of six joints with a spherical wrist to q, and what is known to answers, for every target.
 
     Args:
         links: of the chain [m].
         joints: (6, 6) of each joint its limits, what it is turned to, what counts as one, its entry of q, and whether
             it slides.
         rows: (6,) of the pose error.
-        kind, link_of, joint_of, side, numbers: as `six_joints` has them.
+        link_of, joint_of, side: as `loop_of_six` has them.
+        numbers: as the constants HERE, ... of `candidates` say.
         targets: (k, 4, 4), in the axes of the links.
         q: (k, MANY, nq) the result; each row holds the other joints' values.
         answers: (k, 4) the result: how many are INSIDE the limits; the COUNT of all, UNKNOWN where the target is left
@@ -203,13 +215,36 @@ def solutions_of_six(
             doubt; how far the target is from the EDGE, ∞ if that is not near.
     """
     scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
+    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6, dtype=np.int64)
     for i in range(len(targets)):
         unit, count = 1.0, UNKNOWN
         if is_pose(targets[i]):
             unit = unit_of(links, targets[i], numbers[LENGTH])
             scaled_links(links, unit, scaled)
-            scaled_goal(targets[i], unit, goal)
-            count = six_joints(scaled, goal, kind, link_of, joint_of, side, numbers, unit, x)
+            in_units(targets[i], unit, goal)
+            loop_of_six(scaled, goal, link_of, joint_of, side, A, L, slides)
+            count = spherical(A, slides, numbers[HERE] / unit, numbers[THERE] / unit, found)
+            in_order_of_joints(count, found, joint_of, side, x)
+        settled(scaled, goal, joints, rows, unit, numbers[LEAST], count, x, q[i], answers[i])
+
+
+@compiled(contract=True)
+def solutions_of_a_plane(
+    links: Array, joints: Array, rows: Indices, link_of: Indices, joint_of: Indices, side: float, numbers: Array,
+    targets: Array, q: Array, answers: Array,
+) -> None:  # fmt: skip
+    """Do what `solutions_of_a_wrist` does for six joints of which three move in a plane."""
+    scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
+    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6, dtype=np.int64)
+    for i in range(len(targets)):
+        unit, count = 1.0, UNKNOWN
+        if is_pose(targets[i]):
+            unit = unit_of(links, targets[i], numbers[LENGTH])
+            scaled_links(links, unit, scaled)
+            in_units(targets[i], unit, goal)
+            loop_of_six(scaled, goal, link_of, joint_of, side, A, L, slides)
+            count = beside_a_plane(A, slides, numbers[NORMAL : NORMAL + 3], found)
+            in_order_of_joints(count, found, joint_of, side, x)
         settled(scaled, goal, joints, rows, unit, numbers[LEAST], count, x, q[i], answers[i])
 
 
@@ -217,7 +252,7 @@ def solutions_of_six(
 def solutions_of_few(
     links: Array, joints: Array, rows: Indices, kind: int, numbers: Array, targets: Array, q: Array, answers: Array
 ) -> None:
-    """Do what `solutions_of_six` does for one to three joints."""
+    """Do what `solutions_of_a_wrist` does for one to three joints."""
     n = len(rows)
     scaled, goal, x = np.empty((n + 1, 15)), np.empty((3, 4)), np.empty((MANY, n))
     for i in range(len(targets)):
@@ -225,7 +260,7 @@ def solutions_of_few(
         if is_pose(targets[i]):
             unit = unit_of(links, targets[i], numbers[LENGTH])
             scaled_links(links, unit, scaled)
-            scaled_goal(targets[i], unit, goal)
+            in_units(targets[i], unit, goal)
             count = few_joints(scaled, goal, kind, rows, numbers, x)
         settled(scaled, goal, joints, rows, unit, numbers[LEAST], count, x, q[i], answers[i])
 
@@ -234,13 +269,13 @@ def solutions_of_few(
 def solutions_of_candidates(
     links: Array, joints: Array, rows: Indices, numbers: Array, target: Array, x: Array, q: Array, answer: Array
 ) -> None:
-    """Do what `solutions_of_six` does for one target from candidates x, (k, 6), in radians and metres."""
+    """Do what `solutions_of_a_wrist` does for one target from candidates x, (k, 6), in radians and metres."""
     scaled, goal, candidates = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
     unit, count = 1.0, UNKNOWN
     if is_pose(target) and len(x) <= MANY:
         unit, count = unit_of(links, target, numbers[LENGTH]), len(x)
         scaled_links(links, unit, scaled)
-        scaled_goal(target, unit, goal)
+        in_units(target, unit, goal)
         for i in range(count):
             for j in range(6):
                 candidates[i, j] = x[i, j] / unit if joints[j, SLIDES] != 0.0 else x[i, j]

@@ -15,20 +15,21 @@ from robotics1.kernels.equation_pairs import common_roots, function_of_samples, 
 from robotics1.kernels.placements import (
     ON_AXIS,
     after_joint,
+    angle_to,
     first_coordinate,
     place,
     place_back,
     set_to,
     turn,
     turn_back,
+    turned_back,
 )
 from robotics1.kernels.real_roots import MANY, UNKNOWN, roots_of_one
 
-WORK = 12  # rows of working space
 PARALLEL = 1e-3  # sine of an angle between axes whose common plane is not to be trusted
 
 
-@compiled()
+@compiled(inner=True)
 def point(A: Array, B: Array, slides: Indices, c: Array, t: Array, found: Array) -> int:
     """Solve Z₀ A Z₁ B Z₂ c = t from what the first joint leaves alone; found is (MANY, 3).
 
@@ -68,13 +69,12 @@ def point(A: Array, B: Array, slides: Indices, c: Array, t: Array, found: Array)
     return count
 
 
-@compiled()
-def orientation(A: Array, B: Array, R: Array, work: Array, found: Array) -> int:
-    """Solve Z₀ A Z₁ B Z₂ = R, rotations only; found is (2, 3), work (WORK, 4).
+@compiled(inner=True)
+def orientation(A: Array, B: Array, R: Array, T: Array, x: Array, found: Array) -> int:
+    """Solve Z₀ A Z₁ B Z₂ = R, rotations only; found is (2, 3), T (3, 4) and x (2,) are working space.
 
     zᵀ R z leaves two θ₁; then Z₀ turns A Z₁ B z to R z.
     """
-    x, m, r, T = work[0], work[1], work[2], work[3:6]
     f0 = A[2, 2] * B[2, 2] - R[2, 2]
     f1 = A[2, 0] * B[0, 2] + A[2, 1] * B[1, 2]
     f2 = A[2, 1] * B[0, 2] - A[2, 0] * B[1, 2]
@@ -84,9 +84,7 @@ def orientation(A: Array, B: Array, R: Array, work: Array, found: Array) -> int:
     for n in range(count):
         set_to(A, T)
         after_joint(T, 0, x[n], B)
-        for i in range(3):
-            m[i], r[i] = T[i, 2], R[i, 2]
-        first, determined = first_coordinate(0, m, r)
+        first, determined = angle_to(T[0, 2], T[1, 2], R[0, 2], R[1, 2])
         if not determined:
             return UNKNOWN
         c, s = math.cos(first), math.sin(first)
@@ -99,74 +97,87 @@ def orientation(A: Array, B: Array, R: Array, work: Array, found: Array) -> int:
     return count
 
 
-@compiled()
-def planar_loop(A: Array, B: Array, C: Array, slides: Indices, normal: Array, work: Array, found: Array) -> int:
+@compiled(inner=True)
+def planar_loop(
+    A: Array, B: Array, C: Array, slides: Indices, normal: Array, T: Array, y: Array, found: Array
+) -> int:  # fmt: skip
     """Solve Z₀ A Z₁ B Z₂ C = 1 but for moves along a normal, the normal of all motions.
 
-    found is (2, 3), work (WORK, 4).
+    found is (2, 3); T (3, 4) and y (2,) are working space.
 
     The loop begins behind a joint that turns: the point on that joint's axis is a target for the two others.
     """
-    n, back = work[9], work[10]
-    if not slides[2]:
-        turn_back(A, normal, n)
-        turn_back(B, n, back)
-        turn_back(C, back, n)
-        return plane_behind_a_turn(A, B, C, slides, 0, 1, 2, n, work, found)
-    turn_back(A, normal, n)
-    if not slides[1]:
-        turn_back(B, n, back)
-        return plane_behind_a_turn(C, A, B, slides, 2, 0, 1, back, work, found)
-    if not slides[0]:
-        return plane_behind_a_turn(B, C, A, slides, 1, 2, 0, n, work, found)
-    return UNKNOWN
+    k = 2 if not slides[2] else 1 if not slides[1] else 0
+    if slides[k]:
+        return UNKNOWN
+    u, v, w = turned_back(A, normal[0], normal[1], normal[2])  # the normal behind joint 0
+    if k == 0:
+        return plane_behind_a_turn(B, C, A, slides, k, u, v, T, y, found)
+    u, v, w = turned_back(B, u, v, w)
+    if k == 1:
+        return plane_behind_a_turn(C, A, B, slides, k, u, v, T, y, found)
+    u, v, w = turned_back(C, u, v, w)
+    return plane_behind_a_turn(A, B, C, slides, k, u, v, T, y, found)
 
 
-@compiled()
+@compiled(inner=True)
 def plane_behind_a_turn(
-    A: Array, B: Array, C: Array, slides: Indices, i: int, j: int, k: int, n: Array, work: Array, found: Array
+    A: Array, B: Array, C: Array, slides: Indices, k: int, nx: float, ny: float, T: Array, y: Array, found: Array
 ) -> int:
-    """Solve Z_i A Z_j B Z_k C = 1 in a plane; joint k turns.
+    """Solve Z_i A Z_j B Z_k C = 1 in a plane; joint k turns, i and j are behind it, and n is the plane's normal.
 
     Z_i A Z_j takes the origin of B to that of C⁻¹: a joint i that turns leaves its distance from the axis alone, one
     that slides leaves its place across.
     """
-    c, t, p, moved, values, y, turned, T = work[0], work[1], work[2], work[3], work[4], work[5], work[11], work[6:9]
-    for row in range(3):
-        c[row] = B[row, 3]
-        t[row] = -(C[0, row] * C[0, 3] + C[1, row] * C[1, 3] + C[2, row] * C[2, 3])
-    for m in range(3):
-        sample(slides[j], m, c, moved)
-        place(A, moved, p)
-        if slides[i]:  # across: z × n
-            values[m] = n[0] * (p[1] - t[1]) - n[1] * (p[0] - t[0])
-        else:
-            values[m] = p[0] * p[0] + p[1] * p[1] - t[0] * t[0] - t[1] * t[1]
-    f0, f1, f2 = function_of_samples(slides[j], values[0], values[1], values[2])
+    i, j = (k + 1) % 3, (k + 2) % 3
+    tx, ty, tz = turned_back(C, -C[0, 3], -C[1, 3], -C[2, 3])
+    before = across(A, B, slides[i], slides[j], 0, nx, ny, tx, ty)
+    middle = across(A, B, slides[i], slides[j], 1, nx, ny, tx, ty)
+    f0, f1, f2 = function_of_samples(slides[j], before, middle, across(A, B, slides[i], slides[j], 2, nx, ny, tx, ty))
     count = roots_of_one(slides[j], f0, f1, f2, y)
     for m in range(count):
         set_to(A, T)
         after_joint(T, slides[j], y[m], B)
-        p[0], p[1], p[2] = T[0, 3], T[1, 3], T[2, 3]
-        x, determined = first_coordinate(slides[i], p, t)
-        if not determined:
-            return UNKNOWN
-        cx, sx = (1.0, 0.0) if slides[i] else (math.cos(x), math.sin(x))
-        for row in range(2):  # (Z_i A Z_j B)⁻¹ C⁻¹ x, which Z_k takes to x
-            u, v = cx * T[0, row] - sx * T[1, row], sx * T[0, row] + cx * T[1, row]
-            turned[row] = u * C[0, 0] + v * C[0, 1] + T[2, row] * C[0, 2]
-        found[m, i], found[m, j], found[m, k] = x, y[m], math.atan2(turned[1], turned[0])
+        c, s, x = 1.0, 0.0, tz - T[2, 3]
+        if not slides[i]:
+            x, determined = angle_to(T[0, 3], T[1, 3], tx, ty)
+            if not determined:
+                return UNKNOWN
+            c, s = math.cos(x), math.sin(x)
+        # (Z_i A Z_j B)⁻¹ C⁻¹ x, which Z_k takes to x
+        px, py = c * C[0, 0] + s * C[0, 1], c * C[0, 1] - s * C[0, 0]
+        cosine = T[0, 0] * px + T[1, 0] * py + T[2, 0] * C[0, 2]
+        sine = T[0, 1] * px + T[1, 1] * py + T[2, 1] * C[0, 2]
+        found[m, i], found[m, j], found[m, k] = x, y[m], math.atan2(sine, cosine)
     return count
 
 
-@compiled()
+@compiled(inline=True, inner=True)
+def across(
+    A: Array, B: Array, i_slides: int, j_slides: int, k: int, nx: float, ny: float, tx: float, ty: float
+) -> float:  # fmt: skip
+    """Return by how much Z_i misses to take A Z_j p to t, at sample k of joint j; p is the origin of B."""
+    x, y, z = B[0, 3], B[1, 3], B[2, 3]
+    if j_slides:
+        z += k - 1.0
+    elif k == 1:
+        x, y = -y, x
+    else:
+        x, y = (1.0 - k) * x, (1.0 - k) * y
+    px, py = A[0, 0] * x + A[0, 1] * y + A[0, 2] * z + A[0, 3], A[1, 0] * x + A[1, 1] * y + A[1, 2] * z + A[1, 3]
+    if i_slides:  # across: z × n
+        return float(nx * (py - ty) - ny * (px - tx))
+    return float(px * px + py * py - tx * tx - ty * ty)
+
+
+@compiled(inner=True)
 def spherical(A: Array, slides: Indices, here: float, there: float, found: Array) -> int:
     """Solve Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1 where axes 0 to 2 go through one point; A is (6, 3, 4), found is (MANY, 6).
 
     The point is `here` on axis 0 and `there` on axis 2: A₂ Z₃ A₃ Z₄ A₄ Z₅ A₅ takes the one to the other.
     """
     c, t, z, R = np.empty(3), np.empty(3), np.zeros(3), np.empty((3, 3))
-    rest, turns, T, work = np.empty((MANY, 3)), np.empty((2, 3)), np.empty((3, 4)), np.empty((WORK, 4))
+    rest, turns, T, x, W = np.empty((MANY, 3)), np.empty((2, 3)), np.empty((3, 4)), np.empty(2), np.empty((3, 4))
     z[2] = here
     place(A[5], z, c)
     z[2] = there
@@ -180,7 +191,7 @@ def spherical(A: Array, slides: Indices, here: float, there: float, found: Array
         for i in range(3):
             for j in range(3):
                 R[i, j] = T[j, i]
-        some = orientation(A[0], A[1], R, work, turns)
+        some = orientation(A[0], A[1], R, W, x, turns)
         if some == UNKNOWN or count + 2 > len(found):
             return UNKNOWN
         for m in range(some):
@@ -190,33 +201,32 @@ def spherical(A: Array, slides: Indices, here: float, there: float, found: Array
     return count if many != UNKNOWN else UNKNOWN
 
 
-@compiled()
+@compiled(inner=True)
 def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> int:
     """Solve Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1 where joints 0 to 2 move in a plane and joint 3 turns, as `ik/loops.py` says."""
     F, G, pairs, plane = np.empty((3, 3)), np.empty((3, 3)), np.empty((MANY, 2)), np.empty((2, 3))
-    work, vectors, T = np.empty((WORK, 4)), np.zeros((8, 3)), np.empty((3, 4))
+    vectors, T, rest, W, y = np.empty((7, 3)), np.empty((3, 4)), np.empty((3, 4)), np.empty((3, 4)), np.empty(2)
     n2, wanted, m = vectors[0], vectors[1], vectors[2]
-    turn_back(A[0], normal, m)
-    turn_back(A[1], m, n2)
-    turn_back(A[2], n2, wanted)
+    A0, A1, A2, A3, A4, A5 = A[0], A[1], A[2], A[3], A[4], A[5]  # once, since references to views are counted
+    turn_back(A0, normal, m)
+    turn_back(A1, m, n2)
+    turn_back(A2, n2, wanted)
     if wanted[0] * wanted[0] + wanted[1] * wanted[1] < PARALLEL * PARALLEL:
         return UNKNOWN
     plane_equations(A, slides, normal, n2, wanted[2], vectors, F, G)
     many = common_roots(F, G, slides[4], slides[5], pairs)
     count = 0
     for n in range(many):
-        set_to(A[3], T)
-        after_joint(T, slides[4], pairs[n, 0], A[4])
-        after_joint(T, slides[5], pairs[n, 1], A[5])
+        set_to(A3, T)
+        after_joint(T, slides[4], pairs[n, 0], A4)
+        after_joint(T, slides[5], pairs[n, 1], A5)
         turn(T, normal, m)
         x, determined = first_coordinate(0, m, wanted)
         if not determined or count + 2 > len(found):
             return UNKNOWN
-        set_to(A[2], T)
-        after_joint(T, 0, x, A[3])
-        after_joint(T, slides[4], pairs[n, 0], A[4])
-        after_joint(T, slides[5], pairs[n, 1], A[5])
-        some = planar_loop(A[0], A[1], T, slides, normal, work, plane)
+        set_to(A2, rest)
+        after_joint(rest, 0, x, T)
+        some = planar_loop(A0, A1, rest, slides, normal, W, y, plane)
         if some == UNKNOWN:
             return UNKNOWN
         for s in range(some):
@@ -227,48 +237,42 @@ def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> in
     return count if many != UNKNOWN else UNKNOWN
 
 
-@compiled()
+@compiled(inner=True)
 def plane_equations(
     A: Array, slides: Indices, normal: Array, n2: Array, wanted: float, vectors: Array, F: Array, G: Array
 ) -> None:
-    """Write the two equations of `beside_a_plane` to F and G, (3, 3); vectors 2 to 6 of (8, 3) are working space."""
-    m, p, v, u, zero = vectors[2], vectors[3], vectors[4], vectors[5], vectors[6]
+    """Write the two equations of `beside_a_plane` to F and G, (3, 3); vectors 2 to 6 of (7, 3) are working space.
+
+    m = A₃ Z₄ A₄ Z₅ A₅ n is a direction, and p is where the origin comes, at the samples of the two joints.
+    """
+    m, p, u, at_m, at_p = vectors[2], vectors[3], vectors[4], vectors[5], vectors[6]
+    A3, A4, A5 = A[3], A[4], A[5]
     for i in range(3):
-        v[i] = A[1, i, 3]
-    place(A[0], v, p)
+        u[i] = A[1, i, 3]
+    place(A[0], u, p)
     level = 0.0
     for i in range(3):
         level += normal[i] * p[i] + n2[i] * A[2, i, 3]
-    for i in range(3):
-        for k in range(3):
-            behind(A, slides, i, k, normal, zero, u, v, m, p)
+    for k in range(3):
+        turn(A5, normal, m)
+        sample_turn(slides[5], k, m, u)
+        turn(A4, u, at_m)
+        for i in range(3):
+            p[i] = A5[i, 3]
+        sample(slides[5], k, p, u)
+        place(A4, u, at_p)
+        for i in range(3):
+            sample_turn(slides[4], i, at_m, u)
+            turn(A3, u, m)
+            sample(slides[4], i, at_p, u)
+            place(A3, u, p)
             F[i, k] = m[2] - wanted
             G[i, k] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + level
     functions_of_samples(slides[4], slides[5], F)
     functions_of_samples(slides[4], slides[5], G)
 
 
-@compiled()
-def behind(
-    A: Array, slides: Indices, i: int, k: int, direction: Array, at: Array, u: Array, v: Array, m: Array, p: Array
-) -> None:
-    """Write A₃ Z₄ A₄ Z₅ A₅ of a direction to m and of a point to p, at the samples i and k of the two joints.
-
-    u and v, (3,), are working space.
-    """
-    place(A[5], at, u)
-    sample(slides[5], k, u, v)
-    place(A[4], v, u)
-    sample(slides[4], i, u, v)
-    place(A[3], v, p)
-    turn(A[5], direction, u)
-    sample_turn(slides[5], k, u, v)
-    turn(A[4], v, u)
-    sample_turn(slides[4], i, u, v)
-    turn(A[3], v, m)
-
-
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def sample_turn(slides: int, k: int, p: Array, moved: Array) -> None:
     """Do what `sample` does to a direction."""
     if slides:

@@ -8,28 +8,28 @@ from robotics1.kernels.compilation import compiled
 ON_AXIS = 1e-7  # distance from a joint axis at which its angle is arbitrary, or nearly so
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def place(A: Array, p: Array, placed: Array) -> None:
     """Write A p of a point to placed, (3,)."""
     for i in range(3):
         placed[i] = A[i, 0] * p[0] + A[i, 1] * p[1] + A[i, 2] * p[2] + A[i, 3]
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def turn(A: Array, p: Array, turned: Array) -> None:
     """Write A p of a direction to turned, (3,)."""
     for i in range(3):
         turned[i] = A[i, 0] * p[0] + A[i, 1] * p[1] + A[i, 2] * p[2]
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def turn_back(A: Array, p: Array, turned: Array) -> None:
     """Write A⁻¹ p of a direction to turned, (3,)."""
     for i in range(3):
         turned[i] = A[0, i] * p[0] + A[1, i] * p[1] + A[2, i] * p[2]
 
 
-@compiled()
+@compiled(inner=True)
 def place_back(A: Array, p: Array, placed: Array) -> None:
     """Write A⁻¹ p of a point to placed, (3,)."""
     x, y, z = p[0] - A[0, 3], p[1] - A[1, 3], p[2] - A[2, 3]
@@ -37,7 +37,7 @@ def place_back(A: Array, p: Array, placed: Array) -> None:
         placed[i] = A[0, i] * x + A[1, i] * y + A[2, i] * z
 
 
-@compiled()
+@compiled(inner=True)
 def after_joint(T: Array, slides: int, x: float, A: Array) -> None:
     """T ← T Z(x) A."""
     c, s = (1.0, 0.0) if slides else (math.cos(x), math.sin(x))
@@ -49,7 +49,7 @@ def after_joint(T: Array, slides: int, x: float, A: Array) -> None:
         T[i, 3] = u * A[0, 3] + v * A[1, 3] + w * A[2, 3] + p
 
 
-@compiled()
+@compiled(inner=True)
 def set_to(A: Array, T: Array) -> None:
     """T ← A."""
     for i in range(3):
@@ -57,7 +57,7 @@ def set_to(A: Array, T: Array) -> None:
             T[i, j] = A[i, j]
 
 
-@compiled()
+@compiled(inner=True)
 def invert(A: Array, T: Array) -> None:
     """T ← A⁻¹."""
     for i in range(3):
@@ -66,10 +66,26 @@ def invert(A: Array, T: Array) -> None:
         T[i, 3] = -(A[0, i] * A[0, 3] + A[1, i] * A[1, 3] + A[2, i] * A[2, 3])
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
+def turned_back(A: Array, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Return A⁻¹ p of a direction p = (x, y, z)."""
+    return (
+        A[0, 0] * x + A[1, 0] * y + A[2, 0] * z,
+        A[0, 1] * x + A[1, 1] * y + A[2, 1] * z,
+        A[0, 2] * x + A[1, 2] * y + A[2, 2] * z,
+    )
+
+
+@compiled(inline=True, inner=True)
+def angle_to(px: float, py: float, tx: float, ty: float) -> tuple[float, bool]:
+    """Return the angle that turns p to t in a plane, and whether it is well determined."""
+    near = min(px * px + py * py, tx * tx + ty * ty)
+    return math.atan2(px * ty - py * tx, px * tx + py * ty), near > ON_AXIS * ON_AXIS
+
+
+@compiled(inline=True, inner=True)
 def first_coordinate(slides: int, p: Array, t: Array) -> tuple[float, bool]:
     """Return x with Z(x) p = t, and whether it is well determined."""
     if slides:
         return t[2] - p[2], True
-    near = min(p[0] * p[0] + p[1] * p[1], t[0] * t[0] + t[1] * t[1])
-    return math.atan2(t[1], t[0]) - math.atan2(p[1], p[0]), near > ON_AXIS * ON_AXIS
+    return angle_to(p[0], p[1], t[0], t[1])

@@ -30,17 +30,20 @@ def forward_kinematics(links: Array, q: Array, T: Array, joint_axes: Array) -> N
         if links[joint, PRISMATIC] != 0.0:
             for i in range(3):
                 T[i, 3] += motion * T[i, 2]
+            after_turn(links, joint, 1.0, 0.0, T)
         else:
-            c, s = math.cos(motion), math.sin(motion)
-            for i in range(3):
-                x, y = T[i, 0], T[i, 1]
-                T[i, 0], T[i, 1] = c * x + s * y, c * y - s * x
-        P = links[joint + 1]
-        for i in range(3):
-            x, y, z, p = T[i, 0], T[i, 1], T[i, 2], T[i, 3]
-            for j in range(3):
-                T[i, j] = x * P[j] + y * P[4 + j] + z * P[8 + j]
-            T[i, 3] = x * P[3] + y * P[7] + z * P[11] + p
+            after_turn(links, joint, math.cos(motion), math.sin(motion), T)
+
+
+@compiled(contract=True, inline=True)
+def after_turn(links: Array, joint: int, c: float, s: float, T: Array) -> None:
+    """T ← T Z P: a turn of a joint with the cosine c and the sine s, and the placement behind it."""
+    behind = joint + 1  # no view of this row, whose reference would be counted
+    for i in range(3):
+        x, y, z, p = c * T[i, 0] + s * T[i, 1], c * T[i, 1] - s * T[i, 0], T[i, 2], T[i, 3]
+        for j in range(3):
+            T[i, j] = x * links[behind, j] + y * links[behind, 4 + j] + z * links[behind, 8 + j]
+        T[i, 3] = x * links[behind, 3] + y * links[behind, 7] + z * links[behind, 11] + p
 
 
 @compiled(contract=True, inline=True)

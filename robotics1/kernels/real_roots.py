@@ -15,7 +15,7 @@ MANY = 24  # roots that are kept
 UNKNOWN = -1  # instead of a number of roots
 
 
-@compiled()
+@compiled(inner=True)
 def roots_of_one(slides: int, f0: float, f1: float, f2: float, roots: Array) -> int:
     """Write where f vanishes to roots, (2,), and return how many there are; UNKNOWN where f vanishes everywhere.
 
@@ -35,7 +35,7 @@ def roots_of_one(slides: int, f0: float, f1: float, f2: float, roots: Array) -> 
     return 2 if discriminant > 0.0 else 1
 
 
-@compiled()
+@compiled(inner=True)
 def roots_of_quadratic(f0: float, f1: float, f2: float, size: float, roots: Array) -> int:
     """Do what `roots_of_one` does for f₀ + f₁ d + f₂ d²."""
     if abs(f2) <= ABSENT * size:
@@ -52,7 +52,7 @@ def roots_of_quadratic(f0: float, f1: float, f2: float, size: float, roots: Arra
     return 2
 
 
-@compiled()
+@compiled(inner=True)
 def value_of(p: Array, degree: int, t: float) -> tuple[float, float, float]:
     """Return p(t), its derivative, and the sum of the sizes of the terms, by Horner's scheme."""
     value, slope, size = p[degree], 0.0, abs(p[degree])
@@ -63,7 +63,7 @@ def value_of(p: Array, degree: int, t: float) -> tuple[float, float, float]:
     return value, slope, size
 
 
-@compiled()
+@compiled(inner=True)
 def bracketed_root(p: Array, degree: int, low: float, high: float, at_low: float) -> float:
     """Return the root of p between low and high, where its signs differ: Newton's method kept in the bracket."""
     t = 0.5 * (low + high)
@@ -82,7 +82,7 @@ def bracketed_root(p: Array, degree: int, low: float, high: float, at_low: float
     return t
 
 
-@compiled()
+@compiled(inner=True)
 def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int:
     """Write the real roots of p in ±EDGE to roots and return how many there are; extremes near zero count too.
 
@@ -128,7 +128,7 @@ def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int
     return many
 
 
-@compiled()
+@compiled(inner=True)
 def roots_of_polynomial(slides: int, p: Array, work: Array, roots: Array) -> int:
     """Write to roots, (MANY,), the coordinates at which a polynomial of degree 8 in tan(θ/2), or in d, vanishes."""
     back = work[3]

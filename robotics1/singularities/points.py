@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from robotics1.caching import cached_property
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
@@ -15,7 +16,7 @@ from robotics1.robot.model import Robot
 from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
-from robotics1.tasks.task import Task, unitless_jacobian
+from robotics1.tasks.task import Task, unitless_jacobian, unitless_rows
 
 ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
 MOVES = 1e-12  # σ₁ of a Jacobian without units that is not rounding
@@ -57,7 +58,12 @@ class SingularPoints:
 
     def jacobian(self, q: Array) -> Array:
         """Return J(q), (m, n), without units."""
-        return unitless_jacobian(self.robot, self.task, q)
+        return np.asarray(self.units * self.task.jacobian(self.robot, q))
+
+    @cached_property
+    def units(self) -> Array:
+        """(m, n) factors that take the units out of J."""
+        return np.asarray(unitless_rows(self.robot, self.task)[:, None] * self.robot.units)
 
     def _in_time(self, q: Array) -> Array:
         check_time()  # J of an arm of many joints is asked for hundreds of times in one step
@@ -186,10 +192,18 @@ class SingularPoints:
             note=_note_on_limits(np.array(samples), limits, names),
         )
 
-    def linearised(self, q: Array) -> tuple[Array, Array]:
-        """Return (A, b): near q the block that vanishes on the set is b + A dx, with dx in the box's units."""
-        slopes = configuration_derivative(self._in_time, self.robot, q) * self.box.unit
-        return vanishing_block(self.jacobian(q), slopes, self.rank - 1)
+    def slopes(self, q: Array) -> Array:
+        """Return ∂J/∂x, (m, n, n), with x in the box's units."""
+        return configuration_derivative(self._in_time, self.robot, q) * self.box.unit
+
+    def linearised(self, q: Array, slopes: Array | None = None) -> tuple[Array, Array]:
+        """Return (A, b): near q the block that vanishes on the set is b + A dx, with dx in the box's units.
+
+        Args:
+            q: where.
+            slopes: of J next to q, which are good enough for a small step, and save 4 n Jacobians.
+        """
+        return vanishing_block(self.jacobian(q), self.slopes(q) if slopes is None else slopes, self.rank - 1)
 
 
 def _shrinking(before: Array | None, step: Array) -> float | None:
