@@ -111,3 +111,15 @@ def test_a_joint_that_turns_a_frame_has_one_solution_and_not_one_for_each_turn(r
     T = r1.forward_kinematics(robot, [0.7])
     found = r1.ik_solutions(robot, task, T if task == "pose" else T.rotation)
     assert found.q == pytest.approx(np.array([[0.7]]), abs=1e-12)
+
+
+def test_a_joint_whose_limits_are_one_value_stands_still():
+    """A 3R arm whose second joint is fixed at 0.5 is a 2R arm with the link |(1, 0) + R(0.5) (1, 0)|."""
+    rows = [("R", 1, 0, 0, 0), ("R", 1, 0, 0, 0), ("R", 0.5, 0, 0, 0)]
+    robot = r1.robot_from_dh(rows, lower=[-3, 0.5, -3], upper=[3, 0.5, 3])
+    found = r1.ik_solutions(robot, "position:xy", [1.5, 1.0])
+    a, b, distance = 2 * cos(0.25), 0.5, np.hypot(1.5, 1.0)
+    bend = acos((distance**2 - a**2 - b**2) / (2 * a * b))  # q3 + 0.25, of the short link from the long one
+    assert (found.complete, len(found), found.method) == (True, 2, "elimination to a polynomial")
+    assert sorted(found.q[:, 2]) == pytest.approx([-bend - 0.25, bend - 0.25], abs=1e-9)
+    assert found.q[:, 1] == pytest.approx([0.5, 0.5], abs=0)
