@@ -295,3 +295,13 @@ def test_solutions_in_regions_of_a_hundred_arms_are_those_of_inverse_kinematics(
     places = section.mapped.image(q)
     outside = places[section.counts(places) == 0]
     assert all(section.distance_in_section(z) < 1e-8 for z in outside)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("seed", range(2000, 2010))
+def test_none_of_a_million_configurations_of_a_3r_is_outside(seed):
+    section = drawn_workspace(seed, kinds="RRR", wide=True)[1].section
+    rng = np.random.default_rng(seed)
+    for _ in range(20):
+        z = section.mapped.image(rng.uniform(section.domain.lower, section.domain.upper, (50_000, 2)))
+        assert all(section.distance_in_section(p) < 1e-8 for p in z[section.counts(z) == 0])
