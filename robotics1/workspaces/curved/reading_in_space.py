@@ -50,8 +50,8 @@ def read_in_space(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -
     moving, tip = without_held(axes, tip, STRAIGHT * robot.reach)
     if len(moving) < len(rows):
         raise TaskError(
-            f"{len(moving)} joints of robot {robot.name!r} move the point, too few for {len(rows)} coordinates: of an arm "
-            "in a plane ask two, as PositionTask('xy')"
+            f"{len(moving)} joints of robot {robot.name!r} move the point, too few for {len(rows)} coordinates: "
+            "of an arm in a plane ask two, as PositionTask('xy')"
         )
     base = moving[0] if len(rows) == 3 else None
     pair = (moving[-2], moving[-1])
