@@ -12,6 +12,12 @@ from robotics1 import plots
 from robotics1.workspaces import workspace
 
 
+def where_of(curve):
+    """Why a curve is a boundary, in the few words of a legend."""
+    words = [f"{name} at its {limit} limit" for name, limit in curve.limits.items()]
+    return "; ".join([*words, *([", ".join(curve.singular) + " singular"] if curve.singular else [])])
+
+
 def polygon_area(path):
     """The area that a compound path encloses."""
     return sum(0.5 * np.sum(p[:-1, 0] * p[1:, 1] - p[1:, 0] * p[:-1, 1]) for p in path.to_polygons(closed_only=True))
@@ -27,7 +33,7 @@ def test_numbers_of_solutions_are_written_and_lines_differ_by_reason():
     ws = workspace(chain("RR", [0.4, 0.3], [-2.0, -1.0], [2.0, 1.0]), XY)
     panel = plots.plot_workspace(ws)
     assert [text.get_text() for text in panel.texts] == [str(region.solutions) for region in ws.regions]
-    assert [line.get_label() for line in panel.lines] == list(dict.fromkeys(curve.reason for curve in ws.boundary))
+    assert [line.get_label() for line in panel.lines] == list(dict.fromkeys(where_of(curve) for curve in ws.boundary))
     looks = [(line.get_linestyle(), line.get_marker()) for line in panel.lines]
     assert len(set(looks)) == len(looks)
     hatches = {text.get_text(): patch.get_hatch() for text, patch in zip(panel.texts, panel.patches, strict=True)}
@@ -45,6 +51,8 @@ def test_a_section_is_drawn_of_an_arm_in_space_and_written_to_a_file(tmp_path):
     ws = workspace(r1.robot_from_dh(rows), XYZ)
     panel = plots.plot_workspace(ws, file=tmp_path / "section.svg", title="elbow")
     assert panel.get_xlabel() == "ρ [m]"
+    assert panel.get_xlim()[0] > -0.2  # no room behind the axis, where nothing is
+    assert "axis of the first joint" in [line.get_label() for line in panel.lines]
     assert "elbow" in panel.get_title()
     assert (tmp_path / "section.svg").read_text().startswith("<?xml")
 

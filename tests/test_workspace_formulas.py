@@ -1,6 +1,6 @@
 """Formulas of workspaces: those of the books, and numbers at other lengths."""
 
-from math import cos, pi
+from math import atan2, cos, pi, radians
 
 import pytest
 import sympy
@@ -40,13 +40,25 @@ def test_three_links_have_the_inner_radius_of_the_exam():
     assert found.r_max == l1 + l2 + l3
 
 
+def test_a_scara_with_both_elbows_has_the_area_of_the_exam():
+    """Links 0.4 and 0.3 m, |q1| ≤ 130°, |q2| ≤ 145°: 1.24234452 m²."""
+    limits = [radians(130), radians(145)]
+    rows = [("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)]
+    arm = r1.robot_from_dh(rows, parameters={"l1": 0.4, "l2": 0.3}, lower=[-x for x in limits], upper=limits)
+    found = workspace_formulas(arm, XY)
+    assert found.number(found.area) == pytest.approx(1.24234452, abs=5e-9)
+    assert "asin(l2/l1)" in found.explain()
+
+
 def test_rp_with_an_offset_has_the_radii_of_the_exam():
     rows = [("R", "d", -pi / 2, 0, 0), ("P", 0, 0, 0, 0)]
     found = workspace_formulas(named(rows, lower=[-pi / 2, -0.8], upper=[pi / 2, 0.8]), XY)
     high = sympy.Symbol("q2_max", real=True)
     assert found.r_min == d
     assert found.r_max.subs({sympy.Symbol("q2_min", real=True): -high}) == sympy.sqrt(d**2 + high**2)
-    assert found.area is None  # both signs of q2 overlap
+    area = pi / 2 * 0.8**2 + (0.2**2 + 0.8**2) * atan2(0.8, 0.2) - 0.2 * 0.8  # ∫ r (Δq1 + 2 acos(d/r)) dr
+    assert found.number(found.area) == pytest.approx(area, rel=1e-12)
+    assert "The area holds if" in found.explain()
 
 
 @pytest.mark.parametrize(
@@ -54,6 +66,9 @@ def test_rp_with_an_offset_has_the_radii_of_the_exam():
     [
         ([("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], [-pi, -2], [pi, 2.2], XY),
         ([("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], [-1, 0.2], [1.4, 2], XY),
+        ([("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], [-1, -0.9], [1.4, 2], XY),
+        ([("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)], [-1, -2.5], [1.4, 2.1], XY),
+        ([("R", "d", -pi / 2, 0, 0), ("P", 0, 0, 0, 0)], [-1.5, -0.3], [1.5, 0.2], XY),
         ([("R", "d", -pi / 2, 0, 0), ("P", 0, 0, 0, 0)], [-pi, -0.3], [pi, 0.8], XY),
         ([("R", "d", -pi / 2, 0, 0), ("P", 0, 0, 0, 0)], [-1, 0.1], [1, 0.8], XY),
         ([("R", "l1", 0, 0, 0), ("R", "l2", pi, 0, 0), ("P", 0, 0, 0, 0)], [-pi, -pi, 0], [pi, pi, 0.2], XYZ),

@@ -5,6 +5,7 @@ from functools import cache
 from math import hypot, pi
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 from planar_chains import XYZ
@@ -251,6 +252,21 @@ def test_volumes_grow_with_the_cube_of_lengths(seed, scale):
     assert len(other.cusps) == len(one.cusps)
 
 
+@given(SEEDS)
+def test_a_moved_base_moves_the_workspace_in_space(seed):
+    """The rows of a table with a fixed motion before them."""
+    rng = np.random.default_rng(seed)
+    rows = [("R", *rng.uniform(0.2, 1, 1), 1.2, 0.3, 0), ("R", 0.8, -0.7, 0.2, 0), ("R", 0.5, 0, 0, 0)]
+    limits = {"lower": [-1, -2, 0.2], "upper": [1.5, 1, 2]} if seed % 2 else {}
+    T = pin.SE3(pin.rpy.rpyToMatrix(*rng.uniform(-1, 1, 3)), rng.uniform(-2, 2, 3))
+    one, other = (r1.robot_from_dh(rows, **limits, **base) for base in ({}, {"base_placement": T}))
+    here, there = workspace(one, XYZ), workspace(other, XYZ)
+    assert there.volume == pytest.approx(here.volume, rel=1e-8, abs=2 * here.volume_error)
+    assert there.area == pytest.approx(here.area, rel=1e-8)
+    for p in rng.uniform(-1.5, 1.5, (12, 3)):
+        assert there.contains(T * p) == here.contains(p)
+
+
 def test_a_result_survives_pickling_and_cannot_be_changed():
     ws = workspace(r1.robot_from_dh(ORTHOGONAL), XYZ)
     again = pickle.loads(pickle.dumps(ws))
@@ -279,3 +295,13 @@ def test_solutions_in_regions_of_a_hundred_arms_are_those_of_inverse_kinematics(
     places = section.mapped.image(q)
     outside = places[section.counts(places) == 0]
     assert all(section.distance_in_section(z) < 1e-8 for z in outside)
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("seed", range(2000, 2010))
+def test_none_of_a_million_configurations_of_a_3r_is_outside(seed):
+    section = drawn_workspace(seed, kinds="RRR", wide=True)[1].section
+    rng = np.random.default_rng(seed)
+    for _ in range(20):
+        z = section.mapped.image(rng.uniform(section.domain.lower, section.domain.upper, (50_000, 2)))
+        assert all(section.distance_in_section(p) < 1e-8 for p in z[section.counts(z) == 0])

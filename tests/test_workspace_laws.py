@@ -292,3 +292,14 @@ def test_points_of_another_form_are_refused():
         for wrong in ([nan, 0], [inf, 0], [1, 2, 3], "ab", None):
             with pytest.raises(r1.InputError):
                 ask(wrong)
+
+
+@pytest.mark.parametrize("lengths", [(1, 1e-7), (1e-7, 1), (1, 1e-12), (0, 0)])
+def test_an_annulus_too_thin_to_be_told_from_a_circle_is_refused(lengths):
+    with pytest.raises(r1.TaskError, match=r"too thin|needs two joints|move the tip alike|no joint moves"):
+        workspace(r1.robot_from_dh([("R", a, 0, 0, 0) for a in lengths]), XY)
+
+
+def test_a_planar_arm_asked_in_space_is_told_to_ask_in_its_plane():
+    with pytest.raises(r1.TaskError, match="ask two, as PositionTask"):
+        workspace(chain("RR", [0.4, 0.3], None, None), XYZ)

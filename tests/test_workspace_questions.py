@@ -1,7 +1,7 @@
 """What is asked of a workspace: every orientation, crossings, circles that fit, joint ranges, the largest reach."""
 
 from itertools import product
-from math import acos, atan2, hypot, inf, pi, sqrt
+from math import acos, atan2, hypot, inf, nan, pi, sqrt
 
 import numpy as np
 import pytest
@@ -208,6 +208,12 @@ def test_motions_of_another_form_are_refused(wrong):
         crossings(**(good | wrong))
 
 
+@pytest.mark.parametrize("wrong", [{"tolerance": "a"}, {"tolerance": 0}, {"tolerance": nan}, {"ws": 3}])
+def test_circles_of_another_form_are_refused(wrong):
+    with pytest.raises(r1.InputError):
+        largest_circle(**({"ws": workspace(links(0.5, 0.5), XY)} | wrong))
+
+
 # --- circles that fit
 
 
@@ -243,6 +249,13 @@ def test_joint_ranges_are_those_of_the_elbow_that_needs_less_room():
     assert "q1 needs from" in found.explain()
 
 
+def test_joint_ranges_of_targets_with_infinitely_many_solutions_are_not_called_the_smallest():
+    folded = joint_ranges(links(0.4, 0.4), XY, [[0, 0], [0.5, 0]])  # q1 is free where the arm is folded
+    assert not folded.smallest
+    assert "smaller ranges may exist" in folded.explain()
+    assert not joint_ranges(links(0.4, 0.3, 0.2), XY, [[0.5, 0.1]]).smallest
+
+
 def test_joint_ranges_go_the_short_way_round_and_name_what_is_not_reached():
     arm = links(1, 1)
     targets = [[-1.5, 0.1], [-1.5, -0.1], [5, 5]]
@@ -251,7 +264,7 @@ def test_joint_ranges_go_the_short_way_round_and_name_what_is_not_reached():
     assert found.upper[0] - found.lower[0] < 1
     with pytest.raises(r1.InputError, match="none of the targets"):
         joint_ranges(arm, XY, [[5, 5]])
-    with pytest.raises(r1.InputError, match="at least one"):
+    with pytest.raises(r1.InputError, match="no target"):
         joint_ranges(arm, XY, [])
 
 

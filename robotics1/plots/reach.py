@@ -9,9 +9,10 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.plots.figures import drawn, legend_text, line_style, new_axes
-from robotics1.workspaces.result import Workspace, WorkspaceRegion
+from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
 
 HATCHES = {0: "", 1: "//", 2: "", 3: "..", 4: "xx"}  # so that regions differ without colour
+LONG_LABEL = 36  # letters of a label, of which two do not fit beside each other
 SMALL = 1e-3  # of the whole area: a region without a number in it
 COLORS = {1: "#fdd49e", 2: "#9ecae1", 3: "#c7e9c0", 4: "#bcbddc"}  # of the number of solutions
 
@@ -21,8 +22,9 @@ def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = N
 
     Each region has the number of its solutions written in it, and a colour and hatching by this number; of a redundant
     arm it says "reached". The curves of the boundary have one kind of line for each reason, which the legend tells: a
-    joint at a limit, or joints that are singular together. Cusps are stars, and
-    crossings of singular curves squares. Of an arm in space it is the section, see `Workspace`.
+    joint at a limit, or joints that are singular together. Cusps are stars, and crossings of singular curves squares.
+    Of an arm in space it is the section, see `Workspace`; a line of dashes and dots is the axis of a first joint that
+    turns.
 
     Args:
         ws: what `workspaces.workspace` returns.
@@ -39,13 +41,15 @@ def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = N
     panel = new_axes(ax, 2)
     for region in ws.regions:
         _fill(panel, region, ws.area, ws.redundant)
-    reasons = list(dict.fromkeys(curve.reason for curve in ws.boundary))
+    reasons = list(dict.fromkeys(map(_why, ws.boundary)))
     for i, reason in enumerate(reasons):
-        lines = [np.vstack([curve.points, [[np.nan, np.nan]]]) for curve in ws.boundary if curve.reason == reason]
+        lines = [np.vstack([curve.points, [[np.nan, np.nan]]]) for curve in ws.boundary if _why(curve) == reason]
         panel.plot(*np.vstack(lines).T, label=legend_text(reason), color=f"C{i}", linewidth=1.8, **line_style(i))
     panel.autoscale_view()
     x, y = ws.coordinates
-    panel.set_aspect("equal", adjustable="datalim")
+    panel.set_aspect("equal", adjustable="box")
+    if x == "ρ":
+        panel.axvline(0, color="0.3", linestyle=(0, (8, 3, 1, 3)), linewidth=0.9, label="axis of the first joint")
     panel.set(xlabel=f"{x} [m]", ylabel=f"{y} [m]", title=title)
     panel.grid(visible=True, alpha=0.4)
     for points, marker, label in (
@@ -54,9 +58,17 @@ def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = N
     ):
         if len(points):
             panel.plot(*points.T, marker, label=label, markersize=6, markerfacecolor="white")
-    if panel.get_legend_handles_labels()[0]:
-        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, fontsize="small")
+    labels = panel.get_legend_handles_labels()[1]
+    if labels:
+        columns = 2 if max(map(len, labels)) <= LONG_LABEL else 1
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=columns, fontsize="small")
     return drawn(panel, file)
+
+
+def _why(curve: BoundaryCurve) -> str:
+    """Return in few words why a curve is a boundary."""
+    parts = [f"{name} at its {limit} limit" for name, limit in curve.limits.items()]
+    return "; ".join(parts + ([f"{', '.join(curve.singular)} singular"] if curve.singular else []))
 
 
 def _fill(panel: Any, region: WorkspaceRegion, area: float, redundant: bool) -> None:

@@ -5,6 +5,7 @@ from math import pi, tau
 
 import numpy as np
 
+from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
@@ -79,6 +80,11 @@ def flat_workspace(robot: Robot, arm: ReadArm) -> Workspace:
     full_turn = arm.base is not None and arm.base.circular
     section = half_plane(plane, (1, -1), arm.base.number) if arm.base is not None and full_turn else plane
     edges = [d for d in section.divided if 0 in (d.left, d.right) and d.piece.curve.joint != ON_AXIS]
+    if not edges:
+        raise TaskError(
+            f"the workspace of robot {robot.name!r}, or that of its last joints, is too thin: less than a millionth of "
+            "the arm's size, which cannot be told from rounding"
+        )
     found = [_region(arm, outer, holes, section) for outer, holes in regions(section.divided)]
     reached = tuple(region for region in found if region.solutions)
     r_min, nearest = _nearest(arm, section, edges)

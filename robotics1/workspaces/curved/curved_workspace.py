@@ -36,7 +36,7 @@ def curved_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array
     degree of the map over it: Σ over critical curves of the turns that they make around it.
 
     Raises:
-        TaskError: another number of joints moves the point, or it only moves on a surface or a curve.
+        TaskError: fewer joints move the point, or it only moves on a surface or a curve.
         InputError: a prismatic joint has no limits.
     """
     arm = read_in_space(robot, axes, tip, rows)

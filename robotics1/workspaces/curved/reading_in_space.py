@@ -37,7 +37,7 @@ def read_in_space(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -
     """Return the arm, if three joints move a point in space, or two joints two of its coordinates.
 
     Raises:
-        TaskError: another number of joints moves the point.
+        TaskError: fewer joints move the point.
         InputError: a prismatic joint has no limits.
     """
     for axis in axes:
@@ -48,10 +48,10 @@ def read_in_space(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -
         lower[axis.number], upper[axis.number] = axis.lower, axis.upper
     neutral = np.clip(np.zeros(robot.nq), lower, upper)
     moving, tip = without_held(axes, tip, STRAIGHT * robot.reach)
-    if len(moving) != len(rows):
+    if len(moving) < len(rows):
         raise TaskError(
-            f"{len(moving)} joints of robot {robot.name!r} move the point; its workspace is known exactly "
-            f"where {len(rows)} joints move {len(rows)} coordinates"
+            f"{len(moving)} joints of robot {robot.name!r} move the point, too few for {len(rows)} coordinates: "
+            "of an arm in a plane ask two, as PositionTask('xy')"
         )
     base = moving[0] if len(rows) == 3 else None
     pair = (moving[-2], moving[-1])

@@ -4,7 +4,7 @@ The lengths come from the columns of J: the mean of |∂p/∂qₖ|² over the jo
 lengths from k on.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from math import pi, tau
@@ -43,16 +43,23 @@ class PlaneFormulas:
         value: the position.
         q: the symbols of all joints.
         joints: the joints of the chain.
+        values: the names in the formulas and their values.
     """
 
     value: Any
     q: Sequence[Any]
     joints: Sequence[PlanarJoint]
+    values: Mapping[str, float]
 
     @property
     def kinds(self) -> str:
         """Letters R and P, the first for the joint nearest to the base."""
         return "".join("R" if joint.revolute else "P" for joint in self.joints)
+
+    def number(self, formula: Any) -> float:
+        """Return the value of a formula."""
+        known = sympy.sympify(formula)
+        return float(known.subs({s: self.values[s.name] for s in known.free_symbols}))
 
     def end(self, k: int, name: str) -> Any:
         """Return the symbol of a limit of joint k of the chain: "min" or "max"."""
@@ -152,9 +159,41 @@ def _about_the_first(arm: PlaneFormulas) -> ClosedForm | None:
         inner = lengths[0] if crosses else sympy.Min(*ends)
     first = arm.joints[0]
     area = sympy.pi * (outer**2 - inner**2)
+    words: tuple[str, ...] = ()
     if not first.circular:
-        area = None if crosses else arm.stroke(0) / 2 * (outer**2 - inner**2)
-    return ClosedForm(inner, outer, area, tuple(lengths))
+        area = arm.stroke(0) / 2 * (outer**2 - inner**2)
+        if crosses:
+            more, words = _reached_from_one_side(arm, lengths, ends)
+            area = None if more is None else area + more
+    return ClosedForm(inner, outer, area, tuple(lengths), words)
+
+
+def _reached_from_one_side(arm: PlaneFormulas, lengths: list[Any], ends: list[Any]) -> tuple[Any, tuple[str, ...]]:
+    """Return the area beside the range of the first joint that joint 2 adds with its two signs, and when it holds.
+
+    At a distance r the tip is at q1 ± α(r), so that the angles reach over α beyond both ends: 2 ∫ α r dr, from the
+    distance at which only one sign is left. Of two links this is the circle's sector and the triangle of the links,
+    without the sector of the smaller distance.
+    """
+    if arm.joints[1].revolute:
+        if not -pi < arm.joints[1].lower < 0 < arm.joints[1].upper < pi:
+            return None, ()
+        l1, l2 = lengths
+        S = sympy.Min(-arm.end(1, "min"), arm.end(1, "max"))
+        angle = sympy.atan2(l2 * sympy.sin(S), l1 + l2 * sympy.cos(S))
+        square = l1**2 + l2**2 + 2 * l1 * l2 * sympy.cos(S)
+        more = l2**2 * S + l1 * l2 * sympy.sin(S) - square * angle
+        widest = angle
+        if arm.number(l2) < arm.number(l1) and arm.number(sympy.cos(S) + l2 / l1) < 0:
+            widest = sympy.asin(l2 / l1)
+    else:
+        nearest = sympy.Min(*ends)
+        widest = sympy.acos(lengths[0] / nearest)
+        more = nearest**2 * widest - lengths[0] * sympy.sqrt(nearest**2 - lengths[0] ** 2)
+    turn = arm.stroke(0)
+    if not 2 * arm.number(widest) <= arm.number(turn) <= 2 * (pi - arm.number(widest)):
+        return None, ()
+    return more, (f"The area holds if {turn} is between 2*alpha and 2*pi - 2*alpha, with alpha = {widest}.",)
 
 
 def _inside(joint: PlanarJoint, angle: float) -> bool:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array
+from robotics1.inputs import Array, real_number
 from robotics1.results import Frozen
 from robotics1.workspaces.result import Workspace
 
@@ -54,7 +54,7 @@ def largest_circle(ws: Workspace, *, tolerance: float = 1e-3) -> FittingCircle:
     """
     if not isinstance(ws, Workspace):
         raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
-    if not 0 < tolerance < 1:
+    if not 0 < real_number("tolerance", tolerance) < 1:
         raise InputError(f"tolerance must be between 0 and 1, not {tolerance!r}")
     search = _Search(ws)
     while search.cells and len(search.cells) < MOST_CELLS and search.bound > (1 + tolerance) * search.best:

@@ -25,7 +25,6 @@ class TurnedPlane:
         beside: the distance of the plane from the axis, a formula.
         angle: the range of the turn, a formula.
         full: whether it is a full turn.
-        values: the names in the formulas and their values.
     """
 
     plane: PlaneFormulas
@@ -33,11 +32,6 @@ class TurnedPlane:
     beside: Any
     angle: Any
     full: bool
-    values: dict[str, float]
-
-    def number(self, formula: Any) -> float:
-        """Return the value of a formula."""
-        return float(sympy.sympify(formula).subs({s: self.values[s.name] for s in sympy.sympify(formula).free_symbols}))
 
 
 def form_in_space(arm: TurnedPlane) -> dict[str, Any] | None:
@@ -78,11 +72,11 @@ def _beside_the_axis(arm: TurnedPlane, a: Any) -> dict[str, Any]:
     """Return the ring that an annulus about a point at ρ = a draws, and what its other side reaches."""
     inner, outer = arm.flat.r_min, arm.flat.r_max
     known = {"r_min": sympy.Max(0, a - outer), "r_max": a + outer, "volume": None, "conditions": ()}
-    if arm.number(outer) <= arm.number(a):
+    if arm.plane.number(outer) <= arm.plane.number(a):
         known["volume"] = 2 * sympy.pi**2 * a * (outer**2 - inner**2)
         known["conditions"] = (f"The volume holds if {outer} <= {a}: the arm stays off the axis.",)
-    elif arm.number(2 * a + inner) <= arm.number(outer):
-        has_hole = arm.number(inner) > arm.number(a)
+    elif arm.plane.number(2 * a + inner) <= arm.plane.number(outer):
+        has_hole = arm.plane.number(inner) > arm.plane.number(a)
         known["volume"] = 2 * sympy.pi * (_moment(a, outer) - (_moment(-a, inner) if has_hole else 0))
         hole = f"{inner} {'>' if has_hole else '<='} {a}"
         condition = f"The volume holds if {2 * a + inner} <= {outer} and {hole}: the arm reaches over its axis."
@@ -107,7 +101,7 @@ def _sector(arm: TurnedPlane) -> dict[str, Any] | None:
     q2, q3 = (arm.plane.q[joint.number] for joint in (shoulder, slide))
     along, up = (sympy.simplify(arm.plane.value[k].diff(q3)) for k in range(2))
     q = np.linspace(shoulder.lower, shoulder.upper, 60)
-    cosines = np.array([arm.number(along.subs(q2, x)) for x in q])
+    cosines = np.array([arm.plane.number(along.subs(q2, x)) for x in q])
     if slide.lower * slide.upper < 0 or cosines.min() * cosines.max() < -NONE_BELOW or np.ptp(q) > pi + NONE_BELOW:
         return None
     ends = [{q2: arm.plane.end(0, name)} for name in ("min", "max")]

@@ -86,7 +86,7 @@ def workspace_formulas(
         values |= {f"{q}_min": axis.lower, f"{q}_max": axis.upper}
     found = None
     if arm is not None:
-        flat = closed_form(_plane(arm, symbolic))
+        flat = closed_form(_plane(arm, symbolic, values))
         found = None if flat is None else _sized(arm, flat, symbolic, values)
     if found is None:
         raise TaskError(
@@ -95,19 +95,19 @@ def workspace_formulas(
     result = WorkspaceFormulas(**found, values=values)
     _compare(robot, task, box, result)
     if robot.parameters:
-        others = {name: value * (1 + 0.03 * (i + 1)) for i, (name, value) in enumerate(robot.parameters.items())}
+        others = {name: value * (1 + 0.003 * (i + 1)) for i, (name, value) in enumerate(robot.parameters.items())}
         _compare(robot.with_parameters(others), task, box, replace(result, values=values | others))
     return result
 
 
-def _plane(arm: ReadArm, symbolic: Any) -> PlaneFormulas:
+def _plane(arm: ReadArm, symbolic: Any, values: Mapping[str, float]) -> PlaneFormulas:
     """Return the position in the plane of the chain; a joint that turns the plane stands at 0."""
     value = symbolic.value
     if arm.base is not None or arm.slide is not None:
         value = _exact(np.array([arm.first, arm.second]) @ arm.rows.T) * value
     if arm.base is not None:
         value = value.subs(symbolic.q[arm.base.number], 0)
-    return PlaneFormulas(sympy.Matrix(value), list(symbolic.q), arm.joints)
+    return PlaneFormulas(sympy.Matrix(value), list(symbolic.q), arm.joints, values)
 
 
 def _exact(numbers: Array) -> Any:
@@ -126,7 +126,7 @@ def _sized(arm: ReadArm, flat: ClosedForm, symbolic: Any, values: dict[str, floa
     q = symbolic.q[arm.base.number]
     angle = 2 * sympy.pi if arm.base.circular else _range(q)
     across = sympy.simplify((_exact(arm.normal[None] @ arm.rows.T) * symbolic.value.subs(q, 0))[0])
-    turned = TurnedPlane(_plane(arm, symbolic), flat, without_sign(across), angle, arm.base.circular, values)
+    turned = TurnedPlane(_plane(arm, symbolic, values), flat, without_sign(across), angle, arm.base.circular)
     found = form_in_space(turned)
     return None if found is None else known | found
 

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.ik.solutions import ik_solutions
+from robotics1.ik.solver import list_of_targets
 from robotics1.inputs import Array
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
@@ -29,7 +30,8 @@ class JointRanges(Frozen):
             would make the ranges large.
         lower, upper: (nq,) the ranges that they need [rad or m].
         unreachable: the numbers of the targets without a solution.
-        smallest: whether all combinations of solutions were compared, or else a good one was sought step by step.
+        smallest: whether all combinations of all solutions were compared. Else a good one was sought step by step, or a
+            target has infinitely many solutions, or more than were found.
         joint_names: the joints' names.
     """
 
@@ -49,7 +51,7 @@ class JointRanges(Frozen):
         if self.unreachable:
             lines.append(f"Not reached: targets {', '.join(map(str, self.unreachable))}.")
         if not self.smallest:
-            lines.append("They were sought step by step: smaller ones may exist.")
+            lines.append("Not all combinations of solutions were compared: smaller ranges may exist.")
         return "\n".join(lines)
 
 
@@ -61,15 +63,15 @@ def joint_ranges(robot: RobotLike, task: TaskLike, targets: Sequence[Any]) -> Jo
     Args:
         robot: the arm.
         task: what is wanted.
-        targets: its values, in the form of the task's target, each with finitely many solutions.
+        targets: its values, in the form of the task's target. Of infinitely many solutions some are taken.
 
     Raises:
         InputError: there is no target, or none has a solution.
     """
     robot, task = robot_and_task(robot, task)
-    if not len(targets):
-        raise InputError("targets must hold at least one target")
-    found = [ik_solutions(robot, task, target).q for target in targets]
+    wanted = list_of_targets(targets)
+    solved = [ik_solutions(robot, task, target) for target in wanted]
+    found = [solutions.q for solutions in solved]
     unreachable = tuple(i for i, q in enumerate(found) if not len(q))
     choices = [q for q in found if len(q)]
     if not choices:
@@ -78,7 +80,8 @@ def joint_ranges(robot: RobotLike, task: TaskLike, targets: Sequence[Any]) -> Jo
     every = prod(len(q) for q in choices) <= MOST_COMBINATIONS
     best = _best(choices, circular) if every else _stepwise(choices, circular)
     q = _without_turns(np.array(best), circular)
-    return JointRanges(q, q.min(axis=0), q.max(axis=0), unreachable, every, tuple(robot.joint_names))
+    smallest = every and all(solutions.complete and not solutions.dimension for solutions in solved)
+    return JointRanges(q, q.min(axis=0), q.max(axis=0), unreachable, smallest, tuple(robot.joint_names))
 
 
 def _room(q: Array, circular: npt.NDArray[np.bool_]) -> float:
