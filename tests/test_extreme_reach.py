@@ -91,7 +91,8 @@ def test_the_reach_of_a_ur5_is_proven():
 @pytest.mark.parametrize("smallest", [False, True])
 def test_many_starts_of_a_panda_find_nothing_beyond_the_bound(smallest):
     arm = r1.load_robot("panda", tool="panda_link8")
-    found = extreme_reach(arm, XYZ, smallest=smallest, direction=[1, 0, 0], time_limit=5)
+    found = extreme_reach(arm, XYZ, smallest=smallest, direction=[1, 0, 0], time_limit=20)
+    assert found.gap < 0.02  # by the support function; boxes alone leave some decimetres
     rng = np.random.default_rng(1)
     x = np.array([XYZ.value(arm, q)[0] for q in rng.uniform(arm.lower, arm.upper, (20_000, arm.nq))])
     if smallest:
