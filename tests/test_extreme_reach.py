@@ -157,3 +157,14 @@ def test_a_slide_without_limits_needs_a_box():
     with pytest.raises(r1.InputError, match="box="):
         extreme_reach(arm, XY)
     assert extreme_reach(arm, XYZ, box={"q2": (0.2, 1.5)}).value == pytest.approx(1.5)
+
+
+def test_a_slide_that_does_not_move_the_point_needs_no_limits():
+    arm = r1.robot_from_dh([("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0), ("P", 0, 0, 0, 0)])
+    assert_proven(extreme_reach(arm, r1.PositionTask("xy", frame="link2")), 0.9)
+
+
+def test_a_joint_without_room_stays_where_it_is():
+    arm = links(0.4, 0.3, 0.2, lower=[-1, 0.5, -2], upper=[1, 0.5, -1])
+    assert_proven(extreme_reach(arm, XY), np.linalg.norm(XY.value(arm, [0, 0.5, -1])))
+    assert extreme_reach(arm, XY).q[1] == 0.5
