@@ -130,7 +130,7 @@ def test_workers_that_do_not_see_the_folder_send_what_they_have_found(tmp_path, 
     assert files(path) == files(whole)
 
 
-def test_damage_is_seen_and_told(tmp_path):
+def test_damage_is_seen_and_told_and_only_its_part_is_lost(tmp_path, whole):
     path = tmp_path / "damaged.zarr"
     asked(path)
     chunk = path / "status/c/2/0"
@@ -138,8 +138,11 @@ def test_damage_is_seen_and_told(tmp_path):
     content[len(content) // 2] ^= 1
     chunk.write_bytes(content)
     for call in (lambda: asked(path), lambda: read_map(path)):
-        with pytest.raises(r1.InputError, match="holds no map, or a damaged one"):
+        with pytest.raises(r1.InputError, match="is damaged in status/c/2/0; delete these files"):
             call()
+    chunk.unlink()
+    asked(path)
+    assert files(path) == files(whole)
     (path / "zarr.json").write_text("{")
     with pytest.raises(r1.InputError, match="holds no map, or a damaged one"):
         asked(path)

@@ -9,7 +9,7 @@ import pinocchio as pin
 
 from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
-from robotics1.robot.box import joint_box, refuse_open_range
+from robotics1.robot.box import intervals, joint_box, refuse_open_range
 from robotics1.robot.mimic import turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import Axis, distance_to
@@ -66,9 +66,10 @@ def driven_chain(robot: Robot, frame: str | None, box: Mapping[str, tuple[float,
         axes.pop()
         factors.pop()
     numbers = np.array(sorted({axis.number for axis in axes}), dtype=np.intp)
-    limits = joint_box(robot, box, unlimited=np.inf, turns=turns_of_followers(robot, [frame]))
-    for i in numbers:
-        refuse_open_range(robot.joint_names[i], limits.lower[i], limits.upper[i])
+    lower, upper = intervals(robot, box)
+    for i in numbers[~robot.revolute[numbers]]:  # slides that do not move the point may be endless
+        refuse_open_range(robot.joint_names[i], lower[i], upper[i])
+    limits = joint_box(robot, box, unlimited=1.0, turns=turns_of_followers(robot, [frame]))
     A = np.zeros((len(axes), len(numbers)))
     for row, axis, factor in zip(A, axes, factors, strict=True):
         row[np.searchsorted(numbers, axis.number)] = factor

@@ -2,7 +2,8 @@
 
 import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from time import monotonic
 
 import numpy as np
 import numpy.typing as npt
@@ -17,10 +18,17 @@ from robotics1.workspaces.certified.branch_and_bound import Enclosure, enclosed
 from robotics1.workspaces.certified.driven_chain import DrivenChain, driven_chain
 from robotics1.workspaces.certified.idle import free_coordinates
 from robotics1.workspaces.certified.objective import Objective
+from robotics1.workspaces.certified.support_function import farthest_of, support_function
 from robotics1.workspaces.reading import position_rows
 from robotics1.workspaces.sampled.extremes import Measure, extremes_of
 
 STARTS = 32
+FINENESS = (16, 32, 64, 128)  # cells of the support function along a side: each takes four times as long
+HOW = {
+    "lengths": "the lengths of the links",
+    "boxes": "bounds in boxes of configurations",
+    "support function": "the support function of what is reached",
+}
 SAME = 1e-7  # of values that are one, by the arm's size
 ROUNDING = 1e-10  # by which a bound is moved outwards, by the arm's size
 
@@ -38,8 +46,9 @@ class ExtremeReach(Frozen):
         smallest: whether it is the smallest value, or else the largest.
         starts: the number of configurations from which it was sought.
         agreeing: the number of these that ended at this value.
-        boxes: into how many boxes of configurations the joint ranges were cut for the bound; 0 if the lengths of the
-            links alone tell it.
+        bounded_by: whence the bound is: the "lengths" of the links, "boxes" of configurations, or the "support
+            function" of what is reached.
+        boxes: how many boxes of configurations were looked at.
         robot_name: the robot's name.
     """
 
@@ -51,6 +60,7 @@ class ExtremeReach(Frozen):
     smallest: bool
     starts: int
     agreeing: int
+    bounded_by: str
     boxes: int
     robot_name: str
 
@@ -62,7 +72,7 @@ class ExtremeReach(Frozen):
     def explain(self) -> str:
         """Return the value and how sure it is, in sentences."""
         which, other = ("smallest", "less than") if self.smallest else ("largest", "more than")
-        how = f"by bounds in {self.boxes} boxes" if self.boxes else "by the lengths of the links"
+        how = f"by {HOW[self.bounded_by]}"
         lines = [f"The {which} reach of {self.robot_name} is {self.value:.9g} m."]
         if self.proven:
             lines.append(f"That is proven {how}: no configuration has {other} {self.bound:.9g} m.")
@@ -99,8 +109,10 @@ def extreme_reach(
     The value is found: from each start, a random configuration, L-BFGS-B climbs with the exact gradient Jᵀ (p − p₀) and
     the limits as bounds. The bound is proven: the joint ranges are cut into boxes |qᵢ − mᵢ| ≤ wᵢ. In each box |∂p/∂qᵢ|
     is at most ρᵢ, the largest distance from the axis of joint i; with that, Taylor's formula tells how far p can be at
-    most. Boxes that can have a better value are halved. A joint that mimics another one moves with it. Numbers are
-    rounded as usual, not outwards; for that the bound is moved by 1e-10 of the arm's reach.
+    most. Boxes that can have a better value are halved. A joint that mimics another one moves with it. Where half of
+    the time is not enough, a largest value, and any along a direction, is bounded by the support function too, to some
+    1e-4 to 1e-3 of the arm's reach however many joints there are. Numbers are rounded as usual, not outwards; for that
+    the bound is moved by 1e-10 of the reach.
 
     Args:
         robot: the arm.
@@ -110,14 +122,14 @@ def extreme_reach(
         smallest: whether the smallest value is sought.
         box: joint name → (lower, upper) [rad or m], inside the limits; needed for prismatic joints without limits.
         tolerance: between value and bound, at which the search ends [m].
-        time_limit: after which it ends as it stands [s]. Four joints that matter take seconds; six may not be done.
+        time_limit: after which it ends as it stands, or some seconds later [s]. Four joints that matter take seconds.
 
     Raises:
         InputError: a prismatic joint has neither limits nor a box, or a point, a direction or an option is wrong.
         TaskError: the task is no position, or no joint moves the point.
 
-    Source: Horst, Tuy, Global Optimization, 3rd edition, 1996, chapter IV (branch and bound); Byrd, Lu, Nocedal, Zhu,
-    SIAM J. Scientific Computing 16, 1995 (L-BFGS-B).
+    Source: Horst, Tuy, Global Optimization, 3rd edition, 1996, chapter IV (branch and bound); Schneider, Convex Bodies,
+    2nd edition, 2014, section 1.7 (support functions); Byrd, Lu, Nocedal, Zhu, SIAM J. Scientific Computing 16, 1995.
     """
     robot, task = robot_and_task(robot, task)
     robot.require_single_coordinates("have a workspace")
@@ -131,7 +143,7 @@ def extreme_reach(
     objective = Objective(chain, Measure(rows.T @ rows, centre, n), -1.0 if smallest else 1.0)
     values, found = extremes_of(chain, objective.measure, STARTS, largest=not smallest)
     best = int(np.argmin(values) if smallest else np.argmax(values))
-    sure = _enclosed(objective, float(values[best]), found[best], tolerance, seconds)
+    sure, bounded_by = _enclosed(objective, float(values[best]), found[best], tolerance, seconds)
     q = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
     q[chain.numbers] = sure.q
     point = chain.point(sure.q[None])
@@ -147,6 +159,7 @@ def extreme_reach(
         smallest=bool(smallest),
         starts=STARTS,
         agreeing=int((np.abs(values - value) < SAME * (robot.reach or 1.0)).sum()),
+        bounded_by=bounded_by,
         boxes=sure.boxes,
         robot_name=robot.name,
     )
@@ -162,22 +175,49 @@ def _unit(direction: npt.ArrayLike | None) -> Array | None:
     return np.asarray(n / length)
 
 
-def _enclosed(objective: Objective, value: float, q: Array, tolerance: float, seconds: float) -> Enclosure:
-    """Return bounds on the objective: those of the lengths, if they are near enough, or else of boxes."""
+def _enclosed(objective: Objective, value: float, q: Array, tolerance: float, seconds: float) -> tuple[Enclosure, str]:
+    """Return bounds on the objective, and whence they are: lengths, if they are near enough, or else the best."""
     chain, measure = objective.chain, objective.measure
     limit = np.inf
     if measure.direction is None:
         limit = _longest(chain, measure.centre) if objective.sign > 0 else 0.0
     if abs(limit - value) <= tolerance:
-        return Enclosure(objective.wanted(limit), float(objective.value(q[None])[0]), q, 0)
+        return Enclosure(objective.wanted(limit), float(objective.value(q[None])[0]), q, 0), "lengths"
 
     def enough(F: float) -> float:
         return objective.wanted(objective.meant(F) + objective.sign * tolerance)
 
-    found = enclosed(objective, free_coordinates(chain, measure), q, enough, seconds)
-    if objective.sign > 0 and objective.wanted(limit) < found.bound:
-        return Enclosure(objective.wanted(limit), found.value, found.q, 0)
-    return found
+    free = free_coordinates(chain, measure)
+    in_every_direction = measure.direction is not None or objective.sign > 0
+    found = enclosed(objective, free, q, enough, seconds / 2 if in_every_direction else seconds)
+    bounds = {"boxes": found.bound}
+    if in_every_direction and found.bound > enough(found.value):
+        bounds["support function"] = _by_support(
+            objective, int(np.argmax(chain.A @ free != 0)), enough(found.value), seconds / 2
+        )
+        bounds["lengths"] = objective.wanted(limit) if measure.direction is None else np.inf
+    least = min(bounds, key=lambda name: bounds[name])
+    return replace(found, bound=max(bounds[least], found.value)), least
+
+
+def _by_support(objective: Objective, first: int, enough: float, seconds: float) -> float:
+    """Return what the objective is at most, by the support function of the joints from the first one on.
+
+    Its grid is made finer as long as there is time, and the bound is more than enough.
+    """
+    measure, end, least = objective.measure, monotonic() + seconds, np.inf
+    kept = np.linalg.svd(measure.P)
+    rows = kept.Vh[kept.S > 0.5]
+    for cells in FINENESS:
+        h = support_function(objective.chain, first, cells, end - monotonic()) if least > enough else None
+        if h is None:
+            break
+        if measure.direction is not None:
+            n = objective.sign * measure.direction
+            least = min(least, float(h(n[None])[0] - n @ measure.centre))
+        else:
+            least = min(least, objective.wanted(farthest_of(h, measure.centre, rows, cells)))
+    return least
 
 
 def _longest(chain: DrivenChain, centre: Array) -> float:

@@ -8,8 +8,6 @@ import hashlib
 import os
 import secrets
 import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -19,6 +17,7 @@ from robotics1.chunks.identity import Identity, refuse_another
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.inputs import Array
 from robotics1.workspaces.reachability.chunk import ChunkOfMap, empty_chunk, positions_in_a_chunk
+from robotics1.workspaces.reachability.damage import readable, whole_parts
 from robotics1.workspaces.reachability.result import ReachabilityMap
 
 NAME = "robotics1"  # of the attribute that says what the arrays are
@@ -64,7 +63,7 @@ class MapFolder:
 
     def __init__(self, path: Path, description: Description) -> None:
         self.path, self.description = path, description
-        with _readable(path):
+        with readable(path):
             self._arrays, self.token = arrays_of(path), token_of(path)
 
     def left(self) -> list[slice]:
@@ -101,7 +100,7 @@ class MapFolder:
         Raises:
             InputError: a chunk is damaged.
         """
-        with _readable(self.path):
+        with readable(self.path), whole_parts(self.path, self._arrays, self.description.parts):
             return ChunkOfMap(*(np.asarray(self._arrays[name][:]) for name in ChunkOfMap._fields))
 
 
@@ -162,7 +161,7 @@ def read_map(path: str | Path) -> ReachabilityMap:
     if not folder.is_dir():
         raise InputError(f"there is no folder {str(path)!r} with a map")
     kept = _attributes(folder)
-    with _readable(folder):
+    with readable(folder):
         root = _opened(folder)
         positions, orientations = (np.asarray(root[name][:]) for name in ("positions", "orientations"))
         names = (kept["robot"], tuple(kept["joint_names"]), tuple(kept["task"]), kept["coordinates"])
@@ -258,25 +257,11 @@ def _opened(folder: Path) -> Any:
 
 def _attributes(folder: Path) -> dict[str, Any]:
     """Return what a folder says of its map."""
-    with _readable(folder):
+    with readable(folder):
         kept: Any = _opened(folder).attrs[NAME]
         if kept["format"] != FORMAT:
             raise ValueError(f"it has format {kept['format']}")
         return dict(kept)
-
-
-@contextmanager
-def _readable(folder: Path) -> Iterator[None]:
-    """Turn whatever is wrong with a folder into one kind of error: Zarr raises many."""
-    try:
-        yield
-    except InputError:
-        raise
-    except Exception as error:
-        raise InputError(
-            f"{str(folder)!r} holds no map, or a damaged one ({type(error).__name__}: {error}); name another folder, "
-            f"or delete it and begin anew"
-        ) from error
 
 
 def _zarr() -> Any:
