@@ -8,8 +8,8 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.printed_digits import all_printed, half_units
 from robotics1.results import Frozen
-from robotics1.singularities.printed_digits import all_printed, half_units
 
 FOUR_DECIMALS = 5e-5  # of σ₁: what a configuration that is rounded to four decimals does not tell from zero
 DECIMALS = 3  # of an entry of a matrix that is a rounded one: with fewer, as 0.5 and 0.25, it is a choice
