@@ -31,6 +31,15 @@ def half_units(numbers: npt.ArrayLike, fewest: int = FEWEST) -> npt.NDArray[np.f
     return np.where(printed, 0.5 * 10.0**-decimals, 0.0).reshape(values.shape)
 
 
+def shared_half_units(numbers: npt.ArrayLike) -> npt.NDArray[np.floating[Any]]:
+    """Return half a unit of the last digit of numbers rounded at the same place: 5e-5 for each of (0.7071, 0.5).
+
+    With fewer than three decimals, as (0.5, 0.25), they are a choice, and exact.
+    """
+    half = half_units(numbers, 3)
+    return np.where(half > 0, half[half > 0].min(initial=np.inf), 0.0)
+
+
 def all_printed(numbers: npt.ArrayLike) -> bool:
     """Whether every number has at most 12 significant digits."""
     return all(_is_printed(_written(x)) for x in np.ravel(np.asarray(numbers, dtype=float)))

@@ -15,10 +15,9 @@ from robotics1.orientation.euler_inverse import sine_squared
 from robotics1.orientation.expressions import Matrix, as_matrix, cosine_and_sine, expressions, root, simplified
 from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
-from robotics1.printed_digits import half_units
+from robotics1.printed_digits import half_units, shared_half_units
 from robotics1.results import Frozen
 
-DECIMALS = 3  # of a velocity that is a rounded one: with fewer, as 0.5, it is a choice
 SLACK = 1e-6  # relative: how far beyond half a unit a singular angle still counts as within
 
 
@@ -148,7 +147,7 @@ def euler_rates(
     one_of("reference", reference, ("world", "body"))
     phi = real_array("angles", angles, (3,), "[rad]")
     omega = real_array("omega", omega, (3,), "[rad/s]")
-    return rates_of(order, phi, lambda _: omega, reference, half_units(omega, DECIMALS))
+    return rates_of(order, phi, lambda _: omega, reference, shared_half_units(omega))
 
 
 def rates_of(

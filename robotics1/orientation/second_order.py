@@ -9,9 +9,9 @@ from robotics1.inputs import Array, one_of, real_array
 from robotics1.orientation.elementary import axial_vector, cross_matrix
 from robotics1.orientation.expressions import Matrix, as_matrix, expressions, simplified
 from robotics1.orientation.nearest import PRINTED, rotation_of
-from robotics1.orientation.rates import DECIMALS, EulerRates, rate_map, rates_of
+from robotics1.orientation.rates import EulerRates, rate_map, rates_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
-from robotics1.printed_digits import half_units
+from robotics1.printed_digits import shared_half_units
 from robotics1.results import Frozen
 
 AXES = ("world", "body")
@@ -163,5 +163,5 @@ def euler_accelerations(
     def drift(at: Array) -> Array:
         return _map_derivative(order, at, phi_dot, reference) @ phi_dot
 
-    solved = rates_of(order, phi, lambda at: wanted - drift(at), reference, half_units(wanted, DECIMALS))
+    solved = rates_of(order, phi, lambda at: wanted - drift(at), reference, shared_half_units(wanted))
     return EulerAccelerations(drift(phi), solved)
