@@ -57,3 +57,17 @@ def generalized_inverse(A: Array, damping: float | Callable[[Array], float] = 0.
     """
     U, sigma, Vt = np.linalg.svd(A, full_matrices=False)
     return GeneralizedInverse(U, sigma, Vt, float(damping(sigma) if callable(damping) else damping))
+
+
+def least_distance_in_box(M: Array, b: Array) -> float:
+    """Return min |M x − b| over |xᵢ| ≤ 1.
+
+    Source: Stark, Parker, Bounded-variable least squares, Computational Statistics 10, 1995.
+    """
+    from scipy.optimize import lsq_linear
+
+    size = float(np.abs(M).max(initial=0.0))
+    if size == 0:
+        return float(np.linalg.norm(b))
+    found = lsq_linear(M / size, b / size, (-1.0, 1.0), method="bvls", tol=1e-14)
+    return float(np.linalg.norm(M @ found.x - b))

@@ -3,8 +3,11 @@
 import ast
 import re
 from pathlib import Path
+from types import ModuleType
 
 import pytest
+
+import robotics1 as r1
 
 HERE = Path(__file__).parent
 TEXT = (HERE.parent / "docs" / "exam_questions.md").read_text(encoding="utf-8")
@@ -33,6 +36,13 @@ def test_each_answered_question_names_its_call_and_its_tests():
         assert all((when, question)), row
         assert "`" in call, row
         assert re.fullmatch(r"`test_\w+::test_\w+`(, `test_\w+::test_\w+`)*", tests), row
+
+
+def test_the_calls_are_those_of_public_names():
+    spaces = [r1, *(getattr(r1, name) for name in r1.__all__ if getattr(r1, name).__class__ is ModuleType)]
+    for row in ANSWERED:
+        for name in re.findall(r"(?<![.\w])([A-Za-z_]\w+)\(", row.split(" | ")[2]):
+            assert any(hasattr(space, name) for space in spaces), name
 
 
 def test_the_numbers_at_the_top_are_those_of_the_tables():

@@ -153,9 +153,8 @@ def test_2011_09_12_b_twist_of_a_scara_in_a_singular_configuration():
 
 def test_2009_12_17_3_twist_of_a_spatial_4r_has_one_solution():
     rows = [("R", 0, up, 0, 0), ("R", 0, up, 0, 0), ("R", 0, up, 1, 0), ("R", 1, 0, 0, 0)]
-    found = r1.joint_velocity(
-        r1.robot_from_dh(rows), r1.PoseTask(), [0, 0, -1, 0, -sqrt(0.5), 0], [0, 3 * pi / 4, pi, pi]
-    )
+    arm, q, twist = r1.robot_from_dh(rows), [0, 2.356194, 3.141593, 3.141593], [0, 0, -1, 0, -0.707107, 0]  # as printed
+    found = r1.joint_velocity(arm, r1.PoseTask(), twist, q)
     assert found.qdot == pytest.approx([0, -0.707107, 0, 1.414214], abs=1e-6)
     assert np.linalg.norm(found.qdot) == pytest.approx(1.5811, abs=PRINTED)
     assert (found.rank, found.feasible) == (4, True)

@@ -15,6 +15,7 @@ from robotics1 import InputError, subspaces
 from robotics1.orientation import (
     angular_velocity,
     axis_angle_to_rotation,
+    euler_accelerations,
     euler_formulas,
     euler_rate_map,
     euler_rates,
@@ -136,6 +137,36 @@ def test_at_a_singularity_the_part_of_omega_along_the_lost_direction_is_not_prod
     assert produced.feasible
     assert T @ produced.rates == pytest.approx(T @ [1, 2, 3], abs=1e-14)
     assert not euler_rates(name, angles, found.lost, fixed=fixed, reference=reference).feasible
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_printed_digits_of_a_singular_angle_are_said_to_be_so_and_the_answer_there_is_that_of_the_exact_one(name):
+    b, printed = (pi, 3.1416) if name[-1] == name.lstrip("-")[0] else (pi / 2, 1.5708)
+    T, omega = euler_rate_map(name, [0.4, b, -0.9]), [1.0, 2.0, -3.0]
+    found, exact = euler_rates(name, [0.4, printed, -0.9], omega), euler_rates(name, [0.4, b, -0.9], omega)
+    assert (found.singular, found.near, exact.near) == (False, (b, 5e-5), None)
+    assert found.at_singularity.rates == pytest.approx(exact.rates)
+    assert found.at_singularity.unproduced == pytest.approx(exact.unproduced)
+    assert found.explain().startswith("T is nearly singular: φ2 is within 5e-05 of π")
+    rounded = euler_rates(name, [0.4, printed, -0.9], np.round(T @ [0.3, 0.2, 0.1], 4)).at_singularity
+    assert rounded.feasible
+    assert rounded.rates @ exact.null == pytest.approx(0, abs=1e-12)
+    assert T @ rounded.rates == pytest.approx(T @ [0.3, 0.2, 0.1], abs=2e-4)
+
+
+def test_digits_that_stand_for_no_singular_angle_leave_one_answer():
+    assert euler_rates("ZYX", [0.4, 1.5706, -0.9], [1, 2, 3]).at_singularity is None
+    assert euler_rates("ZYZ", [0.4, 0.001, -0.9], [1, 2, 3]).at_singularity is None
+
+
+@pytest.mark.parametrize("name", ["ZYX", "YXZ", "ZYZ"])
+def test_accelerations_at_printed_digits_have_the_drift_of_the_singular_angle(name):
+    b, printed = (pi, 3.1416) if name == "ZYZ" else (pi / 2, 1.5708)
+    rates, wanted = [0.3, -0.2, 0.5], [1.0, 2.0, -3.0]
+    there = euler_accelerations(name, [0.4, printed, -0.9], rates, wanted).solved.at_singularity
+    exact = euler_accelerations(name, [0.4, b, -0.9], rates, wanted)
+    assert there.rates == pytest.approx(exact.accelerations)
+    assert there.unproduced == pytest.approx(exact.solved.unproduced)
 
 
 def test_a_symbolic_rate_map_is_a_matrix_of_the_same_code():

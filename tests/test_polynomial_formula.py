@@ -30,6 +30,11 @@ def test_cubic_between_two_states_is_the_one_with_delta():
     assert len(found.coefficients) == 4
 
 
+def test_a_name_is_a_real_symbol_and_that_of_the_duration_a_positive_one():
+    lasting = sympy.Symbol("T", positive=True)
+    assert polynomial_formula(("q0", "v0"), ("q1", 0), "T") == polynomial_formula((q0, v0), (q1, 0), lasting)
+
+
 def test_rest_to_rest_polynomials_of_degree_3_5_and_7():
     assert polynomial_formula((0, 0), (1, 0), T).coefficients == (0, 0, 3, -2)
     assert polynomial_formula((0, 0, 0), (1, 0, 0), T).coefficients == (0, 0, 0, 10, -15, 6)
@@ -96,8 +101,9 @@ def test_fractions_stay_exact_and_functions_of_angles_stay_as_they_are():
         (q0, (q1,), 1, "start must be a value and derivatives"),
         ((0,), np.array([1.0]), 1, "end must be a value and derivatives"),
         ((0,) * 13, (1,), 1, "at most 12"),
-        (("q0",), (1,), 1, r"start\[0\] must be a SymPy expression or a number, not 'q0'"),
-        ((0, True), (1,), 1, r"start\[1\] must be a SymPy expression or a number, not True"),
+        (("q 0",), (1,), 1, r"start\[0\] must be a SymPy expression, a number or a name, not 'q 0'"),
+        ((0, True), (1,), 1, r"start\[1\] must be a SymPy expression, a number or a name, not True"),
+        ((0, "t"), (1,), 1, r"start\[1\] must not depend on t, the time of the polynomial"),
         ((0,), (None,), 1, r"end\[0\] must be a SymPy expression"),
         ((0,), (sympy.Matrix([1]),), 1, r"end\[0\] must be a SymPy expression"),
         ((0,), (sympy.MatrixSymbol("q", 2, 1),), 1, r"end\[0\] must be a SymPy expression"),
@@ -110,7 +116,7 @@ def test_fractions_stay_exact_and_functions_of_angles_stay_as_they_are():
         ((0,), (1,), 0, "duration must be positive; it is 0"),
         ((0,), (1,), -0.5, "duration must be positive"),
         ((0,), (1,), sympy.Symbol("n", negative=True), "duration must be positive"),
-        ((0,), (1,), "T", "duration must be a SymPy expression or a number"),
+        ((0,), (1,), "T/2", "duration must be a SymPy expression, a number or a name"),
         ((0,), (1,), float("inf"), "duration must be real and finite"),
     ],
 )

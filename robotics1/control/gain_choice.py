@@ -17,6 +17,7 @@ from robotics1.inputs import (
     real_number,
 )
 from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.notation import vector
 from robotics1.results import tuple_with_arrays
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
@@ -120,7 +121,7 @@ def largest_gains(
     inverse = np.linalg.pinv(J, rcond=RANK_TOLERANCE)
     base = inverse @ ahead
     if (np.abs(base) > V * (1 + 1e-12)).any():
-        raise InputError(f"the feedforward alone, q̇ = {base.tolist()}, is beyond the limits {V.tolist()}")
+        raise InputError(f"the feedforward alone, q̇ = {vector(base)}, is beyond the limits {vector(V)}")
     acts = np.abs(e) > 0
     effects, n = (inverse * e)[:, acts], int(acts.sum())
     gains = np.full(task.rows, np.inf)

@@ -1,22 +1,26 @@
 """The angular velocity: of a rotation that changes, [ω]× = Ṙ Rᵀ, and of the rates of angles, ω = T(φ) φ̇."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import pi
 from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array, one_of, real_array
-from robotics1.notation import vector
+from robotics1.notation import joint_value, vector
 from robotics1.orientation.elementary import axial_vector, turn
 from robotics1.orientation.euler_inverse import sine_squared
 from robotics1.orientation.expressions import Matrix, as_matrix, cosine_and_sine, expressions, root, simplified
 from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
+from robotics1.printed_digits import half_units, shared_half_units
 from robotics1.results import Frozen
 
 Axes = Literal["world", "body"]
 AXES: tuple[Axes, ...] = get_args(Axes)
+SLACK = 1e-6  # relative: how far beyond half a unit a singular angle still counts as within
 
 
 def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference: Axes = "world") -> Matrix:
@@ -89,6 +93,9 @@ class EulerRates(Frozen):
         unproduced: (3,) ω − T φ̇ [rad/s], the part of ω that no rates produce; zero unless singular.
         lost: (3,) where T is singular, the unit vector along which no ω is produced; else None.
         null: (3,) where T is singular, unit rates that produce no ω; else None.
+        near: where φ₂, with the digits it is given by, may be a singular angle: that angle and half a unit of the last
+            digit [rad]; else None.
+        at_singularity: the answer at that angle; else None.
     """
 
     rates: Array
@@ -97,14 +104,23 @@ class EulerRates(Frozen):
     unproduced: Array
     lost: Array | None
     null: Array | None
+    near: tuple[float, float] | None = None
+    at_singularity: "EulerRates | None" = None
 
     @property
     def feasible(self) -> bool:
-        """Whether the rates produce ω: |ω − T φ̇| ≤ 1e-9 max(1, |ω|)."""
+        """Whether the rates produce ω: |ω − T φ̇| ≤ 1e-9 max(1, |ω|), or what the digits of ω and φ leave open."""
         return not self.unproduced.any()
 
     def explain(self) -> str:
         """Return whether rates of the angles produce ω, in a sentence."""
+        if self.near is not None and self.at_singularity is not None:
+            angle, half_unit = self.near
+            return (
+                f"T is nearly singular: φ2 is within {half_unit:.0e} of {joint_value(angle)}, so that det T = "
+                f"{self.determinant:.1e} is not more than rounding; the answer there is `at_singularity`: "
+                f"{self.at_singularity.explain()}"
+            )
         if self.lost is None:
             return f"det T = {self.determinant:.4g}: one φ̇ produces each ω"
         if self.feasible:
@@ -119,7 +135,7 @@ def euler_rates(
 
     Args:
         sequence: three axes, such as "ZYZ", "XYZ", or "Z-YX" with an angle about −y.
-        angles: (3,) [rad].
+        angles: (3,) [rad]; a φ₂ such as 1.5708, whose digits may stand for a singular angle, is said to be so.
         omega: (3,) ω [rad/s].
         fixed: rotations about the axes of the fixed frame; otherwise about those that have already moved.
         reference: the axes ω is written in: "world" or "body".
@@ -131,14 +147,51 @@ def euler_rates(
     """
     order = euler_sequence(sequence, fixed)
     one_of("reference", reference, AXES)
-    angles = real_array("angles", angles, (3,), "[rad]")
+    phi = real_array("angles", angles, (3,), "[rad]")
     omega = real_array("omega", omega, (3,), "[rad/s]")
+    return rates_of(order, phi, lambda _: omega, reference, shared_half_units(omega))
+
+
+def rates_of(
+    order: EulerSequence, phi: Array, omega_at: Callable[[Array], Array], reference: Axes, open_digits: Array
+) -> EulerRates:
+    """Return the rates for ω(φ), at φ and at the singular φ that its digits may stand for.
+
+    Args:
+        order: the sequence.
+        phi: (3,) as given.
+        omega_at: φ → ω.
+        reference: the axes of ω.
+        open_digits: (3,) how far each entry of ω may be off, by its digits.
+    """
+    digits = half_units(phi)
+    digits[1] = 0.0
+    found = _rates(order, phi, omega_at(phi), reference, (open_digits, digits))
+    near = None if found.singular else _singular_within_digits(order, phi)
+    if near is None:
+        return found
+    singular = np.array([phi[0], near[0], phi[2]])
+    there = _rates(order, singular, omega_at(singular), reference, (open_digits, digits))
+    return replace(found, near=near, at_singularity=there)
+
+
+def _singular_within_digits(order: EulerSequence, angles: Array) -> tuple[float, float] | None:
+    """Return the singular φ₂ that rounds to the given one, and half a unit of its last digit; None if there is none."""
+    half_unit = float(half_units(angles)[1])
+    start = pi / 2 if order.offset[0] == 0 else 0.0
+    singular = start + pi * round((angles[1] - start) / pi)
+    return (singular, half_unit) if 0 < abs(singular - angles[1]) <= half_unit * (1 + SLACK) else None
+
+
+def _rates(order: EulerSequence, angles: Array, omega: Array, reference: Axes, half: tuple[Array, Array]) -> EulerRates:
+    """Return the rates for ω; a part along the lost direction that the digits of ω and φ leave open is none."""
     T, det = rate_map(order, angles, reference), float(rate_determinant(order, angles))
     if abs(det) > SINGULAR:
         return EulerRates(np.linalg.solve(T, omega), det, False, np.zeros(3), None, None)
     lost = lost_direction(order, angles, reference)
-    part = lost @ omega
-    unproduced = part * lost if abs(part) > SINGULAR * max(1.0, float(np.linalg.norm(omega))) else np.zeros(3)
+    part, size = lost @ omega, float(np.linalg.norm(omega))
+    rounding = SINGULAR * max(1.0, size) + np.abs(lost) @ half[0] + half[1].max() * size
+    unproduced = part * lost if abs(part) > rounding else np.zeros(3)
     null = np.array([1, 0, -np.sign(T[:, 0] @ T[:, 2])]) / np.sqrt(2)
     return EulerRates(np.linalg.pinv(T, rcond=1e-6) @ omega, det, True, unproduced, lost, null)
 

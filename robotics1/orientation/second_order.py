@@ -9,8 +9,9 @@ from robotics1.inputs import Array, one_of, real_array
 from robotics1.orientation.elementary import axial_vector, cross_matrix
 from robotics1.orientation.expressions import Matrix, as_matrix, expressions, simplified
 from robotics1.orientation.nearest import PRINTED, rotation_of
-from robotics1.orientation.rates import AXES, Axes, EulerRates, euler_rates, rate_map
+from robotics1.orientation.rates import AXES, Axes, EulerRates, rate_map, rates_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
+from robotics1.printed_digits import shared_half_units
 from robotics1.results import Frozen
 
 
@@ -155,6 +156,10 @@ def euler_accelerations(
     order = euler_sequence(sequence, fixed)
     one_of("reference", reference, AXES)
     phi, phi_dot = real_array("angles", angles, (3,), "[rad]"), real_array("rates", rates, (3,), "[rad/s]")
-    drift = _map_derivative(order, phi, phi_dot, reference) @ phi_dot
-    wanted = real_array("omega_dot", omega_dot, (3,), "[rad/s²]") - drift
-    return EulerAccelerations(drift, euler_rates(sequence, phi, wanted, fixed=fixed, reference=reference))
+    wanted = real_array("omega_dot", omega_dot, (3,), "[rad/s²]")
+
+    def drift(at: Array) -> Array:
+        return _map_derivative(order, at, phi_dot, reference) @ phi_dot
+
+    solved = rates_of(order, phi, lambda at: wanted - drift(at), reference, shared_half_units(wanted))
+    return EulerAccelerations(drift(phi), solved)

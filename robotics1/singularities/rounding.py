@@ -10,10 +10,10 @@ from robotics1.errors import Robotics1Error
 from robotics1.inputs import Array
 from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration, joint_value, pi_fraction
+from robotics1.printed_digits import half_units
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.singularities.printed_digits import half_units
 from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces, subspaces_of_rank, vanishing_block
 from robotics1.tasks.given import TaskLike, robot_and_task
 

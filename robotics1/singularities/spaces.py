@@ -7,9 +7,9 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array, real_number
-from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.least_squares import RANK_TOLERANCE, least_distance_in_box, numeric_rank
+from robotics1.printed_digits import all_printed, half_units, shared_half_units
 from robotics1.results import Frozen
-from robotics1.singularities.printed_digits import all_printed, half_units
 
 FOUR_DECIMALS = 5e-5  # of σ₁: what a configuration that is rounded to four decimals does not tell from zero
 DECIMALS = 3  # of an entry of a matrix that is a rounded one: with fewer, as 0.5 and 0.25, it is a choice
@@ -83,8 +83,15 @@ class Subspaces(Frozen):
         return f"{rank}; σ = {sigma:.1e} is below {self.rounding:.1e}, and without it the rank is {self.certain_rank}"
 
     def contains(self, v: npt.ArrayLike) -> bool:
-        """Return whether the task velocity v (m,) can be realised: v ∈ R(J), to 1e-9 of its length."""
-        return bool(np.linalg.norm(self.unrealisable(v)) <= RANK_TOLERANCE * np.linalg.norm(v))
+        """Return whether the task velocity v (m,) can be realised: v ∈ R(J), to 1e-9 of its length and to its digits.
+
+        A v with three or more decimals is taken as rounded: another that rounds to it may be in the range.
+        """
+        outside, rounding = self.unrealisable(v), RANK_TOLERANCE * np.linalg.norm(v)
+        if np.linalg.norm(outside) <= rounding:
+            return True
+        moves = self.left_null.T * shared_half_units(v)
+        return bool(least_distance_in_box(moves, self.left_null.T @ outside) <= rounding)
 
     def unrealisable(self, v: npt.ArrayLike) -> Array:
         """Return the part of the task velocity v (m,) that no q̇ realises: its projection on N(Jᵀ)."""

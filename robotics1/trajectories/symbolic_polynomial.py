@@ -53,9 +53,10 @@ def polynomial_formula(start: Sequence[Any], end: Sequence[Any], duration: Any) 
     each r of the end. From rest at 0 to (q1, v1): q(τ) = (3 q1 − T v1) τ² + (−2 q1 + T v1) τ³.
 
     Args:
-        start: (q0, v0, a0, ...) at t = 0, as many as are given: SymPy expressions or numbers [rad or m, ...].
+        start: (q0, v0, a0, ...) at t = 0, as many as are given: SymPy expressions, numbers, or names of real symbols,
+            such as "v0" [rad or m, ...].
         end: (q1, v1, a1, ...) at t = T.
-        duration: T, an expression or a positive number [s].
+        duration: T, an expression, a positive number, or the name of a positive symbol [s].
 
     Raises:
         InputError: an end has no value, something is no real expression or number, or contains τ or t, or a duration
@@ -65,7 +66,7 @@ def polynomial_formula(start: Sequence[Any], end: Sequence[Any], duration: Any) 
     """
     import sympy
 
-    T = _expression("duration", duration)
+    T = _expression("duration", duration, positive=True)
     if T.is_extended_positive is False:
         raise InputError(f"duration must be positive; it is {duration}")
     first, last = _state("start", start), _state("end", end)
@@ -93,16 +94,19 @@ def _state(name: str, values: Sequence[Any]) -> list[Any]:
     return [_expression(f"{name}[{i}]", value) for i, value in enumerate(values)]
 
 
-def _expression(name: str, value: Any) -> Any:
-    """Return a SymPy expression or a number as a real expression without τ and t."""
+def _expression(name: str, value: Any, *, positive: bool = False) -> Any:
+    """Return a SymPy expression, a number or a name as a real expression without τ and t."""
     import sympy
 
     try:
-        found = sympy.sympify(value, strict=True)
+        is_name = isinstance(value, str) and value.isidentifier()
+        found = (
+            sympy.Symbol(value, real=True, positive=positive or None) if is_name else sympy.sympify(value, strict=True)
+        )
     except sympy.SympifyError:
         found = None
     if not isinstance(found, sympy.Expr) or not found.is_commutative:
-        raise InputError(f"{name} must be a SymPy expression or a number, not {value!r}")
+        raise InputError(f"{name} must be a SymPy expression, a number or a name, not {value!r}")
     if found.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo, sympy.I) or found.is_extended_real is False:
         raise InputError(f"{name} must be real and finite; it is {value}")
     taken = sorted({symbol.name for symbol in found.free_symbols} & set(TIMES))

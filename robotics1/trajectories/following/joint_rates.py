@@ -1,5 +1,6 @@
 """Inverse differential kinematics at one state: q̇ from ṙ, and q̈ from r̈, with what cannot be realised."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Any, Self
@@ -16,9 +17,11 @@ from robotics1.singularities.rounding import RoundedConfiguration, rounded_confi
 from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
+from robotics1.trajectories.following.open_digits import realised_within_digits
 from robotics1.trajectories.following.resolution import (
     Rates,
     Resolution,
+    drifts,
     resolution_or_default,
     resolved_acceleration,
     resolved_velocity,
@@ -33,6 +36,7 @@ class RateStatus(Enum):
     REALISED = "realised"
     REALISED_ALL_THE_SAME = "realised, although the Jacobian has lost rank: what is asked is in its range"
     DAMPED = "in the range of the Jacobian, but the damping leaves a part of it"
+    REALISED_WITHIN_DIGITS = "realised to the digits that are given: what is left is not more than their rounding"
     OUT_OF_RANGE = "not in the range of the Jacobian: a part of it cannot be realised"
     NEARLY_SINGULAR = "nearly singular: with the digits it is given by, the configuration may be singular"
 
@@ -65,7 +69,7 @@ class Resolved(Frozen):
 
     @property
     def feasible(self) -> bool:
-        """Whether b is in the range of A, so that some inputs realise it."""
+        """Whether b is in the range of A, as far as its digits and those of q tell, so that some inputs realise it."""
         return not self.unrealisable.any()
 
     @property
@@ -91,7 +95,7 @@ class Resolved(Frozen):
         Raises:
             NotConverged: a part of it is not, or the configuration may be singular.
         """
-        return require(self, self.status in (RateStatus.REALISED, RateStatus.REALISED_ALL_THE_SAME))
+        return require(self, self.status.name.startswith("REALISED"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,7 +158,15 @@ def joint_velocity(
 
     def at(x: Array) -> JointVelocity:
         rates = resolved_velocity(robot, task, chosen, x, rdot, null_velocity)
-        return JointVelocity(**_outcome(rates, rdot), qdot=rates.joints, rounded=rounded)
+
+        def made(near: Array) -> Array:
+            return task.jacobian(robot, near) @ chosen.inputs(robot, near) @ rates.inputs
+
+        def within(N: Array, outside: Array) -> bool:
+            return realised_within_digits(N, rdot, outside, made, x, rounded.half_units)
+
+        outcome = _outcome(rates, rdot, within)
+        return JointVelocity(**outcome, qdot=rates.joints, rounded=rounded)
 
     found = at(rounded.q)
     if rounded.singular_q is None:
@@ -199,7 +211,16 @@ def joint_acceleration(
 
     def at(x: Array) -> JointAcceleration:
         rates = resolved_acceleration(robot, task, chosen, (x, u), rddot, null_acceleration)
-        return JointAcceleration(**_outcome(rates, rddot), qddot=rates.joints, drift=rates.drift, rounded=rounded)
+
+        def made(near: Array) -> Array:
+            A = task.jacobian(robot, near) @ chosen.inputs(robot, near)
+            return A @ rates.inputs + drifts(robot, task, chosen, near, u)[0]
+
+        def within(N: Array, outside: Array) -> bool:
+            return realised_within_digits(N, rddot, outside, made, x, rounded.half_units)
+
+        outcome = _outcome(rates, rddot, within)
+        return JointAcceleration(**outcome, qddot=rates.joints, drift=rates.drift, rounded=rounded)
 
     found = at(rounded.q)
     if rounded.singular_q is None:
@@ -212,13 +233,18 @@ def _rounded(robot: Robot, task: Task, resolution: Resolution, q: ConfigurationL
     return rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q)
 
 
-def _outcome(rates: Rates, asked: Array) -> dict[str, Any]:
-    """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding."""
+def _outcome(rates: Rates, asked: Array, within: Callable[[Array, Array], bool]) -> dict[str, Any]:
+    """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding.
+
+    So is a part outside the range of A that the digits leave open, as `within` says of the basis of N(Aᵀ) and the part.
+    """
     A, b, spaces = rates.A, asked - rates.drift, subspaces(rates.A)
     rounding = RANK_TOLERANCE * float(np.linalg.norm(asked) + np.linalg.norm(rates.drift))
     unrealisable, realised = spaces.unrealisable(b), A @ rates.inputs
     inside = bool(np.linalg.norm(unrealisable) <= rounding)
-    if not inside:
+    if not inside and within(spaces.left_null, unrealisable):
+        status, inside = RateStatus.REALISED_WITHIN_DIGITS, True
+    elif not inside:
         status = RateStatus.OUT_OF_RANGE
     elif rates.damping > 0 and np.linalg.norm(b - realised) > rounding:
         status = RateStatus.DAMPED

@@ -4,16 +4,16 @@
 be singular, while at 1.5708 itself σ_min is about 4e-6, and its inverse asks for joint velocities of 10⁵.
 """
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
-
-from robotics1.inputs import Array
 
 FEWEST = 2  # decimals: a number with fewer, such as 1 or 0.5, is a choice, not a rounded one
 MOST = 12  # significant digits: a number with more was computed, not printed
 
 
-def half_units(numbers: npt.ArrayLike, fewest: int = FEWEST) -> Array:
+def half_units(numbers: npt.ArrayLike, fewest: int = FEWEST) -> npt.NDArray[np.floating[Any]]:
     """Return half a unit of the last printed digit of each number, in their shape: 5e-5 of 1.5708; 0 where it is exact.
 
     The digits are those of the shortest decimal that gives the number back. A number of more than 12 significant digits
@@ -29,6 +29,15 @@ def half_units(numbers: npt.ArrayLike, fewest: int = FEWEST) -> Array:
         return np.zeros(values.shape)
     decimals = np.where(decimals < fewest, decimals[rounded].max(), decimals)
     return np.where(printed, 0.5 * 10.0**-decimals, 0.0).reshape(values.shape)
+
+
+def shared_half_units(numbers: npt.ArrayLike) -> npt.NDArray[np.floating[Any]]:
+    """Return half a unit of the last digit of numbers rounded at the same place: 5e-5 for each of (0.7071, 0.5).
+
+    With fewer than three decimals, as (0.5, 0.25), they are a choice, and exact.
+    """
+    half = half_units(numbers, 3)
+    return np.where(half > 0, half[half > 0].min(initial=np.inf), 0.0)
 
 
 def all_printed(numbers: npt.ArrayLike) -> bool:
