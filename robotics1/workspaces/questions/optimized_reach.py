@@ -12,6 +12,7 @@ from robotics1.inputs import Array, real_array
 from robotics1.results import Frozen
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.given import RobotLike
+from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.reading import moving_point
 from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
@@ -90,7 +91,7 @@ def extreme_reach(
 
     Source: Byrd, Lu, Nocedal, Zhu, SIAM J. Scientific Computing 16, 1995 (L-BFGS-B).
     """
-    robot, task = robot_and_task(robot, task)
+    robot, task = with_frame_at_point(*robot_and_task(robot, task))
     rows, tip, axes = moving_point(robot, task, box)
     for axis in axes:
         if not axis.revolute:
