@@ -14,7 +14,7 @@ import robotics1 as r1
 from robotics1.cli.options import TASKS
 from robotics1.tasks.given import SHORT_FORMS
 
-COMMANDS = ("fk", "jacobian", "singularities", "ik", "statics", "workspace", "scan", "view", "check")
+COMMANDS = ("fk", "jacobian", "manipulability", "singularities", "ik", "statics", "workspace", "scan", "view", "check")
 HEAVY = ("numpy", "pinocchio", "scipy", "sympy", "numba", "matplotlib", "xacro")
 
 

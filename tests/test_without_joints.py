@@ -260,6 +260,7 @@ def test_every_function_of_a_robot_answers_or_says_that_nothing_moves(still, tmp
         (["fk"], "p = (0.1000, 0.2000, 0.3000)"),
         (["jacobian"], "rank 0"),
         (["jacobian", "--python"], "def jacobian(q)"),
+        (["manipulability"], "w = 0"),
         (["statics", "--force", "1,0,0"], "need no torque"),
         (["check"], "0 degrees of freedom"),
         (["singularities", "--task", "position"], ""),
