@@ -214,6 +214,9 @@ def nothing_moves(still, task, folder):
         "report": lambda: r1.report(still, folder / "sheet.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
+        "plot_run": lambda: r1.plots.plot_run(
+            r1.control.simulate_law(r1.control.joint_law(still, [], 1.0), [], duration=1.0)
+        ),
         "plot_ellipses": lambda: r1.plots.plot_ellipses(still, task, [], file=folder / "e.svg"),
         "plot_path": lambda: r1.plot_path(
             r1.trajectories.TaskTrajectory(still, r1.PositionTask("xy"), joints), file=folder / "c.svg"
