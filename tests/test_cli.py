@@ -5,6 +5,8 @@ import pytest
 from arms import ROBOTS
 from command import answer, run
 
+import robotics1 as r1
+
 
 @pytest.mark.parametrize(
     ("text", "value"),
@@ -91,6 +93,23 @@ def test_statics_balances_minus_J_transposed_f():
     found = answer("statics", "prr", "--task", "position:xy", "--q", "0.5,pi/2,pi", "--force", "3,1")
     assert found["torque"] == pytest.approx([-3, 0.6, -1.2])
     assert found["within_limits"] == [True, True, True]
+
+
+def test_manipulability_of_the_2r_is_l1_l2_sin_q2_with_its_ellipse(tmp_path):
+    """J J^T of l1 = 1.2, l2 = 0.8 by hand; at full speeds of the joints the corner (1, 1) or (1, -1) is the fastest."""
+    q, picture = np.array([0.3, 1.1]), tmp_path / "ellipses.svg"
+    x, y = 1.2 * np.cos(0.3) + 0.8 * np.cos(1.4), 1.2 * np.sin(0.3) + 0.8 * np.sin(1.4)
+    J = np.array([[-y, -0.8 * np.sin(1.4)], [x, 0.8 * np.cos(1.4)]])
+    words = ["manipulability", "planar_2r", "--q", "0.3,1.1", "--along", "1,0", "--figure", str(picture)]
+    found = answer(*words)
+    assert found["measure"] == pytest.approx(1.2 * 0.8 * np.sin(q[1]))
+    assert found["velocity_lengths"] == pytest.approx(np.linalg.svd(J)[1])
+    assert np.multiply(found["force_lengths"], found["velocity_lengths"]) == pytest.approx(np.ones(2))
+    assert found["transmission"]["force"] == pytest.approx(1 / np.linalg.norm(J.T @ [1, 0]))
+    V = r1.load_robot("planar_2r").max_velocity
+    assert found["largest_speed"] == pytest.approx(max(np.linalg.norm(J @ (V * [1, s])) for s in (1, -1)))
+    assert picture.read_text(encoding="utf-8").startswith("<?xml")
+    assert "along u: velocity" in run(*words).stdout
 
 
 def test_singularities_of_the_2r_are_q2_zero_and_pi():

@@ -16,7 +16,7 @@ from robotics1.cli.options import TASKS
 from robotics1.cli.output import PlainConsole
 from robotics1.tasks.given import SHORT_FORMS
 
-COMMANDS = ("fk", "jacobian", "singularities", "ik", "statics", "workspace", "scan", "view", "check")
+COMMANDS = ("fk", "jacobian", "manipulability", "singularities", "ik", "statics", "workspace", "scan", "view", "check")
 HEAVY = ("numpy", "pinocchio", "scipy", "sympy", "numba", "matplotlib", "xacro")
 
 

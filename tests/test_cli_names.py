@@ -16,6 +16,7 @@ QUICK = {
     "fk": ["fk", "--q", "1,2"],
     "jacobian": ["jacobian", "--task", "position:xy"],
     "jacobian beyond the limits": ["jacobian", "--task", "position:xy", "--q", "4,4"],
+    "manipulability": ["manipulability", "--along", "1,2"],
     "statics": ["statics", "--force", "1,2", "--task", "position:xy"],
 }
 SLOW = {

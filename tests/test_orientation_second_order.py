@@ -120,6 +120,30 @@ def test_a_rotation_is_among_those_that_complete_it_and_all_have_its_entries(see
     assert found.correction < 1e-9
 
 
+@given(st.integers(0, 10**6), st.integers(3, 6))
+@settings(max_examples=10)
+def test_all_rotations_with_given_entries_are_those_that_newton_finds_from_everywhere(seed, number):
+    """The roots by eigenvalues, against SciPy's root finder on rotation vectors from 60 starts."""
+    from scipy.optimize import least_squares
+
+    rng = np.random.default_rng(seed)
+    R = pin.exp3(rng.uniform(-1.5, 1.5, 3))
+    everywhere = [(i, j) for i in range(3) for j in range(3)]
+    places = [everywhere[i] for i in rng.permutation(9)[:number]]
+    lines = {frozenset(p for p in everywhere if p[k] == i) for k in (0, 1) for i in range(3)}
+    if number == 3 and frozenset(places) in lines:
+        return  # a full row leaves a turn about it
+    found = complete_rotation(hidden(R, set(everywhere) - set(places)))
+    assert found.complete
+    assert found.dimension == 0
+    for start in rng.uniform(-3, 3, (60, 3)):
+        end = least_squares(
+            lambda w: [pin.exp3(w)[p] - R[p] for p in places], start, xtol=1e-15, ftol=1e-15, gtol=1e-15
+        )
+        if end.cost < 1e-24:
+            assert min(np.abs(x - pin.exp3(end.x)).max() for x in found.rotations) < 1e-5
+
+
 def test_a_block_of_four_entries_leaves_the_signs_of_the_others():
     R = pin.exp3(np.array([0.3, -0.7, 1.1]))
     found = complete_rotation(hidden(R, {(0, 2), (1, 2), (2, 0), (2, 1), (2, 2)}))
@@ -160,9 +184,12 @@ def test_one_name_twice_is_one_number():
 def test_too_few_entries_leave_a_family_and_contradictory_ones_nothing():
     free = complete_rotation([[0.5, None, None], [None, None, None], [None, None, None]])
     assert free.dimension == 2
+    assert not free.complete
     assert free.rotations[:, 0, 0] == pytest.approx(np.full(len(free.rotations), 0.5))
     assert "a family of 2 parameters" in free.explain()
     assert complete_rotation([[None] * 3] * 3).dimension == 3
+    assert complete_rotation([[0.6, 0.0, None], [0.0, 0.9, None], [None, None, -0.9]]).complete  # and there is none
+    assert not len(complete_rotation([[0.6, 0.0, None], [0.0, 0.9, None], [None, None, -0.9]]).rotations)
     none = complete_rotation([[0.9, 0.9, None], [None] * 3, [None] * 3])
     assert len(none.rotations) == 0
     with pytest.raises(r1.NotConverged, match="no rotation"):

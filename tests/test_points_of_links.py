@@ -121,3 +121,41 @@ def test_what_is_no_point_is_refused(point):
     ):
         with pytest.raises(r1.InputError, match="point must"):
             call()
+
+
+# --- workspaces and pages of a task at a point beside its frame
+
+
+def test_the_workspace_of_a_point_beyond_the_tool_is_that_of_an_arm_with_a_longer_link():
+    task = r1.PositionTask("xy", point=[0.1, 0, 0])
+    longer = r1.textbook_robots.planar_arm("RR", [1.0, 0.9])
+    arm_ = r1.textbook_robots.planar_arm("RR", [1.0, 0.8])
+    found = r1.workspaces.workspace(arm_, task)
+    assert found.area == pytest.approx(4 * np.pi * 1.0 * 0.9)
+    assert found.area == pytest.approx(r1.workspaces.workspace(longer, r1.PositionTask("xy")).area)
+    assert r1.workspaces.extreme_reach(arm_, task).value == pytest.approx(1.9)
+
+
+def test_a_point_beside_the_last_link_is_as_far_from_joint_2_as_by_hand():
+    """At (−0.5, 0.4) of the tool, which is 0.8 from joint 2, a point is √(0.3² + 0.4²) = 0.5 from it."""
+    arm_ = r1.textbook_robots.planar_arm("RR", [1.0, 0.8])
+    task = r1.PositionTask("xy", point=[-0.5, 0.4, 0])
+    assert r1.workspaces.extreme_reach(arm_, task).value == pytest.approx(1.5)
+    assert r1.workspaces.workspace(arm_, task).area == pytest.approx(np.pi * (1.5**2 - 0.5**2))
+
+
+def test_a_page_draws_the_jacobian_of_a_point_beside_the_tool():
+    from robotics1.viewer.arm_data import arm_data
+
+    arm_ = r1.textbook_robots.planar_arm("RR", [1.0, 0.8])
+    shown = arm_data(arm_, np.array([0.3, 0.5]), r1.PositionTask("xy", point=[0.1, 0.2, 0]))["task"]
+    plain = arm_data(arm_, np.array([0.3, 0.5]), r1.PositionTask("xy"))["task"]
+    assert shown["name"] == plain["name"] == "PositionTask"
+    moved = np.array(shown["frame"]["placement"]) - plain["frame"]["placement"]  # the rows of [R p]
+    assert moved == pytest.approx([0, 0, 0, 0.1, 0, 0, 0, 0.2, 0, 0, 0, 0])
+
+
+def test_a_function_of_ones_own_has_no_workspace_and_the_error_says_what_has_one():
+    own = r1.FunctionTask(lambda p, R, q: [p[0], p[1]], 2, point=[0.1, 0, 0])
+    with pytest.raises(r1.TaskError, match="with point= beside the tool; a function of your own cannot be read"):
+        r1.workspaces.workspace(r1.textbook_robots.planar_arm("RR", [1.0, 0.8]), own)

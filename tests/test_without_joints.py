@@ -214,6 +214,10 @@ def nothing_moves(still, task, folder):
         "report": lambda: r1.report(still, folder / "sheet.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
+        "iterate_twist": lambda: r1.ik.iterate_twist(still, np.eye(4), []),
+        "plot_run": lambda: r1.plots.plot_run(
+            r1.control.simulate_law(r1.control.joint_law(still, [], 1.0), [], duration=1.0)
+        ),
         "plot_ellipses": lambda: r1.plots.plot_ellipses(still, task, [], file=folder / "e.svg"),
         "plot_path": lambda: r1.plot_path(
             r1.trajectories.TaskTrajectory(still, r1.PositionTask("xy"), joints), file=folder / "c.svg"
@@ -260,6 +264,7 @@ def test_every_function_of_a_robot_answers_or_says_that_nothing_moves(still, tmp
         (["fk"], "p = (0.1000, 0.2000, 0.3000)"),
         (["jacobian"], "rank 0"),
         (["jacobian", "--python"], "def jacobian(q)"),
+        (["manipulability"], "w = 0"),
         (["statics", "--force", "1,0,0"], "need no torque"),
         (["check"], "0 degrees of freedom"),
         (["singularities", "--task", "position"], ""),

@@ -10,6 +10,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from robotics1.cli.check import check
+from robotics1.cli.ellipsoids import manipulability
 from robotics1.cli.exam import exam
 from robotics1.cli.fk import fk
 from robotics1.cli.ik import ik
@@ -42,7 +43,22 @@ def examples_of(command: Callable[..., None]) -> str | None:
     return "\n".join(["\b", "Examples:", *(f"  robotics1 {example}" for example in examples)]) if examples else None
 
 
-for command in (exam, fk, jacobian, singularities, ik, statics, workspace, reach, scan, view, report, check, robots):
+for command in (
+    exam,
+    fk,
+    jacobian,
+    manipulability,
+    singularities,
+    ik,
+    statics,
+    workspace,
+    reach,
+    scan,
+    view,
+    report,
+    check,
+    robots,
+):
     app.command(cls=RobotCommand, epilog=examples_of(command))(command)
 
 

@@ -11,6 +11,7 @@ from robotics1.inputs import Array, real_number
 from robotics1.notation import count
 from robotics1.orientation.elementary import cross_matrix
 from robotics1.orientation.nearest import PRINTED
+from robotics1.orientation.rotation_roots import rotation_candidates
 from robotics1.results import Frozen
 
 STARTS = 600  # rotations, spread over all; Newton's method runs from each
@@ -33,6 +34,7 @@ class CompletedRotations(Frozen):
         names: of the unknown entries that have one.
         values: (k, len(names)) theirs, in each rotation.
         dimension: 0 where the rotations are isolated; else how many parameters the family has.
+        complete: whether the number of roots says that there is no other rotation; a family shows some members.
         correction: the largest change of a given entry: of entries printed with few digits, their rounding.
     """
 
@@ -41,6 +43,7 @@ class CompletedRotations(Frozen):
     values: Array
     dimension: int
     correction: float
+    complete: bool
 
     def explain(self) -> str:
         """Return how many there are, in a sentence."""
@@ -66,8 +69,10 @@ def complete_rotation(M: Any, *, tolerance: float = PRINTED) -> CompletedRotatio
 
         complete_rotation([[None, 0.5, None], ["a", None, 0], [0.5, "b", None]])
 
-    Entries that fill a row or a column leave zeros in it. For the others the conditions are solved by Newton's method
-    from 600 rotations that are spread over all; the solutions have the entries to 1e-10, or to their printed digits.
+    Entries that fill a row or a column leave zeros in it. The others are quadratic forms of the quaternion of R: where
+    they have finitely many roots over the complex numbers, all are found by eigenvalues, and `complete` is true. Else,
+    and for printed entries, Newton's method searches from 600 rotations that are spread over all. The solutions have
+    the entries to 1e-10, or to their printed digits.
 
     Args:
         M: (3, 3) of numbers; None or a name for an entry that is not known. A name that comes twice is one number.
@@ -75,13 +80,18 @@ def complete_rotation(M: Any, *, tolerance: float = PRINTED) -> CompletedRotatio
 
     Raises:
         InputError: M is not (3, 3), or an entry is neither a number between −1 and 1, nor None, nor a name.
+
+    Source: Dreesen, Batselier, De Moor, Back to the roots, IFAC SYSID 2012 (`rotation_roots.py`).
     """
     known, names = _read(M)
     slack = real_number("tolerance", tolerance, non_negative=True)
     conditions = _conditions(_filled(known), names)
-    R = _from_everywhere(conditions, EXACT)
+    candidates = rotation_candidates(conditions)
+    R = _improved(conditions, _spread() if candidates is None else candidates, EXACT)
+    complete = candidates is not None
     if not len(R):
-        R = _from_everywhere(conditions, slack)
+        R = _improved(conditions, _spread(), slack)
+        complete = complete and not len(R)
     R = _distinct(R)
     dimension = 0
     if len(R) > MOST or (not len(conditions) and len(R)):
@@ -92,7 +102,7 @@ def complete_rotation(M: Any, *, tolerance: float = PRINTED) -> CompletedRotatio
     values = np.array([[x[place] for place in places] for x in R]).reshape(len(R), len(labels))
     given = ~np.isnan(known)
     correction = max((float(np.abs(x - known)[given].max(initial=0.0)) for x in R), default=0.0)
-    return CompletedRotations(R, labels, values, int(dimension), correction)
+    return CompletedRotations(R, labels, values, int(dimension), correction, complete)
 
 
 def _read(M: Any) -> tuple[Array, Any]:
@@ -164,13 +174,19 @@ def _gaps(conditions: list[tuple[Array, float]], R: Array) -> Array:
     return np.asarray(np.array([x for _, x in conditions]) - np.einsum("kij,sij->sk", W, R))
 
 
-def _from_everywhere(conditions: list[tuple[Array, float]], accepted: float) -> Array:
-    """Return the rotations at which Newton's method ends with a residual that is accepted, (k, 3, 3)."""
+def _spread() -> Array:
+    """Return rotations that are spread over all, (s, 3, 3)."""
     from scipy.spatial.transform import Rotation
 
-    R = Rotation.random(STARTS, rng=np.random.default_rng(0)).as_matrix()
-    if not conditions:
-        return np.asarray(R)
+    return np.asarray(Rotation.random(STARTS, rng=np.random.default_rng(0)).as_matrix())
+
+
+def _improved(conditions: list[tuple[Array, float]], R: Array, accepted: float) -> Array:
+    """Return the rotations at which Newton's method from each R ends with a residual that is accepted, (k, 3, 3)."""
+    from scipy.spatial.transform import Rotation
+
+    if not conditions or not len(R):
+        return R
     for _ in range(ROUNDS):
         steps = np.einsum("sak,sk->sa", np.linalg.pinv(_slopes(conditions, R), rcond=1e-8), _gaps(conditions, R))
         lengths = np.linalg.norm(steps, axis=1, keepdims=True)

@@ -5,11 +5,13 @@ from .ellipses import plot_ellipses
 from .paths import plot_path
 from .reach import plot_workspace
 from .reachability import plot_reachability
+from .runs import plot_run
 
 __all__ = [
     "plot_ellipses",
     "plot_path",
     "plot_reachability",
+    "plot_run",
     "plot_timing_law",
     "plot_trajectory",
     "plot_workspace",

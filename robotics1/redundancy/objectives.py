@@ -10,10 +10,10 @@ import numpy.typing as npt
 
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import InputError
-from robotics1.inputs import Array, a_robot, answer_of, moderate, real_array, real_number
+from robotics1.inputs import Array, answer_of, moderate, real_array, real_number
 from robotics1.kinematics import forward_kinematics, frame_jacobian
 from robotics1.results import Frozen
-from robotics1.robot.given import RobotLike
+from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
@@ -74,7 +74,7 @@ class JointRangeObjective(Frozen):
 
     def __post_init__(self) -> None:
         """Refuse limits that are no ranges, and a robot without any."""
-        a_robot(self.robot)
+        object.__setattr__(self, "robot", robot_from(self.robot))
         self.robot.require_single_coordinates("have a middle of their ranges")
         for name in ("lower", "upper"):
             given = getattr(self, name)
@@ -142,7 +142,7 @@ class ObstacleObjective(Frozen):
 
     def __post_init__(self) -> None:
         """Refuse what is no robot, no point, or no frame."""
-        a_robot(self.robot)
+        object.__setattr__(self, "robot", robot_from(self.robot))
         object.__setattr__(self, "obstacle", real_array("obstacle", self.obstacle, (3,), "in world axes [m]"))
         self.robot.frame_id(self.frame)
         if self.point is not None:
@@ -250,7 +250,7 @@ class FunctionObjective:
 
     def __post_init__(self) -> None:
         """Refuse what is no robot and no function."""
-        a_robot(self.robot)
+        object.__setattr__(self, "robot", robot_from(self.robot))
         if not callable(self.f):
             raise InputError(f"f must be a function of q; it is {self.f!r}")
 

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, real_number
 from robotics1.notation import count
 from robotics1.redundancy.descent_by_levels import LevelEnd, Part, descend_by_levels
+from robotics1.redundancy.given_levels import level_pairs
 from robotics1.results import Frozen, require
 from robotics1.robot.findings import random_configurations
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.tasks.given import TaskLike, task_from
+from robotics1.tasks.given import TaskLike
 from robotics1.tasks.task import Task
 
 EQUAL = 1e-6  # of the size of a residual: two starts that end in the same
@@ -162,20 +162,8 @@ def _is_better(one: PriorityIK, other: PriorityIK, tolerance: float) -> bool:
 
 
 def _goals(robot: Robot, levels: Any) -> list[tuple[Task, Any]]:
-    """Return the levels, checked.
-
-    Raises:
-        InputError: the levels are no pairs, there is none, or a task is asked twice.
-    """
-    if not isinstance(levels, Sequence) or isinstance(levels, str) or not levels:
-        raise InputError(f"levels must be a list of pairs (task, target), the most important first; it is {levels!r}")
-    goals: list[tuple[Task, Any]] = []
-    for number, level in enumerate(levels, 1):
-        if not isinstance(level, Sequence) or isinstance(level, str) or len(level) != 2:
-            raise InputError(f"level {number} must be a pair (task, target); it is {level!r}")
-        task = task_from(level[0])
-        if any(task == other for other, _ in goals):
-            raise InputError(f"level {number} has the same task as one before it, which decides it already: {task!r}")
+    """Return the levels, checked: tasks that the robot has, and targets in the form of their values."""
+    pairs = level_pairs(levels, "target")
+    for task, _ in pairs:
         task.check_integrable(robot)
-        goals.append((task, task.target(level[1])))
-    return goals
+    return [(task, task.target(target)) for task, target in pairs]

@@ -9,15 +9,15 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, moderate, one_of, positive_numbers, real_array, real_number
+from robotics1.inputs import Array, moderate, one_of, positive_numbers, real_number
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.redundancy.given_levels import checked_levels
 from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
 from robotics1.results import Frozen, require
-from robotics1.robot.given import RobotLike, robot_from
+from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.tasks.given import TaskLike, task_from
-from robotics1.tasks.task import Task
+from robotics1.tasks.given import TaskLike
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
 Method = Literal["levels", "projection", "stacked"]
@@ -221,29 +221,3 @@ def _status(A: Array, b: Array, at_best: Array, left: Array) -> LevelStatus:
     if np.linalg.norm(alone) > size:
         return LevelStatus.OUT_OF_RANGE
     return LevelStatus.IN_CONFLICT if np.linalg.norm(at_best) > 10 * size else LevelStatus.NOT_MET
-
-
-def checked_levels(
-    robot: RobotLike, levels: Sequence[tuple[TaskLike, npt.ArrayLike]], symbol: str
-) -> tuple[Robot, list[Task], list[Array]]:
-    """Return the robot, and the tasks and the rates of the levels.
-
-    Raises:
-        InputError: the levels are no pairs, there is none, or a task is asked twice.
-    """
-    robot = robot_from(robot)
-    if not isinstance(levels, Sequence) or isinstance(levels, str) or not levels:
-        raise InputError(f"levels must be a list of pairs (task, {symbol}), the most important first; it is {levels!r}")
-    tasks: list[Task] = []
-    rates: list[Array] = []
-    for number, level in enumerate(levels, 1):
-        if not isinstance(level, Sequence) or isinstance(level, str) or len(level) != 2:
-            raise InputError(f"level {number} must be a pair (task, {symbol}); it is {level!r}")
-        given, rate = level
-        task = task_from(given)
-        if any(task == other for other in tasks):
-            raise InputError(f"level {number} has the same task as one before it, which decides it already: {task!r}")
-        task.check(robot)
-        tasks.append(task)
-        rates.append(real_array(f"{symbol} of level {number}", rate, (task.rows,), "one number for each row of J"))
-    return robot, tasks, rates

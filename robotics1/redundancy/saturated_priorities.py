@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array, moderate
 from robotics1.kinematics import velocity_of_joints
-from robotics1.redundancy.priorities import checked_levels
+from robotics1.redundancy.given_levels import checked_levels
 from robotics1.redundancy.saturation import acceleration_limits, limits_of
 from robotics1.redundancy.within_bounds import BoundedLevel, levels_within
 from robotics1.results import Frozen, require

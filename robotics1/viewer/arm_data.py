@@ -11,6 +11,7 @@ from robotics1.least_squares import numeric_rank
 from robotics1.robot.box import joint_box
 from robotics1.robot.joints import tips
 from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.planar_pose import PlanarPoseTask
 from robotics1.tasks.pose import PoseTask
 from robotics1.tasks.position import PositionTask
@@ -29,6 +30,8 @@ def arm_data(robot: Robot, q: Array, task: Task | None) -> dict[str, Any]:
         task: the task whose Jacobian the page shows; by default that of `default_task`, also in the place of one
             without constant rows S in ṙ = S V.
     """
+    if task is not None:
+        robot, task = with_frame_at_point(robot, task)
     moves = robot.nq == robot.nv
     if task is None or constant_rows(task) is None:
         task = default_task(robot)

@@ -9,6 +9,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.arrangement import Divider, Loop, area_within, inner_point, outline_of, regions
 from robotics1.workspaces.axes import STRAIGHT, Axis
@@ -58,7 +59,7 @@ def workspace(robot: RobotLike, task: TaskLike, *, box: Mapping[str, tuple[float
     Source: Kumar, Waldron, The workspaces of a mechanical manipulator, 1981 (boundaries are singular); Wenger, Cuspidal
     and noncuspidal robot manipulators, Robotica, 2007 (regions and cusps of the section).
     """
-    robot, task = robot_and_task(robot, task)
+    robot, task = with_frame_at_point(*robot_and_task(robot, task))
     rows, tip, axes = moving_point(robot, task, box)
     return workspace_of(robot, axes, tip, rows)
 

@@ -100,7 +100,8 @@ def position_rows(task: Task) -> tuple[Array, str | None]:
             return S[:, :3], form.frame
     raise TaskError(
         "a workspace is one of two or three coordinates of a point in world axes: use PositionTask('xy') of an "
-        "arm in a plane, or PositionTask() of an arm in space"
+        "arm in a plane, or PositionTask() of an arm in space, with point= beside the tool; a function of your own "
+        "cannot be read"
     )
 
 

@@ -13,6 +13,7 @@ from robotics1.kinematics import forward_kinematics
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.arrangement import area_within, dividers, inner_point, outline_of, regions
 from robotics1.workspaces.axes import Axis, all_axes_to, axes_to, require_moving
@@ -114,7 +115,7 @@ def dexterous_workspace(
 
     Source: Kumar, Waldron, The workspaces of a mechanical manipulator, 1981 (the dexterous workspace).
     """
-    robot, task = robot_and_task(robot, task)
+    robot, task = with_frame_at_point(*robot_and_task(robot, task))
     robot.require_single_coordinates("have a workspace")
     rows, frame = position_rows(task)
     tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)

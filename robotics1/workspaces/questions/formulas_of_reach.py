@@ -12,6 +12,7 @@ from robotics1.inputs import Array
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
+from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
@@ -76,7 +77,7 @@ def workspace_formulas(
         TaskError: no formula is known of this arm.
         InputError: a prismatic joint has no limits.
     """
-    robot, task = robot_and_task(robot, task)
+    robot, task = with_frame_at_point(*robot_and_task(robot, task))
     rows, tip, axes = moving_point(robot, task, box)
     arm = read_arm(robot, axes, tip, rows) or plane_beside_axis(robot, axes, tip, rows)
     symbolic = formulas(robot, task)

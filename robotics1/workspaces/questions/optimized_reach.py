@@ -12,6 +12,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
+from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.axes import require_moving
 from robotics1.workspaces.certified.branch_and_bound import Enclosure, enclosed
@@ -131,7 +132,7 @@ def extreme_reach(
     Source: Horst, Tuy, Global Optimization, 3rd edition, 1996, chapter IV (branch and bound); Schneider, Convex Bodies,
     2nd edition, 2014, section 1.7 (support functions); Byrd, Lu, Nocedal, Zhu, SIAM J. Scientific Computing 16, 1995.
     """
-    robot, task = robot_and_task(robot, task)
+    robot, task = with_frame_at_point(*robot_and_task(robot, task))
     robot.require_single_coordinates("have a workspace")
     rows, frame = position_rows(task)
     centre = real_array("origin", origin, (3,), "a point in world axes [m]")
