@@ -1,7 +1,7 @@
 """Entries of a Denavit–Hartenberg table that are named lengths of the robot, such as l2 for 0.5."""
 
 from dataclasses import replace
-from typing import Any, cast
+from typing import cast
 
 from robotics1.dh.from_robot import Convention, urdf_to_dh
 from robotics1.dh.table import DHRow, DHTable
@@ -35,14 +35,15 @@ def with_named_lengths(table: DHTable, robot: Robot, frame: str | None = None) -
         return table
     rows = []
     for i, row in enumerate(table.rows):
-        a, d = ([other.numbers[i][k] for other in tables] for k in (1, 3))
+        a = [other.numbers[i][1] for other in tables]
+        d = [other.numbers[i][3] for other in tables]
         rows.append(DHRow(row.type, _name(a, tried), row.alpha, _name(d, tried), row.theta))
     written = {entry.removeprefix("-") for row in rows for entry in (row.a, row.d) if isinstance(entry, str)}
     used = {name: value for name, value in robot.parameters.items() if name in written}
     return replace(table, rows=tuple(rows), parameters=used)
 
 
-def _name(values: list[Any], tried: list[Lengths]) -> float | str:
+def _name(values: list[float], tried: list[Lengths]) -> float | str:
     """Return the name that has these values at the lengths that were tried, with its sign; the first value without."""
     if abs(values[0]) < SAME:
         return values[0]
