@@ -39,7 +39,7 @@ def test_the_page_has_pictures_the_two_arms_to_play_with_and_numbers_beside_form
     assert html.count("<iframe") == 1
     text = re.sub(r"\s+", " ", unescape(re.sub("<[^>]*>", " ", re.sub(r'srcdoc="[^"]*"', "", html))))
     assert "status singular" in text
-    assert "time formula t_rv =" in text
+    assert "time formula t rv =" in text
 
 
 def test_the_command_solves_the_exam_and_writes_its_page(tmp_path, monkeypatch):

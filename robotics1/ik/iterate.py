@@ -10,7 +10,7 @@ from robotics1.errors import TaskError
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
-from robotics1.notation import number, vector
+from robotics1.notation import count, number, vector
 from robotics1.results import Frozen, require, tuple_with_arrays
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -83,10 +83,9 @@ class IKIteration(Frozen):
 
     def explain(self) -> str:
         """Return why the iteration stopped, with its numbers, in a sentence."""
-        return (
-            f"{self.method} stopped after {self.iterations} iterations with |e| = {self.table[-1].error_norm:.3g}: "
-            f"{self.status.value}"
-        )
+        error = self.table[-1].error_norm
+        after = count(self.iterations, "iteration")
+        return f"{self.method} stopped after {after} with |e| = {error:.3g}: {self.status.value}"
 
     def require(self) -> "IKIteration":
         """Return self if it converged.

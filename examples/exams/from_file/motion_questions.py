@@ -45,7 +45,7 @@ def iteration(question: Question) -> Answer:
         numbers |= {f"k={row.k} {name}": value for name, value in values.items()}
     words = {"status": [run.status.name.lower()]}
     shown = _next_q(question) if method == "newton" else {}
-    rows = [name for name in numbers if name.startswith("k=")]
+    rows = ["rows", *(name for name in numbers if name.startswith("k="))]
     columns = ("q", "r", "error", "det")
     return Answer(shown, numbers, words, columns, run.explain(), [_table(run, method)], tabled=rows)
 

@@ -139,7 +139,7 @@ def _formula(name: str, shown: Shown, values: Mapping[sympy.Symbol, float]) -> s
         return paragraphs(f"{name}: {drawn(shown)}")
     label = f"<p>{escaped(name)}</p>" if name != "formula" else ""
     if isinstance(shown.formula, Line):
-        return label + equation(f"{shown.symbol} = ν", shown.formula.vector).replace(" =</p>", "</p>")
+        return label + equation(shown.symbol, shown.formula.vector).replace(" =</p>", " = ν</p>", 1)
     if isinstance(shown.formula, NotZero):
         return label + equation("", sympy.Ne(shown.formula.expression, 0))
     return label + equation(shown.symbol, shown.formula) + _in_numbers(shown.formula, values)
