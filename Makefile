@@ -84,4 +84,4 @@ $(PEERS): $(INSTALLED)
 	touch $@
 
 clean:
-	rm -rf .venv node_modules build dist docs/_made docs/reference exam-2025-01-13 .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf .venv node_modules build dist docs/_made docs/reference exam_2025_01_13.html .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

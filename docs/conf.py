@@ -26,6 +26,7 @@ html_theme = "furo"
 html_title = "robotics1"
 html_static_path = ["_made"]
 html_show_sourcelink = False
+html_show_copyright = False
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#0b7285", "color-brand-content": "#0b7285"},
     "dark_css_variables": {"color-brand-primary": "#66c6d8", "color-brand-content": "#66c6d8"},

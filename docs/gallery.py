@@ -5,6 +5,7 @@ from pathlib import Path
 
 import robotics1 as r1
 from robotics1 import plots
+from robotics1.cli.exam import FIRST, example, example_folder
 from robotics1.workspaces import workspace
 
 XY = r1.PositionTask("xy")
@@ -51,6 +52,10 @@ def _sheet(file: Path) -> None:
     r1.report(r1.load_robot("prr"), file)
 
 
+def _exam(file: Path) -> None:
+    example("exams.from_file.worked").work_file(example_folder() / "exams" / FIRST, file)
+
+
 MADE: dict[str, Callable[[Path], None]] = {
     "workspace.svg": _workspace,
     "ellipses.svg": _ellipses,
@@ -58,4 +63,5 @@ MADE: dict[str, Callable[[Path], None]] = {
     "rendezvous.html": _rendezvous,
     "prr.html": _view,
     "prr-sheet.html": _sheet,
+    "exam.html": _exam,
 }

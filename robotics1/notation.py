@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 DECIMALS = 4
+SAME = 1e-7  # m, that nobody reads
 
 
 def number(value: float, decimals: int = DECIMALS) -> str:
@@ -14,6 +15,11 @@ def number(value: float, decimals: int = DECIMALS) -> str:
     if abs(value - round(value)) < 0.5 * 10.0 ** -(decimals + 2):
         return str(round(value))
     return f"{value:.{decimals}f}"
+
+
+def length(value: float) -> str:
+    """Return a length with four decimals, or with the digits that it has, six at most: 0.4250, 0.39225."""
+    return number(value) if abs(value - round(value, DECIMALS)) < SAME else f"{value:.6g}"
 
 
 def vector(values: npt.ArrayLike) -> str:

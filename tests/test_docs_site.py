@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+import robotics1 as r1
+
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 PAGES = {page.stem: page.read_text(encoding="utf-8") for page in sorted(DOCS.glob("*.md"))}
@@ -64,3 +66,12 @@ def test_the_sizes_told_add_up():
     total = int(re.search(r"has (\d+) MB on Linux", PAGES["install"])[1])
     parts = [int(size) for size in re.findall(r"^\| [^|]+ \| (\d+) \|", PAGES["install"], re.M)]
     assert sum(parts) == total
+
+
+def test_what_the_front_page_prints_is_what_its_call_says():
+    page = (DOCS / "index.md").read_text(encoding="utf-8")
+    (printed,) = re.findall(r"```text\n(.*?)```", page, flags=re.DOTALL)
+    said = r1.find_singularities("prr", "planar-pose").explain().splitlines()
+    lines = [line for line in printed.splitlines() if line.strip() != "..."]
+    assert len(lines) >= 7
+    assert [line for line in lines if line not in said] == []

@@ -35,14 +35,6 @@ def file_of(folder, text):
     return path
 
 
-def test_every_published_value_of_the_exam_is_reproduced(worked):
-    checks = worked.comparison.checks
-    assert [check.name for check in checks if not check.holds] == []
-    assert len([check for check in checks if check.agreement == "formula"]) >= 15
-    assert [check.name for check in checks if check.agreement == "erratum"] == ["2a k=0 r[3]", "2a k=1 r[2]"]
-    assert len(checks) >= 100
-
-
 def test_the_rendez_vous_is_that_of_a_hand_calculation(worked):
     meeting = next(answer for question, answer in worked.answers if question.ask == "rendezvous")
     assert meeting.numbers["time"] == pytest.approx([2 / (1.5 * 0.9659258262890683)])
@@ -74,6 +66,7 @@ def test_a_variant_depends_on_its_seed_alone_stays_in_its_ranges_and_keeps_the_f
     assert values[0][2]["v"] != 1.5 or values[0][2]["delta"] != 15
     assert first.all_hold
     assert {check.agreement for check in first.comparison.checks} == {"formula"}
+    assert len(first.comparison.checks) == 30
     assert first.exam.exercises[0].robot.parameters["l2"] == values[0][0]["l2"]
 
 
@@ -154,7 +147,6 @@ def test_a_header_inside_a_text_of_several_lines_is_text(tmp_path):
 def test_the_command_says_what_is_missing(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert "there is no file nothing.toml" in run("exam", "nothing.toml").refusal
-    assert "give the file too" in run("exam", "--seed", "1").refusal
     assert read_exam(file_of(tmp_path, QUESTION)).title == "exam"
 
 

@@ -1,21 +1,21 @@
-"""The formulas of the exam: symbolic equality, the published ones, and their numbers."""
+"""Symbolic equality of formulas, and each published formula of the exam of 13 January 2025 with a fault in it."""
 
+import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 import sympy
 from exams.comparison import Comparison
-from exams.exam_2025_01_13 import answers as exam
-from exams.exam_2025_01_13.formulas import formula_tables, formulas_1
-from exams.formula_table import FormulaRow, FormulaTable
+from exams.from_file.published import compare
+from exams.from_file.worked import work_file
 from exams.symbolic_equality import are_equal, formula_of
 
-from robotics1 import load_robot
+from robotics1 import InputError
 
-URDF = Path(__file__).parents[1] / "urdf"
+ROOT = Path(__file__).parents[1]
+EXAM = ROOT / "examples" / "exams" / "exam_2025_01_13.toml"
 
 # --- symbolic equality
 
@@ -68,37 +68,17 @@ def test_the_symbols_of_a_text_are_the_real_ones_of_the_computed_formulas():
 
 
 @pytest.fixture(scope="module")
-def solved():
-    return exam.exercise_1(), exam.exercise_2(), exam.exercise_3()
+def worked(tmp_path_factory):
+    return work_file(EXAM, tmp_path_factory.mktemp("exam") / "exam.html")
 
 
-@pytest.fixture(scope="module")
-def tables(solved):
-    return formula_tables(*solved)
-
-
-@pytest.fixture(scope="module")
-def rows(tables):
-    return {row.name: row for table in tables for row in table.rows}
-
-
-def checked(row):
+def reproduced(question, answer, what, printed):
     comparison = Comparison()
-    FormulaTable("", [row], "").check(comparison)
-    (check,) = comparison.checks
-    return check
-
-
-def test_all_published_formulas_are_equal_to_the_computed_ones(rows):
-    published = [row for row in rows.values() if row.published]
-    assert len(published) == 29
-    assert [row.name for row in published if not checked(row).holds] == []
-    assert [row.name for row in rows.values() if not row.published] == [
-        "position of the target, as given",
-        "p(q) of the 2R robot",
-        "Jacobian of the 2R robot",
-        "velocity J⁻¹ ṗ_T that matches the target's",
-    ]
+    try:
+        compare(comparison, replace(question, published={what: printed}), answer, variant=False)
+    except InputError:  # no formula any more
+        return False
+    return all(check.holds for check in comparison.checks)
 
 
 FAULTS = [
@@ -121,103 +101,106 @@ FAULTS = [
     ("x0", "y0"),
     ("0", "1"),
     ("pi", "2*pi"),
+    ("q1", "q2"),
 ]
 
 
-def test_each_published_formula_with_a_fault_in_it_is_not_reproduced(rows):
-    tried = dict.fromkeys(rows, 0)
-    for row in rows.values():
-        for good, bad in FAULTS:
-            if good in row.published:
-                wrong = replace(row, published=row.published.replace(good, bad, 1))
-                assert not checked(wrong).holds, wrong.published
-                tried[row.name] += 1
-    assert all(tried[name] for name, row in rows.items() if row.published)
+def formulas_of(worked):
+    for question, answer in worked.answers:
+        for what, printed in question.published.items():
+            if what in answer.formulas:
+                yield question, answer, what, printed
+
+
+def test_each_published_formula_with_a_fault_in_it_is_not_reproduced(worked):
+    tried = {}
+    for question, answer, what, printed in formulas_of(worked):
+        assert reproduced(question, answer, what, printed)
+        text = json.dumps(printed)
+        faulty = [text.replace(good, bad, 1) for good, bad in FAULTS if good in text]
+        name = f"{question.name} {what}"
+        tried[name] = len(faulty)
+        for wrong in faulty:
+            assert not reproduced(question, answer, what, json.loads(wrong)), (name, wrong)
+    assert len(tried) == 30
+    assert all(tried.values())
     assert sum(tried.values()) > 100
 
 
-def test_formulas_of_a_robot_whose_file_is_wrong_are_not_reproduced(solved, tmp_path):
-    text = (URDF / "prr.urdf.xacro").read_text(encoding="utf-8")
+def test_each_published_number_with_another_digit_is_not_reproduced(worked):
+    tried = 0
+    for question, answer in worked.answers:
+        for what, printed in question.published.items():
+            if what not in answer.numbers:
+                continue
+            numbers = printed.split()
+            for i, number in enumerate(numbers):
+                other = f"{number[:-1]}{(int(number[-1]) + 4) % 10}"
+                wrong = " ".join([*numbers[:i], other, *numbers[i + 1 :]])
+                assert not reproduced(question, answer, what, wrong), (question.name, what, wrong)
+                tried += 1
+    assert tried == 88
+
+
+def test_a_table_with_a_row_too_few_or_another_digit_is_not_reproduced(worked):
+    question, answer = next((q, a) for q, a in worked.answers if "table" in q.published)
+    table = question.published["table"]
+    assert reproduced(question, answer, "table", table.replace("-0.8312 1.1441 2", "-0.8312 1.1441 -2"))
+    assert not reproduced(question, answer, "table", table.replace("2.3549", "2.3548"))
+    assert not reproduced(question, answer, "table", table[: table.index("\n3 |")])
+    assert not reproduced(question, answer, "table", table + "4 | 0 0 0 | 0 0 0 | 0 | 0")
+    assert not reproduced(question, answer, "table", table.replace("| -1.4142", ""))
+
+
+def test_formulas_of_a_robot_whose_file_is_wrong_are_not_reproduced(tmp_path):
+    text = (ROOT / "urdf" / "prr.urdf.xacro").read_text(encoding="utf-8")
     assert text.count('xyz="${l3} 0 0"') == 1
-    (tmp_path / "prr.urdf.xacro").write_text(text.replace('xyz="${l3} 0 0"', 'xyz="${l2} 0 0"'), encoding="utf-8")
-    shutil.copy(URDF / "parts.xacro", tmp_path)
-    wrong = replace(solved[0], robot=load_robot(tmp_path / "prr.urdf.xacro"))
-    comparison = Comparison()
-    formulas_1(wrong).check(comparison)
-    assert {"r = (p, φ)", "Jacobian of p", "minor of Jₚ without column 1"} <= {c.name for c in comparison.failures()}
-
-
-def test_a_formula_that_the_solution_does_not_print_is_no_check():
-    comparison = Comparison()
-    FormulaTable("", [FormulaRow("1", "p", "p", sympy.S.One)], "").check(comparison)
-    assert comparison.checks == []
+    (tmp_path / "prr").write_text(text.replace('xyz="${l3} 0 0"', 'xyz="${l2} 0 0"'), encoding="utf-8")
+    (tmp_path / "prr").rename(tmp_path / "prr.urdf.xacro")
+    shutil.copy(ROOT / "urdf" / "parts.xacro", tmp_path)
+    first = EXAM.read_text(encoding="utf-8").partition('[[exercise.question]]\nname = "1a, 1b')[0]
+    (tmp_path / "exam.toml").write_text(first.replace('"prr"', '"prr.urdf.xacro"'), encoding="utf-8")
+    found = work_file(tmp_path / "exam.toml", tmp_path / "exam.html")
+    assert {"1, r formula", "1 formula"} <= {check.name for check in found.comparison.failures()}
 
 
 # --- their numbers
 
 
-def numbers(formula, values):
+def values_of(worked, ask, k=0):
+    return [(question, answer) for question, answer in worked.answers if question.ask == ask][k]
+
+
+def number(formula, values):
     found = formula.subs({sympy.Symbol(name, real=True): value for name, value in values.items()})
-    return np.array(found, dtype=float).ravel() if isinstance(found, sympy.MatrixBase) else float(found)
+    return [float(x) for x in found] if isinstance(found, sympy.MatrixBase) else float(found)
 
 
-def test_J_s_and_the_torque_are_those_of_pinocchio(solved, rows):
-    one = solved[0]
-    J = exam.POINT.jacobian(one.robot, one.q_s)
-    assert numbers(rows["Jₚ at qₛ = (q₁, π/2, π)"].computed, one.robot.parameters) == pytest.approx(J.ravel())
-    assert numbers(rows["τ that balances (3, 1)"].computed, one.robot.parameters) == pytest.approx(one.torque)
+def test_newtons_formula_gives_the_second_row_of_table_1(worked):
+    _, answer = values_of(worked, "iteration")
+    first, second = answer.numbers["k=0 q"], answer.numbers["k=1 q"]
+    values = dict(zip(("q1", "q2", "q3", "x_d", "y_d", "z_d"), [*first, 1, -1, 3], strict=True))
+    assert number(answer.formulas["next q"].formula, values) == pytest.approx(second)
 
 
-def test_newtons_formula_gives_the_second_row_of_table_1(solved, rows):
-    first, second = solved[1].a.table[:2]
-    values = dict(zip(("q1", "q2", "q3", "x_d", "y_d", "z_d"), [*first.q, *exam.GOAL], strict=True))
-    assert numbers(rows["Newton's next q, q + J⁻¹ (p_d − p)"].computed, values) == pytest.approx(second.q)
-
-
-def test_the_target_of_the_formulas_is_that_of_the_rendezvous(solved, tables, rows):
-    values = tables[2].values
-    for time in (0.0, 0.7, 1.38):
-        p = numbers(rows["position of the target, as given"].computed, {**values, "t": time})
-        assert p == pytest.approx(exam.TARGET(time))
-    meeting = solved[2].meeting
-    assert numbers(rows["velocity of the target"].computed, values) == pytest.approx(meeting.velocity)
-    assert numbers(rows["time of the rendez-vous, x = 0"].computed, values) == pytest.approx(meeting.time)
-    assert numbers(rows["y at the rendez-vous"].computed, values) == pytest.approx(meeting.position[1])
-
-
-@pytest.mark.parametrize("arm", ["right", "left"])
-def test_the_matching_velocity_and_the_cubic_are_those_of_both_arms(solved, tables, rows, arm):
-    three = solved[2]
-    branch, values = getattr(three, arm), tables[2].values
-    at_q = {**values, "q1": branch.q[0], "q2": branch.q[1]}
-    found = numbers(rows["velocity J⁻¹ ṗ_T that matches the target's"].computed, at_q)
-    assert found == pytest.approx(branch.qdot)
-    for time in (0.0, 0.5, three.meeting.time):
+def test_the_rendez_vous_in_letters_is_that_in_numbers(worked):
+    question, answer = values_of(worked, "rendezvous")
+    data = {**question.exercise.names, "delta": sympy.rad(15)}
+    assert number(answer.formulas["time formula"].formula, data) == pytest.approx(answer.numbers["time"][0])
+    assert number(answer.formulas["position formula"].formula, data) == pytest.approx(answer.numbers["position"])
+    assert number(answer.formulas["velocity formula"].formula, data) == pytest.approx(answer.numbers["velocity"])
+    for arm in ("right", "left"):
+        q, qdot = answer.numbers[f"{arm} q"], answer.numbers[f"{arm} qdot"]
+        at_q = {**data, "q1": q[0], "q2": q[1]}
+        assert number(answer.formulas["matching qdot"].formula, at_q) == pytest.approx(qdot)
         for joint in range(2):
-            data = {"q_rv": branch.q[joint], "qdot_rv": branch.qdot[joint], "t_rv": three.meeting.time}
-            data["tau"] = time / three.meeting.time
-            q = numbers(rows["cubic from rest at 0, τ = t/tᵣᵥ"].computed, data)
-            qdot = numbers(rows["velocity of the cubic"].computed, data)
-            assert q == pytest.approx(branch.trajectory(time)[joint], abs=1e-12)
-            assert qdot == pytest.approx(branch.trajectory.velocity(time)[joint], abs=1e-12)
+            at_end = {"q_rv": q[joint], "qdot_rv": qdot[joint], "t_rv": answer.numbers["time"][0], "tau": 1}
+            assert number(answer.formulas["q(tau) formula"].formula, at_end) == pytest.approx(q[joint])
+            assert number(answer.formulas["qdot(tau) formula"].formula, at_end) == pytest.approx(qdot[joint])
 
 
-def test_the_kinematics_of_the_2R_are_the_usual_ones(rows):
-    l1, l2, a, b = sympy.symbols("l1 l2 q1 q2", real=True)
-    p = sympy.Matrix([l1 * sympy.cos(a) + l2 * sympy.cos(a + b), l1 * sympy.sin(a) + l2 * sympy.sin(a + b)])
-    assert are_equal(p, rows["p(q) of the 2R robot"].computed)
-    assert are_equal(p.jacobian([a, b]), rows["Jacobian of the 2R robot"].computed)
-
-
-def test_numbers_stand_beside_the_formulas_that_have_some(tables):
-    shown = {formula.name: formula.number for table in tables for formula in table.section().formulas if formula.number}
-    assert shown == {
-        "null space of Jᵣ at q₂ = π/2": "ν (0.6000, 1, -1)",
-        "null space of Jᵣ at q₂ = −π/2": "ν (0.6000, -1, 1)",
-        "Jₚ at qₛ = (q₁, π/2, π)": "(1, -0.2000, 0.4000), (0, 0, 0)",
-        "τ that balances (3, 1)": "(-3, 0.6000, -1.2000) [N, N m, N m]",
-        "τ that balances (3, φ), for any φ": "(-3, 0.6000, -1.2000) [N, N m, N m]",
-        "velocity of the target": "(1.4489, 0.3882) m/s",
-        "time of the rendez-vous, x = 0": "1.3804 s",
-        "y at the rendez-vous": "1.5359 m",
-    }
+def test_the_torque_of_the_exam_is_that_of_its_lengths_whatever_the_second_force_is(worked):
+    _, answer = values_of(worked, "torque")
+    torque = answer.formulas["formula"].formula
+    assert number(torque, {"F": 3, "l2": 0.6, "l3": 0.4}) == pytest.approx([-3, 3 * (0.6 - 0.4), -3 * 0.4])
+    assert sympy.Symbol("phi", real=True) not in torque.free_symbols

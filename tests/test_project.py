@@ -28,9 +28,11 @@ def test_the_wheel_brings_its_robots_and_its_exams(tmp_path):
         wheel.extractall(tmp_path / "unpacked")
     program = """
 import robotics1
-from robotics1.cli.exam import example
+from robotics1.cli.exam import example, example_folder
 robot = robotics1.load_robot("prr")
-print(robot.parameters["l2"], robot.path, example("exams.exam_2025_01_13.answers").__file__, sep="\\n")
+worked = example("exams.from_file.worked").__file__
+exam, = example_folder().glob("exams/*.toml")
+print(robot.parameters["l2"], robot.path, worked, exam, sep="\\n")
 """
     run = subprocess.run(
         [sys.executable, "-c", program], check=True, cwd=tmp_path / "unpacked", capture_output=True, text=True,
@@ -38,7 +40,7 @@ print(robot.parameters["l2"], robot.path, example("exams.exam_2025_01_13.answers
     )  # fmt: skip
     length, *paths = run.stdout.splitlines()
     assert length == "0.6"
-    assert len(paths) == 2
+    assert len(paths) == 3
     assert all(Path(path).is_relative_to(tmp_path / "unpacked" / "robotics1") for path in paths)
 
 

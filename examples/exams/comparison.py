@@ -21,7 +21,7 @@ class Check:
         name: what it is; unique in an exam.
         printed: as published; a formula in SymPy's spelling.
         computed: the computed number; of a formula, its text.
-        agreement: "rounded", "truncated", "formula", "erratum" (a known print error), or None.
+        agreement: "rounded", "truncated", "formula", "word", "erratum" (a known print error), or None.
     """
 
     exercise: str
@@ -64,9 +64,11 @@ class Comparison:
         agree = are_equal(formula_of(printed), computed)
         self.compared(exercise, name, printed, " ".join(str(computed).split()), agree)
 
-    def compared(self, exercise: str, name: str, printed: str, computed: str, agree: bool) -> None:
-        """Add a formula that was compared already."""
-        self._add(Check(exercise, name, printed, computed, "formula" if agree else None))
+    def compared(
+        self, exercise: str, name: str, printed: str, computed: str, agree: bool, *, kind: str = "formula"
+    ) -> None:
+        """Add a formula, or words, that were compared already."""
+        self._add(Check(exercise, name, printed, computed, kind if agree else None))
 
     def failures(self) -> list[Check]:
         """Return the checks that do not hold."""

@@ -2,15 +2,13 @@
 
 import numpy as np
 import numpy.typing as npt
-from rich.table import Table
 
 from robotics1 import Robot
 from robotics1.curves import PiecewisePolynomial
-from robotics1.terminal_tables import table
 
 
-def polynomial_table(robot: Robot, trajectory: PiecewisePolynomial) -> Table:
-    """Return the coefficients of q and q̇ in powers of τ = t/T and of t, joint by joint."""
+def polynomial_rows(robot: Robot, trajectory: PiecewisePolynomial) -> tuple[list[str], list[tuple[str, ...]]]:
+    """Return headings and rows: the polynomials of q and q̇ in τ = t/T and in t, joint by joint."""
     polynomials = (
         ("q(τ)", trajectory.coefficients, "τ"),
         ("q(t)", trajectory.coefficients_t, "t"),
@@ -18,8 +16,7 @@ def polynomial_table(robot: Robot, trajectory: PiecewisePolynomial) -> Table:
         ("q̇(t)", trajectory.rate.coefficients_t, "t"),
     )
     rows = [(name, *(polynomial_text(c, variable) for c in columns.T)) for name, columns, variable in polynomials]
-    headings = ("", *robot.joint_names)
-    return table(headings, rows, f"T = {trajectory.duration:.4f} s, τ = t/T", left=headings)
+    return ["", *robot.joint_names], rows
 
 
 def polynomial_text(coefficients: npt.NDArray[np.floating], variable: str) -> str:

@@ -10,18 +10,17 @@ from typing import Annotated
 import typer
 
 from robotics1.cli.options import AsJson
-from robotics1.errors import InputError
 
-EXAMPLES = ("exam", "exam --out answers", "exam my_exam.toml --seed 3")
-FOLDER = Path("exam-2025-01-13")
+EXAMPLES = ("exam", "exam --out answers.html", "exam my_exam.toml --seed 3")
+FIRST = "exam_2025_01_13.toml"
 
 
 def exam(
-    file: Annotated[Path | None, typer.Argument(help="An exam as a TOML file; see docs/exams.md.")] = None,
-    out: Annotated[
+    file: Annotated[
         Path | None,
-        typer.Option("--out", "-o", help="The page to write, by default FILE.html; without a FILE, the folder."),
+        typer.Argument(help="An exam as a TOML file, see docs/exams.md; by default that of 13 January 2025."),
     ] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="The page to write, by default FILE.html.")] = None,
     seed: Annotated[
         int | None, typer.Option(help="A variant of FILE: lengths and data drawn from the ranges in it.", min=0)
     ] = None,
@@ -30,15 +29,10 @@ def exam(
     """Solve an exam and check every published value: that of a file, or that of 13 January 2025."""
     from robotics1.cli.output import PlainConsole, progress_bar, write_json
 
-    if file is not None:
-        with progress_bar("answering", hidden=json) as show:
-            page = out or Path(f"{file.stem}{'' if seed is None else f'-{seed}'}.html")
-            worked = example("exams.from_file.worked").work_file(file, page, seed, show)
-    elif seed is not None:
-        raise InputError("--seed draws a variant of a file: give the file too")
-    else:
-        with PlainConsole(stderr=True).status("solving the exam"):
-            worked = example("exams.exam_2025_01_13.worked").work_exam(out or FOLDER)
+    source = example_folder() / "exams" / FIRST if file is None else file
+    with progress_bar("answering", hidden=json) as show:
+        page = out or Path(f"{source.stem}{'' if seed is None else f'-{seed}'}.html")
+        worked = example("exams.from_file.worked").work_file(source, page, seed, show)
     if json:
         write_json(worked.as_json())
     else:
@@ -46,10 +40,15 @@ def exam(
     raise typer.Exit(0 if worked.all_hold else 1)
 
 
-def example(module: str) -> ModuleType:
-    """Import a module of the folder `examples/` of the source tree, which a wheel carries inside the package."""
+def example_folder() -> Path:
+    """Return the folder `examples/` of the source tree, which a wheel carries inside the package."""
     installed = Path(str(files("robotics1"))) / "examples"
-    folder = installed if installed.is_dir() else installed.parents[1] / "examples"
-    if str(folder) not in sys.path:
-        sys.path.append(str(folder))
+    return installed if installed.is_dir() else installed.parents[1] / "examples"
+
+
+def example(module: str) -> ModuleType:
+    """Import a module of the folder of examples."""
+    folder = str(example_folder())
+    if folder not in sys.path:
+        sys.path.append(folder)
     return importlib.import_module(module)

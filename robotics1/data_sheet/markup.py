@@ -11,6 +11,7 @@ from robotics1.names import printable
 
 READABLE = 400  # operations of a formula that is shown at once; a longer one is folded
 MINUS = re.compile(r"(?<![\w.)-])-(?=\.?\d)")
+DOT = "\N{COMBINING DOT ABOVE}"
 LONGEST = 6000  # operations of a formula that is shown at all
 
 
@@ -70,8 +71,13 @@ def equation(symbol: str, formula: Any) -> str:
 
 
 def _subscripted(symbol: str) -> str:
-    """Return q1 as q with the index 1."""
-    return re.sub(r"^([A-Za-z])(\d+)", r"\1<sub>\2</sub>", escaped(symbol))
+    """Return q1 as q with the index 1, q_next as q with the index next, qdot as q with a dot, tau as τ."""
+    simple = re.fullmatch(r"([A-Za-z]+?)(?:_?(\d+)|_(\w+))?", symbol)
+    if simple is None:
+        return re.sub(r"^([A-Za-z])(\d+)", r"\1<sub>\2</sub>", escaped(symbol))
+    name, number, word = simple.groups(default="")
+    name = {"tau": "τ"}.get(name, name[0] + DOT if name.endswith("dot") and len(name) == 4 else name)
+    return f"{escaped(name)}<sub>{escaped(number + word)}</sub>" if number + word else escaped(name)
 
 
 def folded(summary: str, content: str) -> str:

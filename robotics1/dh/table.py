@@ -14,7 +14,7 @@ import pinocchio as pin
 
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, one_of, real_array, real_number
-from robotics1.notation import joint_value, number, vector
+from robotics1.notation import joint_value, length, vector
 from robotics1.results import Frozen
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.findings import LARGEST
@@ -24,7 +24,6 @@ from robotics1.tables import in_html, table_of
 
 CONVENTIONS = ("standard", "modified")
 Limits = Sequence[float | None] | Array | None
-SAME_LENGTH = 1e-7  # m, that nobody reads
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 
@@ -147,12 +146,12 @@ class DHTable(Frozen):
         shift = "" if self.convention == "standard" else "ᵢ₋₁"
         rows = []
         for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
-            turn, slide = _written(theta, joint_value), _written(d, _length)
+            turn, slide = _written(theta, joint_value), _written(d, length)
             if kind == "R":
                 turn = _with_offset(f"q{i}", turn)
             else:
                 slide = _with_offset(f"q{i}", slide)
-            rows.append([str(i), kind, _written(a, _length), _written(alpha, joint_value), slide, turn])
+            rows.append([str(i), kind, _written(a, length), _written(alpha, joint_value), slide, turn])
         return ["i", "type", f"a{shift}", f"α{shift}", "d", "θ"], rows
 
     def _repr_html_(self) -> str:
@@ -198,11 +197,6 @@ def screw(axis: Array, angle: float, length: float) -> pin.SE3:
 
 def _written(value: float | str, written: Callable[[float], str]) -> str:
     return value if isinstance(value, str) else written(value)
-
-
-def _length(value: float) -> str:
-    """Return a length with four decimals, or with the digits that it has, six at most."""
-    return number(value) if abs(value - round(value, 4)) < SAME_LENGTH else f"{value:.6g}"
 
 
 def _latex(text: str) -> str:

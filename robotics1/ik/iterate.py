@@ -11,7 +11,7 @@ from robotics1.ik.iteration_error import Bounds, ErrorKind, error_and_jacobian, 
 from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
-from robotics1.notation import number, vector
+from robotics1.notation import count, number, vector
 from robotics1.results import Frozen, require, tuple_with_arrays
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -98,7 +98,8 @@ class IKIteration(Frozen):
     def explain(self) -> str:
         """Return why the iteration stopped, with its numbers, in a sentence."""
         last = " and ".join(f"{norm[-1]:.3g} {unit}".strip() for unit, norm in self.error_norms.items())
-        return f"{self.method} stopped after {self.iterations} iterations with |e| = {last}: {self.status.value}"
+        after = count(self.iterations, "iteration")
+        return f"{self.method} stopped after {after} with |e| = {last}: {self.status.value}"
 
     def require(self) -> "IKIteration":
         """Return self if it converged.

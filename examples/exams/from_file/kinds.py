@@ -7,6 +7,7 @@ from robotics1.errors import InputError, Robotics1Error
 
 from . import kinematics_questions as arm, motion_questions as motion
 from .answer import Answer
+from .meeting_questions import MEETING_KEYS, feedback_gain, meeting
 from .reading import QUESTION_KEYS, Question, check_keys
 
 
@@ -26,7 +27,8 @@ KINDS = {
     "torque": Kind(arm.torque, ("force", "q", "where")),
     "inverse kinematics": Kind(motion.inverse_kinematics, ("target",)),
     "iteration": Kind(motion.iteration, ("target", "q0", "method", "tolerance")),
-    "rendezvous": Kind(motion.meeting, ("q0", "start", "speed", "angle", "meet")),
+    "rendezvous": Kind(meeting, MEETING_KEYS),
+    "feedback gain": Kind(feedback_gain, (*MEETING_KEYS, "arm", "from", "final_error")),
     "least time": Kind(motion.fastest, ("from", "to", "max_velocity", "max_acceleration", "law")),
     "cubic": Kind(motion.cubic_motion, ("from", "to", "time", "v0", "v1")),
     "workspace": Kind(motion.reached),
@@ -49,11 +51,10 @@ def answered(question: Question) -> Answer:
         if isinstance(error, InputError) and str(error).startswith(f"{question.place.path}:"):
             raise
         question.place.refuse(f"question {question.name}: {error}")
-    known = {**answer.formulas, **answer.numbers}
     for what in question.published:
-        if what not in known:
+        if what not in answer.names:
             question.place.refuse(
-                f"question {question.name}: nothing is called {what!r}; to publish there is {', '.join(known)}",
+                f"question {question.name}: nothing is called {what!r}; to publish there is {', '.join(answer.names)}",
                 f"published.{what}",
             )
     return answer

@@ -9,7 +9,7 @@ import sympy
 from robotics1 import Robot, balancing_torque, find_singularities, formulas, subspaces
 from robotics1.singularities import SingularBranch
 
-from .answer import Answer, Branches, Line, Shown
+from .answer import Answer, Branches, Line, Names, NotZero, Shown
 from .reading import Question
 from .values import conditions_of, formula_of, numbers_of
 
@@ -69,21 +69,31 @@ def determinant(question: Question) -> Answer:
 
 
 def singularities(question: Question) -> Answer:
-    """The singular set: "branches", as "q2 = pi/2, q3 = 0"; "count" of them; and it in sentences."""
+    """The singular set: "branches", as "q2 = pi/2, q3 = 0", their "count", the joints that are "free"; in sentences."""
     found = find_singularities(robot_of(question), question.task)
     branches = [tuple(branch.conditions) for branch in found.branches]
-    return Answer({"branches": Shown("", Branches(branches))}, {"count": [len(branches)]}, found.explain())
+    return Answer(
+        {"branches": Shown("", Branches(branches)), "free": Shown("", Names(found.free_joints))},
+        {"count": [len(branches)]},
+        text=found.explain(),
+    )
 
 
 def subspaces_of(question: Question) -> Answer:
-    """On the singular branch where equations hold: "null", "left null" in formulas, and the "rank"."""
+    """On the singular branch where equations hold: "null", "left null" in formulas, and the "rank".
+
+    Of a left null space of dimension one also what is "lost": ṙ cannot be realised where lᵀ ṙ ≠ 0.
+    """
     branch = _branch(question)
     bases = branch.require_formulas()
     found = {}
     for name, symbol, basis in (("null", "qdot", bases.null), ("left null", "f", bases.left_null)):
         for k in range(basis.cols):
             found[name if basis.cols == 1 else f"{name} {k + 1}"] = Shown(symbol, Line(basis.col(k)))
-    return Answer(found, {"rank": [branch.rank]}, branch.explain())
+    if bases.left_null.cols == 1:
+        rdot = sympy.Matrix(sympy.symbols(f"rdot1:{bases.left_null.rows + 1}", real=True))
+        found["lost"] = Shown("", NotZero(bases.left_null.dot(rdot)))
+    return Answer(found, {"rank": [branch.rank]}, text=branch.explain())
 
 
 def _branch(question: Question) -> SingularBranch:

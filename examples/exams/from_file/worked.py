@@ -1,6 +1,7 @@
 """The worked page of an exam's file: each answer with its formulas, numbers, tables and figures, and the checks."""
 
-from collections.abc import Callable
+import html
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,13 +13,13 @@ from rich.console import Console
 from robotics1.data_sheet.layout import Part, laid_out
 from robotics1.data_sheet.markup import equation, escaped, figure, note, paragraphs, sentences, table
 from robotics1.files import check_file, write_file
-from robotics1.notation import count, number
-from robotics1.symbolic.writing.printing import line_text, unicode_text
-from robotics1.terminal_tables import table as text_table
+from robotics1.notation import count
+from robotics1.symbolic.writing.printing import line_text
 
-from ..comparison import Check, Comparison
-from .answer import Answer, Branches, Line, Shown
+from ..comparison import Comparison
+from .answer import Answer, Branches, Line, Names, NotZero, Shown
 from .kinds import answered
+from .printed import drawn, missed, numbers_text, print_answers, print_checks, verdict
 from .published import compare
 from .reading import Exam, Exercise, Question, read_exam
 
@@ -52,19 +53,8 @@ class WorkedFile:
 
     def print(self, console: Console) -> None:
         """Print the answers and the verdict on the published values."""
-        for question, answer in self.answers:
-            console.rule(f"{question.name}  {question.ask}")
-            for name, shown in answer.formulas.items():
-                console.print(f"{name}: {_drawn(shown)}", soft_wrap=True)
-            for name, values in answer.numbers.items():
-                if not _in_tables(name, answer):
-                    console.print(f"{name}: {_numbers(values)}", soft_wrap=True)
-            for t in answer.tables:
-                console.print(text_table(t.headings, t.rows, t.title))
-            console.print(answer.text, soft_wrap=True)
-        for check in self.comparison.failures():
-            console.print(_missed(check), style="red", soft_wrap=True)
-        console.print(_verdict(self.comparison), style="bold")
+        print_answers(console, self.answers)
+        print_checks(console, self.comparison)
         for file in self.files:
             console.print(f"wrote {file}", soft_wrap=True)
 
@@ -108,7 +98,7 @@ def _page(exam: Exam, answers: list[tuple[Question, Answer]], comparison: Compar
         fact = f"{count(len(mine), 'question')}; {held} of {count(len(checks), 'published value')} reproduced"
         parts.append(Part(f"exercise-{i}", exercise.title, content, fact if checks else count(len(mine), "question")))
     if comparison.checks:
-        parts.append(Part("checks", "Published values", _checks(comparison), _verdict(comparison)))
+        parts.append(Part("checks", "Published values", _checks(comparison), verdict(comparison)))
     subtitle = "Worked answers." if exam.seed is None else f"Worked answers of variant {exam.seed}."
     return laid_out(exam.title, subtitle, parts)
 
@@ -121,51 +111,46 @@ def _given(exercise: Exercise) -> str:
 
 def _answer(question: Question, answer: Answer, comparison: Comparison) -> str:
     text = f"<h3>{escaped(question.name)} · {escaped(question.ask)}</h3>" + paragraphs(question.text)
-    text += "".join(_formula(name, shown) for name, shown in answer.formulas.items())
-    listed = [(name, _numbers(values)) for name, values in answer.numbers.items() if not _in_tables(name, answer)]
+    values = {sympy.Symbol(name, real=True): value for name, value in question.exercise.names.items()}
+    text += "".join(_formula(name, shown, values) for name, shown in answer.formulas.items())
+    listed = [(name, numbers_text(found)) for name, found in answer.numbers.items() if name not in answer.tabled]
+    listed += [(name, ", ".join(words)) for name, words in answer.words.items()]
     text += table(("", "numbers"), listed) if listed else ""
     text += "".join(table(t.headings, t.rows, t.title) for t in answer.tables)
     text += sentences(answer.text) if answer.text else ""
     text += "".join(_figure(axes, f"{question.name}: {question.ask}") for axes in answer.figures)
+    if answer.page:
+        text += f'<iframe title="to play with" srcdoc="{html.escape(answer.page)}" loading="lazy"></iframe>'
     mine = [check for check in comparison.checks if check.exercise == question.name]
     wrong = [check for check in mine if not check.holds]
     text += note(f"{len(mine) - len(wrong)} of {count(len(mine), 'published value')} reproduced.") if mine else ""
-    return text + "".join(note(_missed(check)) for check in wrong)
+    return text + "".join(note(missed(check)) for check in wrong)
 
 
 def _figure(axes: Any, caption: str) -> str:
     return figure(lambda: axes, caption)
 
 
-def _in_tables(name: str, answer: Answer) -> bool:
-    return bool(answer.tables) and name.startswith("k=")
-
-
-def _formula(name: str, shown: Shown) -> str:
+def _formula(name: str, shown: Shown, values: Mapping[sympy.Symbol, float]) -> str:
     if isinstance(shown.formula, Branches):
         rows = [(str(i), ", ".join(map(line_text, branch))) for i, branch in enumerate(shown.formula.conditions, 1)]
         return table(("branch", "where"), rows)
+    if isinstance(shown.formula, Names):
+        return paragraphs(f"{name}: {drawn(shown)}")
     label = f"<p>{escaped(name)}</p>" if name != "formula" else ""
     if isinstance(shown.formula, Line):
-        return label + equation(f"{shown.symbol} = ν", shown.formula.vector).replace(" =</p>", "</p>")
-    return label + equation(shown.symbol, shown.formula)
+        return label + equation(shown.symbol, shown.formula.vector).replace(" =</p>", " = ν</p>", 1)
+    if isinstance(shown.formula, NotZero):
+        return label + equation("", sympy.Ne(shown.formula.expression, 0))
+    return label + equation(shown.symbol, shown.formula) + _in_numbers(shown.formula, values)
 
 
-def _drawn(shown: Shown) -> str:
-    if isinstance(shown.formula, Branches):
-        return "; ".join(", ".join(map(line_text, branch)) for branch in shown.formula.conditions)
-    formula = shown.formula.vector if isinstance(shown.formula, Line) else shown.formula
-    if isinstance(formula, sympy.MatrixBase) and formula.cols > 1:
-        return "\n" + unicode_text(formula)
-    return line_text(formula)
-
-
-def _numbers(values: Any) -> str:
-    return ", ".join(number(float(value)) for value in np.ravel(values))
-
-
-def _missed(check: Check) -> str:
-    return f"Not reproduced: {check.name}, printed {check.printed}, computed {check.computed}."
+def _in_numbers(formula: Any, values: Mapping[sympy.Symbol, float]) -> str:
+    """Return a formula with the values of lengths and data, if nothing else is in it."""
+    found = formula.subs(values)
+    if found.free_symbols or not formula.free_symbols:
+        return ""
+    return equation(" ", found.applyfunc(sympy.N) if isinstance(found, sympy.MatrixBase) else sympy.N(found))
 
 
 def _checks(comparison: Comparison) -> str:
@@ -180,10 +165,3 @@ def _checks(comparison: Comparison) -> str:
         for check in comparison.checks
     ]
     return table(("question", "what", "published", "computed", "agreement"), rows)
-
-
-def _verdict(comparison: Comparison) -> str:
-    if not comparison.checks:
-        return "The file publishes no values."
-    held = sum(check.holds for check in comparison.checks)
-    return f"{held} of {count(len(comparison.checks), 'published value')} reproduced"
