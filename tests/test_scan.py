@@ -13,6 +13,7 @@ from dh_arms import ZYZ, dh, five, srs, ur5
 from differences import unitless
 from joint_kinds import mimic, urdf
 
+import robotics1 as r1
 from robotics1 import (
     FunctionTask,
     OrientationTask,
@@ -23,6 +24,7 @@ from robotics1 import (
     load_robot,
     scan_singularities,
 )
+from robotics1.singularities import measurement
 
 CHUNK = 2**14  # configurations that are measured at a time
 ALL = ("sigma_min", "condition", "manipulability")
