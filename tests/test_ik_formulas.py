@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from functools import cache
 from math import pi
+from time import process_time
 
 import numpy as np
 import pinocchio as pin
@@ -34,6 +35,7 @@ from hypothesis import given, settings, strategies as st
 from robotics1 import (
     FormulaError,
     FunctionTask,
+    InputError,
     OrientationTask,
     PlanarPoseTask,
     PoseTask,
@@ -250,6 +252,19 @@ def test_without_a_closed_formula_the_error_says_so():
     robot = dh(R("a1", -H, 0), R("a2", H, "d2"), R("a3", 0, 0), a1=1, a2=2, a3=1.5, d2=1)
     with pytest.raises(FormulaError, match="no closed formula"):
         ik_formulas(robot, XYZ)
+
+
+def test_the_error_says_what_finds_the_solutions():
+    robot = dh(R("a1", -H, 0), R("a2", H, "d2"), R("a3", 0, 0), a1=1, a2=2, a3=1.5, d2=1)
+    with pytest.raises(FormulaError, match="ik_solutions finds the numbers, by elimination to a polynomial"):
+        ik_formulas(robot, XYZ)
+    general = dh(*(R(0.1 + 0.05 * k, (-1) ** k * (0.6 + 0.1 * k), 0.1 + 0.02 * k) for k in range(6)))
+    begin = process_time()
+    with pytest.raises(FormulaError, match=r"polynomial of degree 16 at most.*which ik_solutions finds by elimination"):
+        ik_formulas(general, PoseTask(), time_limit=1)
+    assert process_time() - begin < 20  # without a limit it is minutes
+    with pytest.raises(InputError, match="time_limit must be a positive number"):
+        ik_formulas(general, PoseTask(), time_limit=0)
 
 
 def test_more_joints_than_rows_are_refused():

@@ -26,6 +26,10 @@ Equations = tuple[OneUnknown, ...]
 Numbers = dict[sympy.Symbol, float]
 
 
+class NoEquationError(FormulaError):
+    """Every equation that is left holds several unknown joints."""
+
+
 class JointFormula(NamedTuple):
     """A joint in the target's symbols and in the joints before it.
 
@@ -73,7 +77,7 @@ class Peeling:
         """Return the formulas of all joints, in an order in which each needs only those before it.
 
         Raises:
-            FormulaError: no equation with one unknown joint is left.
+            NoEquationError: no equation with one unknown joint is left.
         """
         self._peel()
         while self.unknown:
@@ -113,9 +117,9 @@ class Peeling:
             best = self._best(equations, pose)
         if best is None:
             names = ", ".join(sorted(q.name for q in self.unknown))
-            raise FormulaError(
+            raise NoEquationError(
                 f"no closed formula is found: every equation that is left holds at least two of {names}, or a "
-                f"polynomial of a higher degree; ik_solutions finds the numbers"
+                f"polynomial of a higher degree"
             )
         _, chosen = best
         return solve_pair(*chosen, self.write) if len(chosen) == 2 else solve_one(chosen[0], self.write)
