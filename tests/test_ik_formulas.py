@@ -282,6 +282,7 @@ def test_a_length_may_have_any_name(name):
     assert fam.explain()
     assert fam.latex()
     assert fam.c()
+    assert fam.matlab().isascii()
 
 
 def test_the_source_in_python_takes_other_lengths():
@@ -293,6 +294,44 @@ def test_the_source_in_python_takes_other_lengths():
     assert len(found) == 2
     for q in found:
         assert XY.value(other, q) == pytest.approx([0.3, 0.6])
+
+
+def from_matlab(source):
+    """Return a function of Python that does what MATLAB's does, as far as it is made of loops, ifs and assignments."""
+    lines, depth = [], 0
+    for line in source.splitlines():
+        text = re.sub(r"\.([*/^])", r"\1", line.strip().rstrip(";")).replace("^", "**")
+        if head := re.fullmatch(r"function (\w+) = (\w+)\((.*)\)", text):
+            arguments = ", ".join(f"{argument}=None" for argument in head[3].split(", "))
+            lines += [f"def {head[2]}({arguments}):"]
+            depth, answer = 1, head[1]
+        elif short := re.fullmatch(r"if (.*), (\w+) = (.*); end", text):
+            where = f"{short[2]} is None" if short[1].startswith("nargin") else short[1]
+            lines.append(f"    if {where}: {short[2]} = {short[3]}")
+        elif text == "end":
+            depth -= 1
+            lines += [f"    return {answer}"] if depth == 0 else []
+        elif text and not text.startswith("%"):
+            text = re.sub(r"^for (\w+) = (.*)", r"for \1 in \2:", re.sub(r"^if (.*)", r"if \1:", text))
+            text = re.sub(r"zeros\(0, \d\)", "[]", text)
+            text = re.sub(r"solutions\(end . 1, :\) = (.*)", r"solutions.append(\1)", text)
+            lines.append("    " * depth + text)
+            depth += text.endswith(":")
+    scope = {name: getattr(np, name) for name in ("sqrt", "sin", "cos", "isfinite", "all", "abs", "pi")}
+    scope |= {"acos": np.arccos, "asin": np.arcsin, "atan2": np.arctan2, "NaN": np.nan}
+    exec("\n".join(lines), scope)
+    return scope["inverse_kinematics"]
+
+
+@pytest.mark.parametrize("name", ["2R", "anthropomorphic"])
+def test_the_source_in_matlab_gives_the_same_numbers(name):
+    fam = formulas(name)
+    q = np.linspace(0.4, 0.9, fam.robot.nq)
+    target = fam.task.value(fam.robot, q)
+    wanted = fam.at(target)
+    solve = from_matlab(fam.matlab())
+    assert np.array(solve(*target)) == pytest.approx(np.array(wanted), abs=1e-12)
+    assert solve(*(100 * target)) == []  # out of reach, and no complex number
 
 
 @pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
