@@ -8,7 +8,7 @@ from robotics1.ik.closed_form.equations import PartOfChain
 from robotics1.ik.closed_form.family import IKFormulas
 from robotics1.ik.closed_form.links import Links, links_of
 from robotics1.ik.closed_form.other_way import is_general, method_of, other_way
-from robotics1.ik.closed_form.peeling import NoEquationError, Peeling
+from robotics1.ik.closed_form.peeling import NoEquation, Peeling
 from robotics1.ik.closed_form.target import Target, TargetChain, symbolic_target
 from robotics1.ik.closed_form.trial_point import trial_point
 from robotics1.inputs import positive_number
@@ -57,9 +57,9 @@ def ik_formulas(robot: RobotLike, task: TaskLike, *, time_limit: float = 30.0) -
         with TimeLimit(limit).kept():
             try:
                 return _found(robot, task, form, thorough=False)
-            except FormulaError:
+            except (FormulaError, NoEquation):
                 return _found(robot, task, form, thorough=True)
-    except NoEquationError as error:
+    except NoEquation as error:
         raise FormulaError(f"{error}; {other_way(robot, task)}") from None
     except OutOfTime:
         raise FormulaError(f"no closed formula is found in {limit:g} s; {other_way(robot, task)}") from None

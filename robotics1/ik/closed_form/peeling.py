@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import numpy as np
 import sympy
 
-from robotics1.errors import FormulaError
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
 from robotics1.ik.closed_form.one_unknown import OneUnknown, Solved, read, solve_one, solve_pair, turned
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
@@ -26,7 +25,7 @@ Equations = tuple[OneUnknown, ...]
 Numbers = dict[sympy.Symbol, float]
 
 
-class NoEquationError(FormulaError):
+class NoEquation(Exception):  # noqa: N818 (`ik_formulas` makes a FormulaError of it)
     """Every equation that is left holds several unknown joints."""
 
 
@@ -77,7 +76,7 @@ class Peeling:
         """Return the formulas of all joints, in an order in which each needs only those before it.
 
         Raises:
-            NoEquationError: no equation with one unknown joint is left.
+            NoEquation: no equation with one unknown joint is left.
         """
         self._peel()
         while self.unknown:
@@ -117,7 +116,7 @@ class Peeling:
             best = self._best(equations, pose)
         if best is None:
             names = ", ".join(sorted(q.name for q in self.unknown))
-            raise NoEquationError(
+            raise NoEquation(
                 f"no closed formula is found: every equation that is left holds at least two of {names}, or a "
                 f"polynomial of a higher degree"
             )
