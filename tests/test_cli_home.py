@@ -203,3 +203,20 @@ def test_sentences_are_broken_between_words_on_a_terminal_only():
 def test_the_command_runs_as_a_module_too():
     ended = subprocess.run([sys.executable, "-m", "robotics1", "--version"], capture_output=True, text=True, check=True)
     assert ended.stdout == f"robotics1 {r1.__version__}\n"
+
+
+UNITS = {
+    "fk": (["fk", "prr"], {"q": ["m", "rad", "rad"], "position": "m"}),
+    "jacobian": (["jacobian", "prr", "--rows", "y,phi"], {"q": ["m", "rad", "rad"], "rows": ["m/s", "rad/s"]}),
+    "statics": (["statics", "prr", "--force", "1,0,0"], {"q": ["m", "rad", "rad"], "torque": ["N", "N m", "N m"]}),
+    "singularities": (["singularities", "planar_2r"], {"q": ["rad", "rad"]}),
+    "scan": (["scan", "planar_2r", "--samples", "100"], {"q": ["rad", "rad"]}),
+    "workspace": (["workspace", "planar_2r"], {"area": "m^2", "volume": "m^3", "lengths": "m"}),
+    "check": (["check", "prr"], {"q": ["m", "rad", "rad"], "parameters": "m"}),
+}
+
+
+@pytest.mark.parametrize("name", UNITS)
+def test_json_says_its_units(name):
+    words, units = UNITS[name]
+    assert answer(*words)["units"] == units

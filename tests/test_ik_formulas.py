@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from functools import cache
 from math import pi
+from time import process_time
 
 import numpy as np
 import pinocchio as pin
@@ -34,6 +35,7 @@ from hypothesis import given, settings, strategies as st
 from robotics1 import (
     FormulaError,
     FunctionTask,
+    InputError,
     OrientationTask,
     PlanarPoseTask,
     PoseTask,
@@ -252,6 +254,19 @@ def test_without_a_closed_formula_the_error_says_so():
         ik_formulas(robot, XYZ)
 
 
+def test_the_error_says_what_finds_the_solutions():
+    robot = dh(R("a1", -H, 0), R("a2", H, "d2"), R("a3", 0, 0), a1=1, a2=2, a3=1.5, d2=1)
+    with pytest.raises(FormulaError, match="ik_solutions finds the numbers, by elimination to a polynomial"):
+        ik_formulas(robot, XYZ)
+    general = dh(*(R(0.1 + 0.05 * k, (-1) ** k * (0.6 + 0.1 * k), 0.1 + 0.02 * k) for k in range(6)))
+    begin = process_time()
+    with pytest.raises(FormulaError, match=r"polynomial of degree 16 at most.*which ik_solutions finds by elimination"):
+        ik_formulas(general, PoseTask(), time_limit=1)
+    assert process_time() - begin < 20  # without a limit it is minutes
+    with pytest.raises(InputError, match="time_limit must be a positive number"):
+        ik_formulas(general, PoseTask(), time_limit=0)
+
+
 def test_more_joints_than_rows_are_refused():
     with pytest.raises(TaskError, match="infinitely many"):
         ik_formulas(arm("prr"), XY)
@@ -267,6 +282,7 @@ def test_a_length_may_have_any_name(name):
     assert fam.explain()
     assert fam.latex()
     assert fam.c()
+    assert fam.matlab().isascii()
 
 
 def test_the_source_in_python_takes_other_lengths():
@@ -278,6 +294,44 @@ def test_the_source_in_python_takes_other_lengths():
     assert len(found) == 2
     for q in found:
         assert XY.value(other, q) == pytest.approx([0.3, 0.6])
+
+
+def from_matlab(source):
+    """Return a function of Python that does what MATLAB's does, as far as it is made of loops, ifs and assignments."""
+    lines, depth = [], 0
+    for line in source.splitlines():
+        text = re.sub(r"\.([*/^])", r"\1", line.strip().rstrip(";")).replace("^", "**")
+        if head := re.fullmatch(r"function (\w+) = (\w+)\((.*)\)", text):
+            arguments = ", ".join(f"{argument}=None" for argument in head[3].split(", "))
+            lines += [f"def {head[2]}({arguments}):"]
+            depth, answer = 1, head[1]
+        elif short := re.fullmatch(r"if (.*), (\w+) = (.*); end", text):
+            where = f"{short[2]} is None" if short[1].startswith("nargin") else short[1]
+            lines.append(f"    if {where}: {short[2]} = {short[3]}")
+        elif text == "end":
+            depth -= 1
+            lines += [f"    return {answer}"] if depth == 0 else []
+        elif text and not text.startswith("%"):
+            text = re.sub(r"^for (\w+) = (.*)", r"for \1 in \2:", re.sub(r"^if (.*)", r"if \1:", text))
+            text = re.sub(r"zeros\(0, \d\)", "[]", text)
+            text = re.sub(r"solutions\(end . 1, :\) = (.*)", r"solutions.append(\1)", text)
+            lines.append("    " * depth + text)
+            depth += text.endswith(":")
+    scope = {name: getattr(np, name) for name in ("sqrt", "sin", "cos", "isfinite", "all", "abs", "pi")}
+    scope |= {"acos": np.arccos, "asin": np.arcsin, "atan2": np.arctan2, "NaN": np.nan}
+    exec("\n".join(lines), scope)
+    return scope["inverse_kinematics"]
+
+
+@pytest.mark.parametrize("name", ["2R", "anthropomorphic"])
+def test_the_source_in_matlab_gives_the_same_numbers(name):
+    fam = formulas(name)
+    q = np.linspace(0.4, 0.9, fam.robot.nq)
+    target = fam.task.value(fam.robot, q)
+    wanted = fam.at(target)
+    solve = from_matlab(fam.matlab())
+    assert np.array(solve(*target)) == pytest.approx(np.array(wanted), abs=1e-12)
+    assert solve(*(100 * target)) == []  # out of reach, and no complex number
 
 
 @pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")

@@ -98,6 +98,7 @@ def _difference_from(robot: Robot, other: Robot) -> float:
 
 def _as_json(found: RobotReport, dh_difference: float | None, sound: bool) -> dict[str, Any]:
     """Return the report as plain data."""
+    from robotics1.cli.output import units
     from robotics1.robot.joints import tips
 
     answer: dict[str, Any] = {
@@ -115,6 +116,7 @@ def _as_json(found: RobotReport, dh_difference: float | None, sound: bool) -> di
             "nq": robot.nq,
             "nv": robot.nv,
             "joints": list(robot.joint_names),
+            "units": {"q": units(robot), "parameters": "m"},
             "lower": robot.lower,
             "upper": robot.upper,
             "tool": robot.tool,

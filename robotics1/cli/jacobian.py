@@ -94,7 +94,8 @@ def _print_numbers(
     J = found.spaces.J
     det = float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
     if json:
-        write_json(_as_json(found, det) | {"units": {"q": units(arm)}})
+        rows = [f"{what.row_units[i]}/s" for i in places]
+        write_json(_as_json(found, det) | {"units": {"q": units(arm), "rows": rows}})
         return
     out = PlainConsole()
     say_outside_limits(out, arm, values)

@@ -135,6 +135,11 @@ def units(robot: Robot) -> list[str]:
     return ["rad" if turns else "m" for turns in robot.revolute]
 
 
+def effort_units(robot: Robot) -> list[str]:
+    """Return the unit of each joint's torque or force in JSON: N m or N."""
+    return ["N m" if turns else "N" for turns in robot.revolute]
+
+
 def joint_names(robot: Robot) -> tuple[str, ...]:
     """Return the names of the joints for printing, each on one line."""
     return tuple(map(printable, robot.joint_names))

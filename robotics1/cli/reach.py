@@ -128,6 +128,7 @@ def _shares(known: ReachabilityMap) -> Table:
 def _as_json(known: ReachabilityMap) -> dict[str, Any]:
     """Return the map as what JSON knows, position by position; a map of millions is better read from its folder."""
     return {
+        "units": {"positions": "m", "volume": "m^3"},
         "robot": known.robot,
         "rows": known.task,
         "counts": {status.name: number for status, number in known.counts().items()},

@@ -110,9 +110,11 @@ def _in_python(found: "SingularSet") -> str:
 
 
 def _as_json(found: "SingularSet") -> dict[str, Any]:
+    from robotics1.cli.output import units
     from robotics1.singularities.other_lengths import parameter_conditions
 
     return {
+        "units": {"q": units(found.robot)},
         "method": found.method,
         "complete": found.complete,
         "note": found.note,

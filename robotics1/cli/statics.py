@@ -30,7 +30,7 @@ def statics(
     """The torques that balance a force on the tool, τ = −Jᵀ f."""
     import numpy as np
 
-    from robotics1.cli.output import PlainConsole, joint_names, say_outside_limits, units, write_json
+    from robotics1.cli.output import PlainConsole, effort_units, joint_names, say_outside_limits, units, write_json
     from robotics1.notation import vector
     from robotics1.singularities.explain import directions
     from robotics1.singularities.rounding import singularity_within_rounding
@@ -49,7 +49,7 @@ def statics(
             "torque": torque,
             "within_limits": within,
             "forces_without_torque": free.T,
-            "units": {"q": units(arm)},
+            "units": {"q": units(arm), "torque": effort_units(arm)},
         }
         write_json(answer | {"status": rounded.status.name, "at_singularity": singularity_as_json(rounded)})
         return

@@ -168,6 +168,7 @@ def _as_json(ws: "Workspace") -> dict[str, Any]:
         for name, found in (("regions", ws.regions), ("voids", ws.voids))
     }
     numbers: dict[str, Any] = {
+        "units": {"area": "m^2", "volume": "m^3", "lengths": "m"},
         "area": ws.area,
         "volume": ws.volume,
         "r_min": ws.r_min,

@@ -107,14 +107,19 @@ class WithoutJoints:
 Measurement = KernelMeasurement | TaskMeasurement | WithoutJoints  # of a chunk; `sendable`: to another process
 
 
-def measurement_of(robot: Robot, task: Task, rank: int, length: float) -> Measurement:
-    """Return the measurement of a task's J, with lengths in units of `length` [m]: by the kernels if they serve it."""
+def measurement_of(robot: Robot, task: Task, rank: int, length: float, count: int | None = None) -> Measurement:
+    """Return the measurement of a task's J, with lengths in units of `length` [m]: by the kernels if they serve it.
+
+    Args:
+        count: of configurations, all measured in this process: of a few, no kernel is compiled.
+    """
     if robot.nv == 0:
         return WithoutJoints()
     form = task.frame_map()
     S = None if form is None else _constant_rows(robot, task, form)
     if form is not None and S is not None:
-        return _kernel_measurement(robot, form, S, rank, length)
+        by_kernel = _kernel_measurement(robot, form, S, rank, length)
+        return by_kernel if count is None else by_kernel.worth_compiling(count)
     rows = np.array([1 / length if unit == "m" else 1.0 for unit in task.row_units])
     return TaskMeasurement(robot, task, rows, np.where(robot.revolute, 1.0, length), rank)
 

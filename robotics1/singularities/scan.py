@@ -111,11 +111,10 @@ def scan_singularities(
     where = joint_box(robot, box, turns=turns_of(robot, task))
     points = singular_points(robot, task, where, np.random.default_rng(seed)).require_motion()
     count, chunks = samples_of(method, where, samples, seed, _moving(points))
-    from robotics1.singularities.measurement import KernelMeasurement, measurement_of
+    from robotics1.singularities.measurement import measurement_of
 
-    measurement = measurement_of(robot, task, points.rank, length)
-    if isinstance(measurement, KernelMeasurement) and executor is None and checkpoint is None:
-        measurement = measurement.worth_compiling(count)
+    alone = executor is None and checkpoint is None
+    measurement = measurement_of(robot, task, points.rank, length, count if alone else None)
     keep = max(KEPT, refine)
     asked: dict[str, Any] = {"measures": chosen, "method": method, "samples": count, "seed": seed, "worst": keep}
     asked |= {"length": length, "box": [where.lower, where.upper]}

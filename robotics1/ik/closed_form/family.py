@@ -10,7 +10,7 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.ik.closed_form.peeling import JointFormula
-from robotics1.ik.closed_form.source import c_source, latex_source, python_source
+from robotics1.ik.closed_form.source import c_source, latex_source, matlab_source, python_source
 from robotics1.inputs import Array
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
@@ -197,6 +197,10 @@ class IKFormulas(Frozen):
     def c(self, name: str = "inverse_kinematics") -> str:
         """Return the source of a function in C (C99) that writes the solutions and returns their number."""
         return c_source(self, name)
+
+    def matlab(self, name: str = "inverse_kinematics") -> str:
+        """Return the source of a function in MATLAB, which GNU Octave reads too, that returns the solutions (k, n)."""
+        return matlab_source(self, name)
 
     @property
     def _constants(self) -> set[sympy.Symbol]:

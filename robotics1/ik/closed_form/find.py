@@ -7,18 +7,23 @@ from robotics1.ik.closed_form.comparison import verify
 from robotics1.ik.closed_form.equations import PartOfChain
 from robotics1.ik.closed_form.family import IKFormulas
 from robotics1.ik.closed_form.links import Links, links_of
-from robotics1.ik.closed_form.peeling import Peeling
+from robotics1.ik.closed_form.other_way import is_general, method_of, other_way
+from robotics1.ik.closed_form.peeling import NoEquation, Peeling
 from robotics1.ik.closed_form.target import Target, TargetChain, symbolic_target
 from robotics1.ik.closed_form.trial_point import trial_point
+from robotics1.inputs import positive_number
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import chain_to
+from robotics1.symbolic.polynomials.time_limit import OutOfTime, TimeLimit
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import FrameMap, Task
 
+LITTLE = 5.0  # s: for the arms of six joints that probably have no formulas
 
-def ik_formulas(robot: RobotLike, task: TaskLike) -> IKFormulas:
+
+def ik_formulas(robot: RobotLike, task: TaskLike, *, time_limit: float = 30.0) -> IKFormulas:
     """Return the formulas of every solution of f(q) = r_d, in the target's symbols and the robot's named lengths.
 
     Joint after joint is found from equations with one unknown: a sin θ + b cos θ = c, sin θ and cos θ together, or a
@@ -29,10 +34,14 @@ def ik_formulas(robot: RobotLike, task: TaskLike) -> IKFormulas:
     Args:
         robot: an arm of revolute and prismatic joints.
         task: r = f(q): coordinates of a frame, polar ones too, its rotation, its pose, or its angle in a plane.
+        time_limit: of the search for formulas [s]; of an arm of six joints none of which are special, for whose
+            solutions there is a polynomial of degree 16 but no formula, at most 5.
 
     Raises:
         TaskError: the task does not fit the robot, no joint moves it, or more joints do than it has rows.
-        FormulaError: no closed formula is found, or it does not agree with Pinocchio.
+        InputError: the time limit is no positive number.
+        FormulaError: no closed formula is found in the time, or it does not agree with Pinocchio; the message says
+            what finds the solutions.
 
     Source: Paul, Robot Manipulators, 1981, chapter 3; Craig, Introduction to Robotics, 2005, chapter 4.
     """
@@ -41,10 +50,19 @@ def ik_formulas(robot: RobotLike, task: TaskLike) -> IKFormulas:
     form = task.frame_map()
     if form is None:
         raise FormulaError(f"inverse formulas are written for tasks on a frame, not for {task!r}")
+    limit = positive_number("time_limit", time_limit)
+    if is_general(method_of(robot, task)):
+        limit = min(limit, LITTLE)
     try:
-        return _found(robot, task, form, thorough=False)
-    except FormulaError:
-        return _found(robot, task, form, thorough=True)
+        with TimeLimit(limit).kept():
+            try:
+                return _found(robot, task, form, thorough=False)
+            except (FormulaError, NoEquation):
+                return _found(robot, task, form, thorough=True)
+    except NoEquation as error:
+        raise FormulaError(f"{error}; {other_way(robot, task)}") from None
+    except OutOfTime:
+        raise FormulaError(f"no closed formula is found in {limit:g} s; {other_way(robot, task)}") from None
 
 
 def _found(robot: Robot, task: Task, form: FrameMap, *, thorough: bool) -> IKFormulas:

@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import numpy as np
 import sympy
 
-from robotics1.errors import FormulaError
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
 from robotics1.ik.closed_form.one_unknown import OneUnknown, Solved, read, solve_one, solve_pair, turned
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
@@ -24,6 +23,10 @@ from robotics1.symbolic.writing.sums_of_angles import with_decimals, written
 VANISHES = 1e-9  # a coefficient at the trial point
 Equations = tuple[OneUnknown, ...]
 Numbers = dict[sympy.Symbol, float]
+
+
+class NoEquation(Exception):  # noqa: N818 (`ik_formulas` makes a FormulaError of it)
+    """Every equation that is left holds several unknown joints."""
 
 
 class JointFormula(NamedTuple):
@@ -73,7 +76,7 @@ class Peeling:
         """Return the formulas of all joints, in an order in which each needs only those before it.
 
         Raises:
-            FormulaError: no equation with one unknown joint is left.
+            NoEquation: no equation with one unknown joint is left.
         """
         self._peel()
         while self.unknown:
@@ -113,9 +116,9 @@ class Peeling:
             best = self._best(equations, pose)
         if best is None:
             names = ", ".join(sorted(q.name for q in self.unknown))
-            raise FormulaError(
+            raise NoEquation(
                 f"no closed formula is found: every equation that is left holds at least two of {names}, or a "
-                f"polynomial of a higher degree; ik_solutions finds the numbers"
+                f"polynomial of a higher degree"
             )
         _, chosen = best
         return solve_pair(*chosen, self.write) if len(chosen) == 2 else solve_one(chosen[0], self.write)

@@ -1,4 +1,4 @@
-"""Inverse formulas as source: Python, C and LaTeX. Each joint with two formulas is a loop over both."""
+"""Inverse formulas as source: Python, C, MATLAB and LaTeX. Each joint with two formulas is a loop over both."""
 
 import re
 from collections.abc import Callable
@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 import sympy
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.octave import OctaveCodePrinter
 
 from robotics1.names import printable
+from robotics1.symbolic.writing.other_languages import MATLAB_WORDS, identifier
 from robotics1.symbolic.writing.printing import INDENT, USED, latex_text, spelled
 
 if TYPE_CHECKING:
@@ -21,6 +23,7 @@ C_WORDS = {
     *("isfinite", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "fabs", "pow", "exp", "log"),
     *("y0", "y1", "yn", "j0", "j1", "jn", "gamma", "found"),
 }
+REAL_ONLY = {"sqrt": "real_sqrt", "acos": "real_acos", "asin": "real_asin"}
 
 
 def python_source(formulas: "IKFormulas", name: str) -> str:
@@ -94,6 +97,44 @@ def c_source(formulas: "IKFormulas", name: str) -> str:
     lines += [f"{indent}{INDENT}found++;", f"{indent}}}"]
     lines += [INDENT * level + "}" for level in range(depth - 1, 0, -1)]
     return "\n".join([*lines, f"{INDENT}return found;", "}"]) + "\n"
+
+
+def matlab_source(formulas: "IKFormulas", name: str) -> str:
+    """Return the source of a function in MATLAB, which GNU Octave reads too.
+
+    MATLAB's root of a negative number is complex, and its atan2 refuses that; so roots and arcs have functions of their
+    own, which return NaN.
+    """
+    target, joints = [s.name for s in formulas.target], [q.name for q in formulas.in_order.values()]
+    taken = {*target, *joints, *MATLAB_WORDS, *REAL_ONLY.values(), "solutions", name}
+    words = spelled(map(identifier, formulas.robot.parameters), taken)
+    names = {key: words[identifier(key)] for key in formulas.robot.parameters}
+    printer = OctaveCodePrinter()
+
+    def write(e: sympy.Expr) -> str:
+        text = str(printer.doprint(_renamed(e, names)))
+        return re.sub(r"\b(sqrt|acos|asin)\(", lambda found: f"{REAL_ONLY[found[1]]}(", text)
+
+    lines = [
+        f"function solutions = {name}({', '.join([*target, *names.values()])})",
+        f"% The solutions, one a row: {', '.join(joints)}",
+    ]
+    values = zip(names.values(), formulas.robot.parameters.values(), strict=True)
+    for i, (word, value) in enumerate(values, len(target) + 1):
+        lines.append(f"{INDENT}if nargin < {i}, {word} = {value!r}; end")
+    lines.append(f"{INDENT}solutions = zeros(0, {len(joints)});")
+    depth, body = _loops(
+        formulas, write, 1, lambda q, both: f"for {q} = [{', '.join(both)}]", lambda q, e: f"{q} = {e};"
+    )
+    row = f"[{', '.join(joints)}]"
+    lines += [*body, f"{INDENT * depth}if all(isfinite({row}))"]
+    lines += [f"{INDENT * (depth + 1)}solutions(end + 1, :) = {row};"]
+    lines += [f"{INDENT * level}end" for level in range(depth, 0, -1)]
+    lines += ["end", ""]
+    for function, real in REAL_ONLY.items():
+        inside = "x >= 0" if function == "sqrt" else "abs(x) <= 1"
+        lines += [f"function y = {real}(x)", f"{INDENT}y = NaN;", f"{INDENT}if {inside}, y = {function}(x); end", "end"]
+    return "\n".join(lines) + "\n"
 
 
 def latex_source(formulas: "IKFormulas") -> str:

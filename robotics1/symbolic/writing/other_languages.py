@@ -90,7 +90,7 @@ def _prepared(
     used = {symbol.name for symbols in vectors.values() for symbol in symbols} | set(vectors) | taken
     words: dict[str, str] = {}
     for parameter in parameters:
-        word = _identifier(parameter)
+        word = identifier(parameter)
         while word in used or word in words.values():
             word += "_"
         words[parameter] = word
@@ -105,7 +105,7 @@ def _symbols_of(expressions: Sequence[sympy.Expr]) -> set[str]:
     return {symbol.name for e in expressions for symbol in e.free_symbols}
 
 
-def _identifier(name: str) -> str:
+def identifier(name: str) -> str:
     """Return a name of ASCII letters, digits and underscores that begins with a letter: λ2 becomes u3bb2."""
     ascii_name = "".join(c if c.isascii() else f"u{ord(c):x}" for c in name)
     word = re.sub(r"\W", "_", ascii_name)
