@@ -3,8 +3,8 @@
 import numpy as np
 
 from robotics1.errors import Robotics1Error
+from robotics1.ik.added_joints import way_to_all_solutions
 from robotics1.ik.scaled_task import scaled_task
-from robotics1.ik.structure import closed_form
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -33,7 +33,7 @@ def method_of(robot: Robot, task: Task) -> str | None:
         problem = scaled_task(robot, task, box or None)
     except Robotics1Error:
         return None
-    form = closed_form(robot, task, problem.moving, problem.middle)
+    form = way_to_all_solutions(robot, task, problem.moving, problem.middle)
     return None if form is None else form.method
 
 
