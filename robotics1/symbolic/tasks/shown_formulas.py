@@ -58,7 +58,7 @@ def _element(name: str, formula: Any) -> str:
     operations = sum(int(sympy.count_ops(entry)) for entry in entries)
     long = operations > MANY
     shown = (
-        '<div style="display: flex; align-items: center; overflow-x: auto">'
+        '<div style="display: flex; align-items: center; overflow: auto hidden">'
         f"{name} = {mathml_text(formula, short=long)}</div>"
     )
     return f"<details><summary>{name}, {operations} operations</summary>{shown}</details>" if long else shown
