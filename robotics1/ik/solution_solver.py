@@ -218,20 +218,21 @@ class SolutionSolver:
         later: LaterSolutions | None = None,
     ) -> IKSolutionsBatch:
         """Return what the kernel has left, and the answers of the careful way between it, some of which come later."""
-        place = np.arange(q.shape[1])
+        q = q[:, : counts.max(initial=0)]
+        place, outside = np.arange(q.shape[1]), counts - inside
         first = place < inside[:, None]
         rows, rest = q[first], q[(place < counts[:, None]) & ~first]
         status = np.full(len(inside), IKStatus.FINITE)
         if later is not None:
             status[later.missed] = IKStatus.UNREACHABLE
-        complete, outside = np.ones(len(inside), dtype=bool), counts - inside
-        at, rest_at = np.cumsum(inside), np.cumsum(outside)
+        complete = np.ones(len(inside), dtype=bool)
+        at, rest_at = (np.cumsum(inside), np.cumsum(outside)) if careful else (inside, outside)
         for i in sorted(careful, reverse=True):
             found = careful[i]
             rows, rest = (np.insert(rows, at[i], found.q, axis=0), np.insert(rest, rest_at[i], found.outside_limits, 0))
             inside[i], outside[i] = len(found), len(found.outside_limits)
             status[i], complete[i], errors[i] = found.status, found.complete, found.error_norm
-        compiled = self._compiled
+        facts = {} if self._compiled is None else self._compiled.facts
         return IKSolutionsBatch(
             q=rows,
             counts=inside,
@@ -240,8 +241,8 @@ class SolutionSolver:
             error_norm=errors,
             outside_limits=rest,
             outside_counts=outside,
-            method="search" if compiled is None else str(compiled.facts["method"]),
-            free_joints=self._prepared.problem.free_joints,
+            method=str(facts.get("method", "search")),
+            free_joints=facts["free_joints"] if facts else self._prepared.problem.free_joints,
             careful=careful if later is None else later,
             robot=self.robot,
             task=self.task,

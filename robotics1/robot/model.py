@@ -147,7 +147,7 @@ class Robot(DescribedRobot):
         numbers = [i for i in range(1, self.model.njoints) if self.model.joints[i].nq > 0]
         return tuple(named[self.model.names[i]] for i in numbers)
 
-    @property
+    @cached_property
     def joint_names(self) -> tuple[str, ...]:
         """The moving joints, in the order of q."""
         return tuple(joint.name for joint in self.moving_joints)
