@@ -146,6 +146,59 @@ def test_a_batch_is_the_answers_of_its_targets():
         batch[20]
 
 
+SEVEN = [R(0, np.pi / 2, 0.3), *PUMA]  # the first joint turns the base, about an axis across that of the second
+
+
+@pytest.mark.parametrize(
+    ("rows", "joint"), [(SEVEN, "q1"), (SEVEN, "q2"), (None, "panda_joint7")], ids=["first", "second", "last"]
+)
+def test_samples_of_a_joint_are_the_answers_with_it_locked(rows, joint):
+    robot = load_robot("panda", tool="panda_hand_tcp") if rows is None else robot_of(rows)
+    q = np.zeros(robot.nq)  # a finger of the Panda stays at 0
+    q[:7] = 0.2, -0.4, 0.3, -2.1, 0.1, 1.9, 0.6
+    number = robot.joint_names.index(joint)
+    target, values = POSE.value(robot, q), [q[number], q[number] + 0.4, q[number] - 1.1]
+    batch = SolutionSolver(robot, POSE, locked={joint: 0.0}).solve_at(target, joint, values)
+    for i, value in enumerate(values):
+        expected = SolutionSolver(robot, POSE, locked={joint: value})(target)
+        assert batch.status[i] is expected.status
+        assert_the_same(batch[i], expected)
+        assert batch.q[batch.ends[i] : batch.ends[i + 1]] == pytest.approx(expected.q, abs=1e-7)
+    assert np.abs(batch[0].q[:, :7] - q[:7]).max(axis=1).min() < 1e-7
+
+
+def test_a_sample_without_a_solution_is_unreachable_and_its_nearest_miss_is_found_when_it_is_read():
+    robot = load_robot("panda", tool="panda_hand_tcp")
+    solver = SolutionSolver(robot, POSE, locked={"panda_joint7": 0.0})
+    target = pin.SE3(np.eye(3), np.array([3.0, 0, 0]))
+    batch = solver.solve_at(target, "panda_joint7", [0.0, 1.0])
+    assert (batch.status.tolist(), batch.counts.tolist()) == ([IKStatus.UNREACHABLE] * 2, [0, 0])
+    assert np.isinf(batch.error_norm).all()
+    assert 2.0 < batch[1].error_norm < 3.5  # 3 m, less the reach of less than 1 m, and angles of at most π/2 or so
+    assert len(pickle.loads(pickle.dumps(batch)).careful) == 2
+
+
+def test_samples_are_refused_of_a_joint_that_moves_and_of_values_that_are_none():
+    robot = load_robot("panda", tool="panda_hand_tcp")
+    solver, target = SolutionSolver(robot, POSE, locked={"panda_joint7": 0.0}), pin.SE3.Identity()
+    with pytest.raises(InputError, match="'panda_joint6' is not locked"):
+        solver.solve_at(target, "panda_joint6", [0.0])
+    with pytest.raises(InputError, match="values must be finite"):
+        solver.solve_at(target, "panda_joint7", [np.nan])
+    with pytest.raises(InputError, match="must lie in its limits"):
+        solver.solve_at(target, "panda_joint7", [0.0, 5.0])
+    with pytest.raises(InputError, match="the target"):
+        solver.solve_at(np.diag([1, 1, -1, 1]), "panda_joint7", [0.0])
+
+
+def test_samples_of_a_task_that_leaves_turns_free_are_the_answers_with_the_joint_locked():
+    robot = robot_of([*ANTHROPOMORPHIC, R(0.1, 0, 0)])  # its last joint moves the point, and no goal says how it turns
+    target, values = XYZ.value(robot, np.array([0.3, 0.7, 1.1, 0.4])), [0.4, -0.9]
+    batch = SolutionSolver(robot, XYZ, locked={"q4": 0.0}).solve_at(target, "q4", values)
+    for i, value in enumerate(values):
+        assert_the_same(batch[i], SolutionSolver(robot, XYZ, locked={"q4": value})(target))
+
+
 def test_solutions_of_a_function_are_searched():
     robot = robot_of([R(1.2, 0, 0), R(0.8, 0, 0)])
     task = FunctionTask(lambda p, R, q: [p[0], p[1]], 2)

@@ -1,20 +1,24 @@
 """All inverse kinematics solutions of many targets: what does not depend on the target is prepared once."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 from pinocchio import SE3
 
+from robotics1.errors import InputError
 from robotics1.ik.boundary_distance import BOUNDARY
 from robotics1.ik.compiled_solutions import CompiledSolutions
+from robotics1.ik.joint_samples import LaterSolutions, moves_of_goals
 from robotics1.ik.prepared import Prepared, prepare
 from robotics1.ik.result import IKStatus
 from robotics1.ik.search import numbered
 from robotics1.ik.solution_batch import IKSolutionsBatch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solver import list_of_targets
-from robotics1.inputs import Array, by_name, counting_number
+from robotics1.inputs import Array, by_name, counting_number, real_array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.every_solution import COUNT, EDGE, ERROR, INSIDE
 from robotics1.robot.given import RobotLike
@@ -64,6 +68,7 @@ class SolutionSolver:
         self._prepared: Prepared = prepare(self.robot, self.task, self._box, self._locked)
         self._compiled: CompiledSolutions | None = self._prepared.compiled
         self._goal: Callable[[Any], Array] | None = None
+        self._moved: tuple[tuple[int, bytes], tuple[Array, Array] | None] | None = None
         exact = self._prepared.exact
         if self._compiled is not None and exact is not None:
             pose_error = exact.pose_error
@@ -76,7 +81,7 @@ class SolutionSolver:
         return {
             name: value
             for name, value in vars(self).items()
-            if name not in ("_prepared", "_compiled", "_goal", "_takes_poses")
+            if name not in ("_prepared", "_compiled", "_goal", "_takes_poses", "_moved")
         }
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -93,8 +98,7 @@ class SolutionSolver:
             InputError: the target has the wrong form, or is not finite.
         """
         if self._compiled is not None and self._goal is not None:
-            pose = self._takes_poses and type(target) is SE3  # which the kernel checks
-            found = self._compiled.solve(target.homogeneous if pose else self._goal(target))
+            found = self._compiled.solve(self._goal_of(target, self._goal))
             if found is not None:
                 return found
         return self._carefully(target)
@@ -110,7 +114,7 @@ class SolutionSolver:
         """
         listed = list_of_targets(targets)
         if self._compiled is None or self._goal is None:
-            return self._one_by_one(listed)
+            return self._one_by_one(len(listed), lambda i: self(listed[i]))
         q, answers = self._compiled.solve_many(self._goals(listed))
         careful: dict[int, IKSolutions] = {}
         for i in np.flatnonzero((answers[:, COUNT] < 0) | (answers[:, EDGE] < BOUNDARY)).tolist():
@@ -121,11 +125,70 @@ class SolutionSolver:
         inside, counts = answers[:, [INSIDE, COUNT]].T.astype(np.int64)
         return self._batch(q, inside, counts, answers[:, ERROR].copy(), careful)
 
+    def solve_at(self, target: Any, joint: str, values: npt.ArrayLike) -> IKSolutionsBatch:
+        """Return the solutions of one target at many values of a locked joint, one entry of the batch for each value.
+
+        So a redundant arm is sampled: a joint is locked, and asked at values all over its range. The first joint and
+        the last are the fast ones: a value then moves the goal, and one kernel serves them all. Where a value has no
+        solution inside the limits, its status is UNREACHABLE and its error ∞; reading its entry finds the nearest miss.
+
+        Args:
+            target: r_d, in the form of the task's value.
+            joint: its name, one of `locked`.
+            values: (k,) [rad or m].
+
+        Raises:
+            InputError: the target has the wrong form, the joint is not locked, or a value is outside its limits.
+        """
+        if joint not in self._locked:
+            raise InputError(f"the joint {joint!r} is not locked; locked are {sorted(self._locked) or 'none'}")
+        array = real_array("values", values, (None,), "one for each sample")
+        number = self.robot.joint_names.index(joint)
+        lower, upper = self.robot.lower[number], self.robot.upper[number]
+        if not ((lower <= array) & (array <= upper)).all():
+            raise InputError(f"values of {joint!r} must lie in its limits [{lower:g}, {upper:g}]")
+        moves = self._moves_of_goals(number, array)
+        find = partial(self._solve_locked, target, joint, array)
+        if moves is None or self._compiled is None or self._goal is None:
+            return self._one_by_one(len(array), find)
+        before, behind = moves
+        q, answers = self._compiled.solve_here(before @ self._goal_of(target, self._goal) @ behind)
+        q[:, :, number] = array[:, None]
+        unknown, error = answers[:, COUNT] < 0, answers[:, ERROR].copy()
+        doubt = (unknown & np.isnan(error)) | (answers[:, EDGE] < BOUNDARY)
+        answers[unknown | doubt, :ERROR] = 0.0
+        inside, counts = answers[:, [INSIDE, COUNT]].T.astype(np.int64)
+        found = {int(i): find(int(i)) for i in np.flatnonzero(doubt)}
+        missed = np.flatnonzero(unknown & ~doubt)
+        error[missed] = np.inf
+        later = LaterSolutions(found, missed.tolist(), find)
+        return self._batch(q, inside, counts, error, found, later)
+
+    def _moves_of_goals(self, number: int, values: Array) -> tuple[Array, Array] | None:
+        """Return what `moves_of_goals` does, of the last values without work; None if a pose is free in part."""
+        key, exact = (number, values.tobytes()), self._prepared.exact
+        if exact is None or len(exact.pose_error.rows) < 6:
+            return None
+        if self._moved is None or self._moved[0] != key:
+            self._moved = key, moves_of_goals(self._prepared.problem, number, values)
+        return self._moved[1]
+
+    def _solve_locked(self, target: Any, joint: str, values: Array, i: int) -> IKSolutions:
+        """Return the solutions of a target with a locked joint at value i."""
+        locked = self._locked | {joint: float(values[i])}
+        options: dict[str, Any] = {"box": self._box, "starts": self._starts, "seed": self._seed}
+        return SolutionSolver(self.robot, self.task, locked=locked, **options)(target)
+
     def _carefully(self, target: Any) -> IKSolutions:
         return self._prepared.carefully(self.task.target(target), self._starts, self._seed)
 
+    def _goal_of(self, target: Any, goal: Callable[[Any], Array]) -> Array:
+        """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
+        pose = self._takes_poses and type(target) is SE3
+        return np.asarray(target.homogeneous) if pose else goal(target)
+
     def _goals(self, targets: list[Any]) -> Array:
-        """Return the poses (k, 4, 4) of targets; one that is a pose itself is left for the kernel to check."""
+        """Return the poses (k, 4, 4) of targets, as `_goal_of` does."""
         goals = np.empty((len(targets), 4, 4))
         unchecked = SE3 if self._takes_poses else None
         for i, target in enumerate(targets):
@@ -136,31 +199,40 @@ class SolutionSolver:
                     goals[i] = self._goal(target)
         return goals
 
-    def _one_by_one(self, targets: list[Any]) -> IKSolutionsBatch:
+    def _one_by_one(self, k: int, find: Callable[[int], IKSolutions]) -> IKSolutionsBatch:
         careful = {}
-        for i, target in enumerate(targets):
+        for i in range(k):
             with numbered(i):
-                careful[i] = self(target)
-        k, nq = len(targets), self.robot.nq
+                careful[i] = find(i)
+        nq = self.robot.nq
         none = np.zeros(k, dtype=np.int64)
         return self._batch(np.zeros((k, 0, nq)), none, none.copy(), np.zeros(k), careful)
 
     def _batch(
-        self, q: Array, inside: Indices, counts: Indices, errors: Array, careful: dict[int, IKSolutions]
+        self,
+        q: Array,
+        inside: Indices,
+        counts: Indices,
+        errors: Array,
+        careful: dict[int, IKSolutions],
+        later: LaterSolutions | None = None,
     ) -> IKSolutionsBatch:
-        """Return what the kernel has left, and the answers of the careful way between it."""
-        place = np.arange(q.shape[1])
+        """Return what the kernel has left, and the answers of the careful way between it, some of which come later."""
+        q = q[:, : counts.max(initial=0)]
+        place, outside = np.arange(q.shape[1]), counts - inside
         first = place < inside[:, None]
         rows, rest = q[first], q[(place < counts[:, None]) & ~first]
         status = np.full(len(inside), IKStatus.FINITE)
-        complete, outside = np.ones(len(inside), dtype=bool), counts - inside
-        at, rest_at = np.cumsum(inside), np.cumsum(outside)
+        if later is not None:
+            status[later.missed] = IKStatus.UNREACHABLE
+        complete = np.ones(len(inside), dtype=bool)
+        at, rest_at = (np.cumsum(inside), np.cumsum(outside)) if careful else (inside, outside)
         for i in sorted(careful, reverse=True):
             found = careful[i]
             rows, rest = (np.insert(rows, at[i], found.q, axis=0), np.insert(rest, rest_at[i], found.outside_limits, 0))
             inside[i], outside[i] = len(found), len(found.outside_limits)
             status[i], complete[i], errors[i] = found.status, found.complete, found.error_norm
-        compiled = self._compiled
+        facts = {} if self._compiled is None else self._compiled.facts
         return IKSolutionsBatch(
             q=rows,
             counts=inside,
@@ -169,9 +241,9 @@ class SolutionSolver:
             error_norm=errors,
             outside_limits=rest,
             outside_counts=outside,
-            method="search" if compiled is None else str(compiled.facts["method"]),
-            free_joints=self._prepared.problem.free_joints,
-            careful=careful,
+            method=str(facts.get("method", "search")),
+            free_joints=facts["free_joints"] if facts else self._prepared.problem.free_joints,
+            careful=careful if later is None else later,
             robot=self.robot,
             task=self.task,
         )

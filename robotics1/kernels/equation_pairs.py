@@ -16,6 +16,8 @@ from robotics1.kernels.real_roots import ABSENT, MANY, UNKNOWN, VANISHES, roots_
 ROUNDED = 1e-9  # of coefficients that are the digits of a file
 ARBITRARY = 1e-5  # of all coefficients in the second coordinate: any value may solve them
 PLAUSIBLE, MISS = 0.02, 1e-4  # residual with which Newton's method begins, and ends
+CLEAR = 1e-2  # of a coefficient of an equation of about 1 that is not about to vanish
+QUADRATIC = 1e-11  # a step of Newton's method behind which the error is rounding
 SAME = 1e-8  # distance of two roots that are one
 
 
@@ -165,20 +167,22 @@ def one_after_the_other(F: Array, G: Array, first: int, second: int, flipped: in
 
 
 @compiled(inner=True)
-def in_half_tangents(slides: int, F: Array, j: int, p: Array) -> None:
-    """Write the coefficients in t of the function in column j of F to p, (3,)."""
-    if slides:
-        p[0], p[1], p[2] = F[0, j], F[1, j], F[2, j]
-    else:
-        p[0], p[1], p[2] = F[0, j] + F[1, j], 2.0 * F[2, j], F[0, j] - F[1, j]
+def in_half_tangents(F: Array, first: int, second: int, p: Array) -> None:
+    """Write F, (3, 3), as polynomials in the half tangents of joints that turn, times 1 + t² of each, to p, (3, 3).
 
-
-@compiled(inner=True)
-def product(a: Array, b: Array, factor: float, c: Array) -> None:
-    """Add the product of two polynomials, times a factor, to c."""
-    for i in range(len(a)):
-        for j in range(len(b)):
-            c[i + j] += factor * a[i] * b[j]
+    Row j of p belongs to the power j of the second coordinate, and column i to the power i of the first.
+    """
+    for i in range(3):
+        for j in range(3):
+            p[j, i] = F[i, j]
+    if not first:
+        for j in range(3):
+            f0, f1, f2 = p[j, 0], p[j, 1], p[j, 2]
+            p[j, 0], p[j, 1], p[j, 2] = f0 + f1, 2.0 * f2, f0 - f1
+    if not second:
+        for i in range(3):
+            f0, f1, f2 = p[0, i], p[1, i], p[2, i]
+            p[0, i], p[1, i], p[2, i] = f0 + f1, 2.0 * f2, f0 - f1
 
 
 @compiled(inner=True)
@@ -187,24 +191,19 @@ def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) 
 
     (a₀b₂ − a₂b₀)² − (a₀b₁ − a₁b₀)(a₁b₂ − a₂b₁) of two quadratics; return whether it is above rounding.
     """
-    columns, minors = np.zeros((2, 3, 3)), np.zeros((3, 5))
-    for j in range(3):
-        in_half_tangents(first, F, j, columns[0, j])
-        in_half_tangents(first, G, j, columns[1, j])
-    if not second:
-        for k in range(2):
-            for i in range(3):
-                f0, f1, f2 = columns[k, 0, i], columns[k, 1, i], columns[k, 2, i]
-                columns[k, 0, i], columns[k, 1, i], columns[k, 2, i] = f0 + f1, 2.0 * f2, f0 - f1
-    a, b = columns[0], columns[1]
+    a, b, minors = np.empty((3, 3)), np.empty((3, 3)), np.zeros((3, 5))
+    in_half_tangents(F, first, second, a)
+    in_half_tangents(G, first, second, b)
     for k in range(3):
         i, j = (0 if k < 2 else 1), (2 if k != 1 else 1)  # (0, 2), (0, 1), (1, 2)
-        product(a[i], b[j], 1.0, minors[k])
-        product(a[j], b[i], -1.0, minors[k])
+        for m in range(3):
+            for n in range(3):
+                minors[k, m + n] += a[i, m] * b[j, n] - a[j, m] * b[i, n]
     for i in range(9):
         resultant[i] = 0.0
-    product(minors[0], minors[0], 1.0, resultant)
-    product(minors[1], minors[2], -1.0, resultant)
+    for i in range(5):
+        for j in range(5):
+            resultant[i + j] += minors[0, i] * minors[0, j] - minors[1, i] * minors[2, j]
     largest = 0.0
     for i in range(9):
         largest = max(largest, abs(resultant[i]))
@@ -219,13 +218,18 @@ def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) 
 def both_at_once(
     F: Array, G: Array, first: int, second: int, flipped: int, resultant: Array, work: Array, pairs: Array
 ) -> int:
-    """Do what `common_roots` does from the roots of the resultant: the second coordinate solves either equation."""
+    """Do what `common_roots` does from the roots of the resultant: the second coordinate solves either equation.
+
+    It solves F; G is asked as well where F hardly depends on it, or its roots lead to no common one.
+    """
     xs, y, b, pair = np.empty(2 * MANY), np.empty(2), np.empty(3), np.empty(2)
     count = 0
     for k in range(roots_of_polynomial(first, resultant, work, xs)):
         basis(first, xs[k], b)
-        largest = 0.0
+        largest, led = 0.0, False
         for equation in range(2):
+            if led and largest > CLEAR:
+                break
             E = F if equation == 0 else G
             f0 = b[0] * E[0, 0] + b[1] * E[1, 0] + b[2] * E[2, 0]
             f1 = b[0] * E[0, 1] + b[1] * E[1, 1] + b[2] * E[2, 1]
@@ -234,6 +238,7 @@ def both_at_once(
             for j in range(roots_of_one(second, f0, f1, f2, y)):
                 pair[0], pair[1] = xs[k], y[j]
                 if count < len(pairs) and led_to_a_root(F, G, first, second, pair):
+                    led = True
                     count = added(pair, first, second, flipped, pairs, count)
         if largest < ARBITRARY or count == len(pairs):
             return UNKNOWN
@@ -256,23 +261,16 @@ def added(pair: Array, first: int, second: int, flipped: int, pairs: Array, coun
 @compiled(inner=True)
 def led_to_a_root(F: Array, G: Array, first: int, second: int, pair: Array) -> bool:
     """Move a pair, (2,), by Newton's method, and return whether it is then near a common root."""
-    a, b, da, db = np.empty(3), np.empty(3), np.empty(3), np.empty(3)
     f = g = 0.0
     for step in range(8):
-        basis(first, pair[0], a)
-        basis(second, pair[1], b)
-        da[0], da[1], da[2] = 0.0, (1.0 if first else -a[2]), (2.0 * a[1] if first else a[1])
-        db[0], db[1], db[2] = 0.0, (1.0 if second else -b[2]), (2.0 * b[1] if second else b[1])
-        f = g = fx = fy = gx = gy = 0.0
-        for i in range(3):
-            for j in range(3):
-                f += a[i] * b[j] * F[i, j]
-                g += a[i] * b[j] * G[i, j]
-                fx += da[i] * b[j] * F[i, j]
-                gx += da[i] * b[j] * G[i, j]
-                fy += a[i] * db[j] * F[i, j]
-                gy += a[i] * db[j] * G[i, j]
-        if step == 0 and max(abs(f), abs(g)) > PLAUSIBLE * max(1.0, a[2] if first else 1.0, b[2] if second else 1.0):
+        x, y = pair[0], pair[1]
+        a1, a2 = (x, x * x) if first else (math.cos(x), math.sin(x))
+        b1, b2 = (y, y * y) if second else (math.cos(y), math.sin(y))
+        da1, da2 = (1.0, 2.0 * x) if first else (-a2, a1)
+        db1, db2 = (1.0, 2.0 * y) if second else (-b2, b1)
+        f, fx, fy = with_slopes(F, a1, a2, da1, da2, b1, b2, db1, db2)
+        g, gx, gy = with_slopes(G, a1, a2, da1, da2, b1, b2, db1, db2)
+        if step == 0 and max(abs(f), abs(g)) > PLAUSIBLE * max(1.0, a2 if first else 1.0, b2 if second else 1.0):
             return False
         det = fx * gy - fy * gx
         if abs(det) < 1e-14 or max(abs(f), abs(g)) < 1e-15:
@@ -281,6 +279,17 @@ def led_to_a_root(F: Array, G: Array, first: int, second: int, pair: Array) -> b
         longest = max(1.0, 4.0 * max(abs(dx), abs(dy)))
         pair[0] -= dx / longest
         pair[1] -= dy / longest
-        if max(abs(dx), abs(dy)) < 1e-15:
+        if max(abs(dx), abs(dy)) < QUADRATIC:
             break
     return max(abs(f), abs(g)) < MISS
+
+
+@compiled(inline=True, inner=True)
+def with_slopes(
+    F: Array, a1: float, a2: float, da1: float, da2: float, b1: float, b2: float, db1: float, db2: float
+) -> tuple[float, float, float]:
+    """Return aᵀ F b with a = (1, a₁, a₂), b = (1, b₁, b₂), and its derivatives: aᵀ' F b and aᵀ F b'."""
+    r0, r1, r2 = (F[0, 0] + F[0, 1] * b1 + F[0, 2] * b2, F[1, 0] + F[1, 1] * b1 + F[1, 2] * b2,
+                  F[2, 0] + F[2, 1] * b1 + F[2, 2] * b2)  # fmt: skip
+    s0, s1, s2 = F[0, 1] * db1 + F[0, 2] * db2, F[1, 1] * db1 + F[1, 2] * db2, F[2, 1] * db1 + F[2, 2] * db2
+    return r0 + a1 * r1 + a2 * r2, da1 * r1 + da2 * r2, s0 + a1 * s1 + a2 * s2

@@ -178,20 +178,22 @@ def spherical(A: Array, slides: Indices, here: float, there: float, found: Array
     """
     c, t, z, R = np.empty(3), np.empty(3), np.zeros(3), np.empty((3, 3))
     rest, turns, T, x, W = np.empty((MANY, 3)), np.empty((2, 3)), np.empty((3, 4)), np.empty(2), np.empty((3, 4))
+    A0, A1, A2, A3, A4, A5 = A[0], A[1], A[2], A[3], A[4], A[5]  # once, since references to views are counted
     z[2] = here
-    place(A[5], z, c)
+    place(A5, z, c)
     z[2] = there
-    place_back(A[2], z, t)
-    many = point(A[3], A[4], slides[3:], c, t, rest)
+    place_back(A2, z, t)
+    many = point(A3, A4, slides[3:], c, t, rest)
     count = 0
     for n in range(many):
-        set_to(A[2], T)
-        for k in range(3):
-            after_joint(T, slides[3 + k], rest[n, k], A[3 + k])
+        set_to(A2, T)
+        after_joint(T, slides[3], rest[n, 0], A3)
+        after_joint(T, slides[4], rest[n, 1], A4)
+        after_joint(T, slides[5], rest[n, 2], A5)
         for i in range(3):
             for j in range(3):
                 R[i, j] = T[j, i]
-        some = orientation(A[0], A[1], R, W, x, turns)
+        some = orientation(A0, A1, R, W, x, turns)
         if some == UNKNOWN or count + 2 > len(found):
             return UNKNOWN
         for m in range(some):

@@ -11,6 +11,7 @@ NEAR = 1e-3  # of a discriminant, beside its terms: roots that nearly meet are l
 NEARLY_ZERO = 1e-4  # of a polynomial at its extremes, beside its terms
 NEARLY_ZERO_AT_0 = 1e-7  # beside the largest coefficient: at t = 0 the constant is the only term
 EDGE = 1.0 + 1e-6  # where the middle ends: a root at ±1 is then found from both sides, and not missed by rounding
+SETTLED = 1e-13  # a step in a bracket behind which no other is needed: roots are polished by those who ask for them
 MANY = 24  # roots that are kept
 UNKNOWN = -1  # instead of a number of roots
 
@@ -76,7 +77,7 @@ def bracketed_root(p: Array, degree: int, low: float, high: float, at_low: float
         ahead = t - value / slope if slope != 0.0 else low
         if not low < ahead < high:
             ahead = 0.5 * (low + high)
-        if abs(ahead - t) <= 4e-16 or value == 0.0:
+        if abs(ahead - t) <= SETTLED or value == 0.0:
             return ahead if value != 0.0 else t
         t = ahead
     return t

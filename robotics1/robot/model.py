@@ -149,7 +149,7 @@ class Robot(DescribedRobot):
         numbers = [i for i in range(1, self.own_model.njoints) if self.own_model.joints[i].nq > 0]
         return tuple(named[self.own_model.names[i]] for i in numbers)
 
-    @property
+    @cached_property
     def joint_names(self) -> tuple[str, ...]:
         """The moving joints, in the order of q."""
         return tuple(joint.name for joint in self.moving_joints)
