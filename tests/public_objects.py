@@ -182,11 +182,6 @@ def its_sine(q):
     return float(np.sin(q[0]))
 
 
-@cache
-def twists():
-    return r1.ik.iterate_twist(arm("planar_2r"), r1.forward_kinematics(arm("planar_2r"), [0.5, 1.0]), Q)
-
-
 def by_priority():
     low = r1.PositionTask("y", frame="link2")
     return r1.redundancy.ik_by_priority(arm("planar_3r"), [(PLANE, [1.0, 0.5]), (low, [9.0])], [0.3, 0.5, 0.4])
@@ -304,8 +299,6 @@ INSTANCES = {
     "IKBatch": lambda: [r1.IKSolver(arm("planar_2r"), PLANE).solve_batch([TARGET, [0.5, 0.5]])],
     "IKBranch": lambda: list(inverse().branches),
     "IKFormulas": lambda: [inverse()],
-    "TwistIterate": lambda: list(twists().table),
-    "TwistIteration": lambda: [twists()],
     "IKIterate": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q).table[0]],
     "IKIteration": lambda: [r1.iterate_ik(arm("planar_2r"), PLANE, TARGET, Q)],
     "IKResult": lambda: [r1.solve_ik(arm("planar_2r"), PLANE, TARGET), r1.solve_ik(arm("planar_2r"), PLANE, [9, 9])],

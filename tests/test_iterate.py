@@ -18,6 +18,7 @@ from robotics1 import (
     forward_kinematics,
     frame_jacobian,
     iterate_ik,
+    planar_arm,
 )
 from robotics1.ik import IKStatus
 
@@ -311,3 +312,14 @@ def test_the_body_twist_is_that_of_a_whole_pose(cylindrical):
     for task, target in ((SPACE, GOAL), (PoseTask(angles="ZYZ"), [0.3, 0.2, 0.4, 0.1, 0.7, 0.2])):
         with pytest.raises(TaskError, match=r"twist log.* of a whole pose: use PoseTask\(\), without angles"):
             iterate_ik(cylindrical, task, target, Q_A, method="pseudoinverse", error="body")
+
+
+def test_a_planar_2r_arm_of_lynch_and_park_reaches_30_and_90_degrees():
+    """Their example: links of 1 m, T_d at (30°, 90°), from (0°, 30°)."""
+    robot = planar_arm("RR", [1.0, 1.0])
+    T_d = forward_kinematics(robot, np.radians([30, 90]))
+    tolerance = {"rad": 1e-3, "m": 1e-4}
+    run = iterate_ik(robot, "pose", T_d, np.radians([0, 30]), method="pseudoinverse", error="body", tolerance=tolerance)
+    assert np.degrees(run[1].q) == pytest.approx([34.23, 79.18], abs=0.005)
+    assert np.degrees(run[2].q) == pytest.approx([29.98, 90.22], abs=0.005)
+    assert np.degrees(run.require().q) == pytest.approx([30.0, 90.0], abs=0.005)

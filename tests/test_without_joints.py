@@ -214,7 +214,6 @@ def nothing_moves(still, task, folder):
         "report": lambda: r1.report(still, folder / "sheet.html"),
         "animate": lambda: r1.animate(still, joints, folder / "moving.html"),
         "plot_trajectory": lambda: r1.plot_trajectory(joints, file=folder / "a.svg", robot=still),
-        "iterate_twist": lambda: r1.ik.iterate_twist(still, np.eye(4), []),
         "plot_run": lambda: r1.plots.plot_run(
             r1.control.simulate_law(r1.control.joint_law(still, [], 1.0), [], duration=1.0)
         ),

@@ -15,7 +15,6 @@ from .solution_set import IKSolutions
 from .solution_solver import SolutionSolver
 from .solutions import ik_solutions
 from .solver import IKSolver, solve_ik
-from .twist_iteration import TwistIterate, TwistIteration, iterate_twist
 
 __all__ = [
     "Aspects",
@@ -38,15 +37,12 @@ __all__ = [
     "SingularTarget",
     "SolutionSolver",
     "TrigSolutions",
-    "TwistIterate",
-    "TwistIteration",
     "arm_angle",
     "group_by_aspect",
     "ik_formulas",
     "ik_solutions",
     "is_cuspidal",
     "iterate_ik",
-    "iterate_twist",
     "posture_change",
     "self_motion",
     "solutions_at_arm_angle",
