@@ -14,6 +14,7 @@ from robotics1.inputs import Array
 STEP, STEPS = 0.25, 60  # along a curve, to each side
 LISTED = 0.6 * STEP  # from a sample of a curve, of a solution that is on it
 DIRECTIONS = 24  # in which curves may leave a crossing
+CHANGES = 0.999  # of the second smallest σ, from one sample to the next, where there may be a crossing between
 CROSSING = 1e-3  # σ beside σ₁ of a second direction that may be the tangent of another curve
 PARTS, HALVINGS = 8, 40  # of a step in which a joint may come within its limits and leave them, or cross one
 
@@ -117,11 +118,12 @@ class Families:
         """Return where J loses rank once more along a curve: others may cross it there."""
         second = [self._second(p) for p in curve]
         found = []
-        for i in range(len(curve)):
-            before, after = curve[i - 1], curve[(i + 1) % len(curve)]
-            if len(curve) < 3 or second[i] > min(second[i - 1], second[(i + 1) % len(curve)]):
+        for i in range(len(curve) if len(curve) > 2 else 0):
+            j = (i + 1) % len(curve)
+            besides = second[i - 1], second[j]
+            if second[i] > min(besides) or second[i] > CHANGES * max(besides):
                 continue
-            crossing = self._least(before, curve[i], after)
+            crossing = self._least(curve[i - 1], curve[i], curve[j])
             if self._second(crossing) < CROSSING:
                 found.append(crossing)
         return found
