@@ -6,7 +6,7 @@ from robotics1.errors import FormulaError, TaskError
 from robotics1.ik.closed_form.comparison import verify
 from robotics1.ik.closed_form.equations import PartOfChain
 from robotics1.ik.closed_form.family import IKFormulas
-from robotics1.ik.closed_form.links import Links, links_of
+from robotics1.ik.closed_form.links import Links, links_of, with_the_frame_as_a_link
 from robotics1.ik.closed_form.peeling import Peeling
 from robotics1.ik.closed_form.target import Target, TargetChain, symbolic_target
 from robotics1.ik.closed_form.trial_point import trial_point
@@ -28,7 +28,8 @@ def ik_formulas(robot: RobotLike, task: TaskLike) -> IKFormulas:
 
     Args:
         robot: an arm of revolute and prismatic joints.
-        task: r = f(q): coordinates of a frame, its rotation, its pose, or its angle in a plane.
+        task: r = f(q): coordinates of a frame, its rotation, its pose, its angle in a plane, the direction of its x, y
+            or z axis, or several of these.
 
     Raises:
         TaskError: the task does not fit the robot, no joint moves it, or more joints do than it has rows.
@@ -107,6 +108,8 @@ def _check_number(robot: Robot, task: Task, moving: set[sympy.Symbol]) -> None:
 def _peeling(chain: TargetChain, links: Links, target: Target, moving: set[sympy.Symbol], *, thorough: bool) -> Peeling:
     """Return the beginning: all joints between the world and the last link, whose pose the target gives."""
     trial = trial_point({*chain.q, *chain.angles}, dict(chain.robot.parameters))
+    if target.known(target.pose[0] @ links.tool[0].T) < target.known(target.pose[0]):
+        links = with_the_frame_as_a_link(chain, links)
     part = PartOfChain(chain, links, 0, len(links.steps), target.pose[0], target.pose[1], links.tool[1])
     peeling = Peeling(chain, target, part, target.definitions, set(moving), trial, thorough)
     peeling.begin(target.pose[0] @ links.tool[0].T)

@@ -90,7 +90,8 @@ class Peeling:
     def constraints(self) -> tuple[sympy.Expr, ...]:
         """Return what must vanish of the target alone, of a task with more rows than joints."""
         found = {self._defined(self.write(f)) for f in self.part.equations(0, 0) if self._says_something(f)}
-        return tuple(sorted((e for e in found if not e.is_number), key=str))
+        distinct = {min(e, -e, key=lambda f: (len(str(f)), str(f))) for e in found if not e.is_number}
+        return tuple(sorted(distinct, key=str))
 
     def write(self, f: TrigPolynomial) -> sympy.Expr:
         """Return a polynomial as an expression, with the symbols of the pose."""
@@ -203,7 +204,10 @@ class Peeling:
             part = replace(part, i=part.i + 1, R=R, p=p)
         while part.i < part.j and not self._moves_unknown(part.j - 1):
             step = links.steps[part.j - 1]
-            R, p = self._named(part.R @ step.direction_behind(part.chain.still[0]), part.p)
+            turned = part.R @ step.direction_behind(part.chain.still[0])
+            if self._known(turned) < self._known(part.R):
+                break  # of a direction alone less would be left
+            R, p = self._named(turned, part.p)
             part = replace(part, j=part.j - 1, R=R, p=p, point=step.point(part.point))
         self.part = self._with_what_is_the_same(self._at_a_better_point(part))
 
@@ -218,6 +222,11 @@ class Peeling:
                 T[place] = f
         return replace(part, R=T[:, :3], p=T[:, 3])
 
+    def _known(self, R: Matrix) -> int:
+        """Return how many entries are known."""
+        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
+        return sum(not f.symbols & nothing for f in R.flat)
+
     def _moves_unknown(self, k: int) -> bool:
         step = self.part.links.steps[k]
         used = {symbol for f in (*step.turn.flat, *step.slide) for symbol in f.symbols}
@@ -226,7 +235,7 @@ class Peeling:
     def _at_a_better_point(self, part: PartOfChain) -> PartOfChain:
         """Return the part with the position of the point that most joints before the last link leave where it is."""
         nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
-        if any(f.symbols & nothing for f in (*part.R.flat, *part.p)) or part.i == part.j:
+        if part.i == part.j:
             return part
 
         def joints_behind(point: Matrix) -> int:
@@ -236,7 +245,11 @@ class Peeling:
                 used |= {s for f in point for s in f.symbols}
             return len(used & self.unknown)
 
-        point = min(part.links.points[part.j], key=joints_behind)
+        def is_known(point: Matrix) -> bool:
+            return not any(f.symbols & nothing for f in part.p + part.R @ (point - part.point))
+
+        points = [point for point in part.links.points[part.j] if is_known(point)]
+        point = min(points, key=joints_behind, default=part.point)
         if joints_behind(point) >= joints_behind(part.point):
             return part
         R, p = self._named(part.R, part.p + part.R @ (point - part.point))
