@@ -4,8 +4,9 @@ from math import pi
 
 import numpy as np
 import pytest
+import sympy
 from brute_force import apart
-from test_all_solutions import GANTRY, PUMA, STANFORD, H, R, robot_of
+from test_all_solutions import GANTRY, ORTHOGONAL, PUMA, STANFORD, H, P, R, robot_of
 
 from robotics1 import FormulaError, PointingTask, PositionTask, StackedTask, ik_solutions
 from robotics1.ik import ik_formulas
@@ -64,6 +65,22 @@ def test_as_many_directions_as_a_search_finds():
     robot, task = robot_of(SKEW), PointingTask("z")
     target = task.value(robot, [0.4, 1.1])
     assert len(ik_solutions(robot, task, target, starts=30)) == len(ik_formulas(robot, task).at(target)) == 2
+
+
+@pytest.mark.parametrize("rows", [ORTHOGONAL, [R(0.3, 0.7, 0.2), P(0.4), R(0.4, 0, 0)]], ids=["orthogonal", "slide"])
+def test_without_a_closed_formula_a_polynomial_of_degree_four_vanishes_at_every_solution(rows):
+    robot = robot_of(rows)
+    with pytest.raises(FormulaError, match=r"no closed formula.* What is left: .* of degree 4") as raised:
+        ik_formulas(robot, PositionTask())
+    error, i = raised.value, int(raised.value.joint[1:]) - 1
+    assert error.polynomial.degree() == 4
+    x, y, z = sympy.symbols("x y z", real=True)
+    target = PositionTask().value(robot, [0.4, -1.2, 2.0])
+    roots = np.roots([float(c.subs(dict(zip((x, y, z), target, strict=True)))) for c in error.polynomial.all_coeffs()])
+    found = ik_solutions(robot, PositionTask(), target)
+    assert found.complete
+    for q in [*found.q, *found.outside_limits]:
+        assert np.abs(roots - (np.tan(q[i] / 2) if rows[i][0] == "R" else q[i])).min() < 1e-6
 
 
 def test_three_joints_for_a_direction_are_refused_or_need_another_row():

@@ -15,6 +15,7 @@ import sympy
 
 from robotics1.errors import FormulaError
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
+from robotics1.ik.closed_form.one_polynomial import least_polynomial, shortest_two
 from robotics1.ik.closed_form.one_unknown import OneUnknown, Solved, read, solve_one, solve_pair, turned
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
 from robotics1.ik.closed_form.trial_point import TrialPoint
@@ -22,6 +23,7 @@ from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomia
 from robotics1.symbolic.writing.sums_of_angles import with_decimals, written
 
 VANISHES = 1e-9  # a coefficient at the trial point
+SHOWN = 600  # letters of a polynomial in a message
 Equations = tuple[OneUnknown, ...]
 Numbers = dict[sympy.Symbol, float]
 
@@ -98,7 +100,6 @@ class Peeling:
         return with_decimals(written(f, self.target.groups))
 
     # --- one equation after the other
-
     def _next(self) -> Solved:
         """Return the solution of the joint that has the fewest and shortest."""
         equations: dict[Any, list[OneUnknown]] = {}
@@ -113,13 +114,39 @@ class Peeling:
                     equations.setdefault(found.unknown, []).append(found)
             best = self._best(equations, pose)
         if best is None:
-            names = ", ".join(sorted(q.name for q in self.unknown))
-            raise FormulaError(
-                f"no closed formula is found: every equation that is left holds at least two of {names}, or a "
-                f"polynomial of a higher degree; ik_solutions finds the numbers"
-            )
+            raise self._nothing_left()
         _, chosen = best
         return solve_pair(*chosen, self.write) if len(chosen) == 2 else solve_one(chosen[0], self.write)
+
+    def _nothing_left(self) -> FormulaError:
+        """Return the error that says that no equation has one unknown, with a polynomial if two have the same two."""
+        names = ", ".join(sorted(q.name for q in self.unknown))
+        text = (
+            f"no closed formula is found: every equation that is left holds at least two of {names}, or a polynomial "
+            f"of a higher degree; ik_solutions finds the numbers"
+        )
+        slides = self.unknown & set(self.chain.trig_ring.ring.symbols)
+        found = least_polynomial(self._pairs_of_equations(), slides) if self.thorough else None
+        if found is None:
+            return FormulaError(text)
+        joint, P = found
+        unknown = f"{joint.name} solves" if joint in slides else f"t = tan({joint.name}/2) solves"
+        shown = f"{P.as_expr()} = 0" if len(str(P)) < SHOWN else "the polynomial of this error"
+        error = FormulaError(f"{text}. What is left: {unknown} {shown}, of degree {P.degree()}")
+        error.polynomial, error.joint = P, joint.name
+        return error
+
+    def _pairs_of_equations(self) -> list[tuple[set[sympy.Symbol], tuple[sympy.Expr, sympy.Expr]]]:
+        """Return two joints and the two shortest different equations in them, of all pairs of joints that have them."""
+        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
+        pairs: dict[tuple[str, ...], tuple[set[sympy.Symbol], set[sympy.Expr]]] = {}
+        for sides in SIDES:
+            for f in self.part.equations(*sides):
+                left = f.symbols & self.unknown
+                if len(left) == 2 and not f.symbols & nothing:
+                    key = tuple(sorted(symbol.name for symbol in left))
+                    pairs.setdefault(key, (left, set()))[1].add(self._defined(self.write(f)))
+        return [(left, shortest_two(found)) for left, found in pairs.values() if len(found) > 1]
 
     def _best(self, equations: dict[Any, list[OneUnknown]], pose: Numbers) -> tuple[int, Equations] | None:
         """Return the number of solutions and the equation, or the pair, that gives the fewest and is the shortest."""
