@@ -1,8 +1,8 @@
 """The polynomial in one joint that two equations in two joints leave, where no closed formula is found.
 
 Of the other joint cos θ and sin θ enter linearly, A cos θ + B sin θ + C = 0 twice. Cramer's rule and the sum 1 of the
-squares give (B₁C₂ − B₂C₁)² + (A₂C₁ − A₁C₂)² = (A₁B₂ − A₂B₁)², or an equation that is linear in a slide gives that slide. The
-joint that is left is t = tan(q/2) of one that turns.
+squares give (B₁C₂ − B₂C₁)² + (A₂C₁ − A₁C₂)² = (A₁B₂ − A₂B₁)². An equation that is linear in a slide gives that slide.
+The joint that is left is t = tan(q/2) of one that turns.
 
 Source: Pieper, The kinematics of manipulators under computer control, 1968.
 """
