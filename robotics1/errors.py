@@ -80,7 +80,16 @@ class TaskError(Robotics1Error, ValueError):
 
 
 class FormulaError(Robotics1Error, RuntimeError):
-    """No formula can be given that agrees with the numbers."""
+    """No formula can be given that agrees with the numbers.
+
+    Attributes:
+        polynomial: where no closed formula of inverse kinematics is found, a polynomial that remains: a `sympy.Poly` in
+            t, which is tan(q/2) of a joint that turns and q of one that slides; None where there is none.
+        joint: the name of that joint.
+    """
+
+    polynomial: Any = None
+    joint: str = ""
 
 
 class NotConverged(Robotics1Error, RuntimeError):  # noqa: N818 (the contract's name)

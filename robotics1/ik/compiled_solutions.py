@@ -46,6 +46,8 @@ class CompiledSolutions:
             "free_joints": problem.free_joints,
             "dimension": 0,
             "boundary_distance": np.inf,
+            "families": (),
+            "tangents": NO_TANGENTS,
             "hits": NO_HITS,
             "robot": problem.robot,
             "task": problem.task,
@@ -158,7 +160,8 @@ def compiled_solutions(exact: ExactSolver) -> CompiledSolutions:
 
 
 ALL, NONE, NO_HITS = np.ones(MANY, dtype=bool), np.zeros(MANY, dtype=bool), np.zeros(0, dtype=np.int64)
-for constant in (ALL, NONE, NO_HITS):
+NO_TANGENTS = np.zeros((0, 0))
+for constant in (ALL, NONE, NO_HITS, NO_TANGENTS):
     constant.setflags(write=False)
 
 

@@ -10,10 +10,11 @@ from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance, distance_of_meeting
 from robotics1.ik.descent import REACHED
+from robotics1.ik.families import Families, FamilyCurve
 from robotics1.ik.joint_relations import joint_relations
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
-from robotics1.ik.solution_search import FLAT, SAME, SolutionSearch
+from robotics1.ik.solution_search import SAME, SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.structure import ClosedForm
 from robotics1.inputs import Array
@@ -27,7 +28,6 @@ AS_FORMULA = 1e-9  # deviation of an arm for which its formula is exact
 REGULAR = 1e-2  # σ_min/σ_max at which rounding of the axes cannot add or remove a solution
 AT_LIMIT = 1e-9, 1e-7  # outside of a limit, in units, by rounding; and of a double solution
 NEAREST = 8  # starts that look for the nearest miss, where it is proven that there is no solution
-FAMILY_STEP, FAMILY_STEPS = 0.25, 26  # along a family, to each side
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,17 +74,19 @@ class ExactSolver:
             proven = proven and roots.proven and bool(reached[roots.real].all())
             if not proven and not reached.any():
                 return otherwise(None)
-        inside, outside = self._by_limits(self._roots(candidates[reached], sigma[reached], search))
-        dimension = max((search.dimension(root.q) for root in inside if root.singular), default=0)
-        if dimension > 1:
+        every = self._roots(candidates[reached], sigma[reached], search)
+        inside, outside = self._by_limits(every)
+        families = Families(self.problem, search, lambda q: self._polished(q[None], goal)[0][0], self._within)
+        dimensions = [self._dimension(root, families) for root in every]
+        if max(dimensions, default=0) > 1:
             return otherwise(None)
+        if any(dimensions):
+            answer = self._with_families(every, dimensions, families, proven=proven)
+            if answer is not None:
+                return answer
         if not inside:
             return self._miss(candidates[~reached], outside, search, otherwise, proven=proven)
         near = boundary_distance(inside, outside, search, self.points)
-        if dimension:
-            families, relations = self._with_families(inside, search, goal)
-            answer = self._answer(families, outside, IKStatus.INFINITE, search, dimension=1, proven=False, near=near)
-            return replace(answer, families=relations)
         status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
         proven = proven and (status is IKStatus.FINITE or self.is_short)
         return self._answer(inside, outside, status, search, proven=proven, near=near)
@@ -176,48 +178,55 @@ class ExactSolver:
                 outside.append(root)
         return inside, outside
 
-    def _with_families(
-        self, roots: list[Root], search: SolutionSearch, goal: Array
-    ) -> tuple[list[Root], tuple[tuple[str, ...], ...]]:
-        """Return the solutions with others along each curve of them, and what stays the same along each curve."""
-        robot = self.problem.robot
-        found: list[Root] = []
-        relations = []
-        for root in roots:
-            ways = (self.problem.shortest_difference(root.q, other.q) for other in found)
-            listed = any(np.linalg.norm(way) < 0.6 * FAMILY_STEP for way in ways)
-            if root.singular and listed:
-                continue
-            found.append(root)
-            if root.singular and search.dimension(root.q):
-                curve = [root] + [other for side in (1.0, -1.0) for other in self._along(root.q, side, search, goal)]
-                found += curve[1:]
-                relations.append(joint_relations(self._rows(curve), robot.joint_names, robot.revolute))
-        found.sort(key=lambda root: [round(float(value), 6) for value in root.q])
-        return found, tuple(relations)
+    def _within(self, q: Array) -> Array | None:
+        """Return a configuration turned into the limits; None if it is outside."""
+        inside, _ = self._by_limits([Root(self._turned(q), 0.0, True)])
+        return inside[0].q if inside else None
 
-    def _along(self, q: Array, side: float, search: SolutionSearch, goal: Array) -> list[Root]:
-        """Return solutions along the curve through q, to one side, up to a limit or all around."""
-        moving, unit = self.problem.moving, self.problem.box.unit
-        found: list[Root] = []
-        p, before = q, None
-        for _ in range(FAMILY_STEPS):
-            _, sigma, Vt = np.linalg.svd(self.problem.jacobian(p)[:, moving])
-            flat = Vt[sigma < FLAT * sigma[0]]
-            if not len(flat):
-                break
-            tangent = side * flat[-1] if before is None else flat.T @ (flat @ before)
-            tangent /= max(np.linalg.norm(tangent), 1e-12)
-            ahead = p.copy()
-            ahead[moving] += FAMILY_STEP * unit[moving] * tangent
-            ahead = self._polished(ahead[None], goal)[0][0]
-            inside, _ = self._by_limits([Root(self._turned(ahead), 0.0, True)])
-            home = len(found) > 2 and np.abs(self.problem.shortest_difference(ahead, q)).max() < 0.5 * FAMILY_STEP
-            if search.relative_error(ahead) > REACHED or not inside or home:
-                break
-            found += inside
-            p, before = ahead, tangent
-        return found
+    def _dimension(self, root: Root, families: Families) -> int:
+        """Return the dimension of the solutions around one of them."""
+        if not root.singular:
+            return 0
+        return families.search.dimension(root.q) if self._within(root.q) is not None else families.dimension(root.q)
+
+    def _with_families(
+        self, roots: list[Root], dimensions: list[int], families: Families, *, proven: bool
+    ) -> IKSolutions | None:
+        """Return the answer where there are curves of solutions; None if none of them is inside the limits.
+
+        Curves are followed from outside the limits too: they may come within.
+        """
+        alone = [root for root, dimension in zip(roots, dimensions, strict=True) if not dimension]
+        curves = [
+            curve
+            for root, dimension in zip(roots, dimensions, strict=True)
+            for curve in (families.through(root.q) if dimension else ())
+        ]
+        if not curves:
+            return None
+        inside, outside = self._by_limits(alone)
+        robot = self.problem.robot
+        found = [(root, np.zeros(robot.nq)) for root in inside]
+        for curve in curves:
+            found += [(Root(q, 0.0, True), t) for q, t in zip(curve.q, curve.tangents, strict=True)]
+        found.sort(key=lambda pair: [round(float(value), 6) for value in pair[0].q])
+        proven = proven and self._is_whole(alone, curves)
+        listed = [root for root, _ in found]
+        answer = self._answer(listed, outside, IKStatus.INFINITE, families.search, dimension=1, proven=proven, near=0.0)
+        relations = tuple(joint_relations(curve.q, robot.joint_names, robot.revolute) for curve in curves)
+        return replace(answer, families=relations, tangents=np.array([t for _, t in found]))
+
+    def _is_whole(self, alone: list[Root], curves: list[FamilyCurve]) -> bool:
+        """Whether the curves are proven to be all: a spherical wrist alone moves, and nothing else is singular.
+
+        The three other joints then stand where their finitely many solutions are.
+        """
+        loop = self.form.loop
+        if loop is None or loop[0].normal is not None or any(root.singular for root in alone):
+            return False
+        others = [self.form.chain.coordinate[(loop[1] + k) % 6] for k in (3, 4, 5)]
+        stand = all(np.ptp(np.unwrap(curve.q[:, others], axis=0), axis=0).max() < SPLIT for curve in curves)
+        return stand and all(curve.regularity > SINGULAR for curve in curves)
 
     def _miss(
         self,

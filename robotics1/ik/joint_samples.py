@@ -4,9 +4,9 @@ from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
+from robotics1.ik.joint_chain import fixed_chain
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_set import IKSolutions
-from robotics1.ik.structure import fixed_chain
 from robotics1.inputs import Array
 
 UNMOVED = 1e-12  # of a placement, in metres

@@ -22,7 +22,6 @@ from robotics1.robot.parameters import Placements, constant_placements
 from robotics1.robot.postures import in_numbers, named_postures
 
 ConfigurationLike: TypeAlias = npt.ArrayLike | Mapping[str, float]  # also the name of a posture
-
 SMALLEST = 1e-100  # length of an arm [m]
 
 

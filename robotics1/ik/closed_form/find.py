@@ -6,9 +6,10 @@ from robotics1.errors import FormulaError, TaskError
 from robotics1.ik.closed_form.comparison import verify
 from robotics1.ik.closed_form.equations import PartOfChain
 from robotics1.ik.closed_form.family import IKFormulas
-from robotics1.ik.closed_form.links import Links, links_of
+from robotics1.ik.closed_form.links import Links, links_of, with_the_frame_as_a_link
+from robotics1.ik.closed_form.one_polynomial import NoEquation
 from robotics1.ik.closed_form.other_way import is_general, method_of, other_way
-from robotics1.ik.closed_form.peeling import NoEquation, Peeling
+from robotics1.ik.closed_form.peeling import Peeling
 from robotics1.ik.closed_form.target import Target, TargetChain, symbolic_target
 from robotics1.ik.closed_form.trial_point import trial_point
 from robotics1.inputs import positive_number
@@ -33,7 +34,8 @@ def ik_formulas(robot: RobotLike, task: TaskLike, *, time_limit: float = 30.0) -
 
     Args:
         robot: an arm of revolute and prismatic joints.
-        task: r = f(q): coordinates of a frame, polar ones too, its rotation, its pose, or its angle in a plane.
+        task: r = f(q): coordinates of a frame, polar ones too, its rotation, its pose, its angle in a plane, the
+            direction of its x, y or z axis, or several of these.
         time_limit: of the search for formulas [s]; of an arm of six joints none of which are special, for whose
             solutions there is a polynomial of degree 16 but no formula, at most 5.
 
@@ -59,8 +61,10 @@ def ik_formulas(robot: RobotLike, task: TaskLike, *, time_limit: float = 30.0) -
                 return _found(robot, task, form, thorough=False)
             except (FormulaError, NoEquation):
                 return _found(robot, task, form, thorough=True)
-    except NoEquation as error:
-        raise FormulaError(f"{error}; {other_way(robot, task)}") from None
+    except NoEquation as left:
+        error = FormulaError(f"{left}; {other_way(robot, task)}{left.remains}")
+        error.polynomial, error.joint = left.polynomial, left.joint
+        raise error from None
     except OutOfTime:
         raise FormulaError(f"no closed formula is found in {limit:g} s; {other_way(robot, task)}") from None
 
@@ -125,6 +129,8 @@ def _check_number(robot: Robot, task: Task, moving: set[sympy.Symbol]) -> None:
 def _peeling(chain: TargetChain, links: Links, target: Target, moving: set[sympy.Symbol], *, thorough: bool) -> Peeling:
     """Return the beginning: all joints between the world and the last link, whose pose the target gives."""
     trial = trial_point({*chain.q, *chain.angles}, dict(chain.robot.parameters))
+    if target.known(target.pose[0] @ links.tool[0].T) < target.known(target.pose[0]):
+        links = with_the_frame_as_a_link(chain, links)
     part = PartOfChain(chain, links, 0, len(links.steps), target.pose[0], target.pose[1], links.tool[1])
     peeling = Peeling(chain, target, part, target.definitions, set(moving), trial, thorough)
     peeling.begin(target.pose[0] @ links.tool[0].T)

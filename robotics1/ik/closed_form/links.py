@@ -89,6 +89,14 @@ def links_of(chain: Chain, axes: Matrix | None = None) -> Links:
     return Links(tuple(steps), (R, p), points)
 
 
+def with_the_frame_as_a_link(chain: Chain, links: Links) -> Links:
+    """Return the links with the frame itself as the last: a target may give an axis of the frame, and no other."""
+    (R, p), (one, origin) = links.tool, chain.still
+    step = Step(R, p, one, origin, one[:, 2], turns=False)
+    behind = [step.point_behind(point) for point in links.points[-1]]
+    return Links((*links.steps, step), chain.still, (*links.points, (origin, *behind)))
+
+
 def _points(chain: Chain, steps: list[Step], i: int, tool: Matrix) -> tuple[Matrix, ...]:
     """Return points of link i on the axes of joints i and i + 1: feet of common normals, and the joints' origins."""
     origin = chain.still[1]

@@ -14,6 +14,7 @@ import numpy as np
 import sympy
 
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
+from robotics1.ik.closed_form.one_polynomial import NoEquation, least_polynomial, shortest_two
 from robotics1.ik.closed_form.one_unknown import OneUnknown, Solved, read, solve_one, solve_pair, turned
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
 from robotics1.ik.closed_form.trial_point import TrialPoint
@@ -23,10 +24,6 @@ from robotics1.symbolic.writing.sums_of_angles import with_decimals, written
 VANISHES = 1e-9  # a coefficient at the trial point
 Equations = tuple[OneUnknown, ...]
 Numbers = dict[sympy.Symbol, float]
-
-
-class NoEquation(Exception):  # noqa: N818 (`ik_formulas` makes a FormulaError of it)
-    """Every equation that is left holds several unknown joints."""
 
 
 class JointFormula(NamedTuple):
@@ -93,14 +90,14 @@ class Peeling:
     def constraints(self) -> tuple[sympy.Expr, ...]:
         """Return what must vanish of the target alone, of a task with more rows than joints."""
         found = {self._defined(self.write(f)) for f in self.part.equations(0, 0) if self._says_something(f)}
-        return tuple(sorted((e for e in found if not e.is_number), key=str))
+        distinct = {min(e, -e, key=lambda f: (len(str(f)), str(f))) for e in found if not e.is_number}
+        return tuple(sorted(distinct, key=str))
 
     def write(self, f: TrigPolynomial) -> sympy.Expr:
         """Return a polynomial as an expression, with the symbols of the pose."""
         return with_decimals(written(f, self.target.groups))
 
     # --- one equation after the other
-
     def _next(self) -> Solved:
         """Return the solution of the joint that has the fewest and shortest."""
         equations: dict[Any, list[OneUnknown]] = {}
@@ -115,13 +112,32 @@ class Peeling:
                     equations.setdefault(found.unknown, []).append(found)
             best = self._best(equations, pose)
         if best is None:
-            names = ", ".join(sorted(q.name for q in self.unknown))
-            raise NoEquation(
-                f"no closed formula is found: every equation that is left holds at least two of {names}, or a "
-                f"polynomial of a higher degree"
-            )
+            raise self._nothing_left()
         _, chosen = best
         return solve_pair(*chosen, self.write) if len(chosen) == 2 else solve_one(chosen[0], self.write)
+
+    def _nothing_left(self) -> NoEquation:
+        """Return the exception for no equation in one unknown, with a polynomial if two equations have the same two."""
+        names = ", ".join(sorted(q.name for q in self.unknown))
+        text = (
+            f"no closed formula is found: every equation that is left holds at least two of {names}, or a polynomial "
+            f"of a higher degree"
+        )
+        slides = self.unknown & set(self.chain.trig_ring.ring.symbols)
+        found = least_polynomial(self._pairs_of_equations(), slides) if self.thorough else None
+        return NoEquation(text) if found is None else NoEquation(text, found, slides=found[0] in slides)
+
+    def _pairs_of_equations(self) -> list[tuple[set[sympy.Symbol], tuple[sympy.Expr, sympy.Expr]]]:
+        """Return two joints and the two shortest different equations in them, of all pairs of joints that have them."""
+        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
+        pairs: dict[tuple[str, ...], tuple[set[sympy.Symbol], set[sympy.Expr]]] = {}
+        for sides in SIDES:
+            for f in self.part.equations(*sides):
+                left = f.symbols & self.unknown
+                if len(left) == 2 and not f.symbols & nothing:
+                    key = tuple(sorted(symbol.name for symbol in left))
+                    pairs.setdefault(key, (left, set()))[1].add(self._defined(self.write(f)))
+        return [(left, shortest_two(found)) for left, found in pairs.values() if len(found) > 1]
 
     def _best(self, equations: dict[Any, list[OneUnknown]], pose: Numbers) -> tuple[int, Equations] | None:
         """Return the number of solutions and the equation, or the pair, that gives the fewest and is the shortest."""
@@ -208,7 +224,10 @@ class Peeling:
             part = replace(part, i=part.i + 1, R=R, p=p)
         while part.i < part.j and not self._moves_unknown(part.j - 1):
             step = links.steps[part.j - 1]
-            R, p = self._named(part.R @ step.direction_behind(part.chain.still[0]), part.p)
+            turned = part.R @ step.direction_behind(part.chain.still[0])
+            if self._known(turned) < self._known(part.R):
+                break  # of a direction alone less would be left
+            R, p = self._named(turned, part.p)
             part = replace(part, j=part.j - 1, R=R, p=p, point=step.point(part.point))
         self.part = self._with_what_is_the_same(self._at_a_better_point(part))
 
@@ -223,6 +242,11 @@ class Peeling:
                 T[place] = f
         return replace(part, R=T[:, :3], p=T[:, 3])
 
+    def _known(self, R: Matrix) -> int:
+        """Return how many entries are known."""
+        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
+        return sum(not f.symbols & nothing for f in R.flat)
+
     def _moves_unknown(self, k: int) -> bool:
         step = self.part.links.steps[k]
         used = {symbol for f in (*step.turn.flat, *step.slide) for symbol in f.symbols}
@@ -231,7 +255,7 @@ class Peeling:
     def _at_a_better_point(self, part: PartOfChain) -> PartOfChain:
         """Return the part with the position of the point that most joints before the last link leave where it is."""
         nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
-        if any(f.symbols & nothing for f in (*part.R.flat, *part.p)) or part.i == part.j:
+        if part.i == part.j:
             return part
 
         def joints_behind(point: Matrix) -> int:
@@ -241,7 +265,11 @@ class Peeling:
                 used |= {s for f in point for s in f.symbols}
             return len(used & self.unknown)
 
-        point = min(part.links.points[part.j], key=joints_behind)
+        def is_known(point: Matrix) -> bool:
+            return not any(f.symbols & nothing for f in part.p + part.R @ (point - part.point))
+
+        points = [point for point in part.links.points[part.j] if is_known(point)]
+        point = min(points, key=joints_behind, default=part.point)
         if joints_behind(point) >= joints_behind(part.point):
             return part
         R, p = self._named(part.R, part.p + part.R @ (point - part.point))

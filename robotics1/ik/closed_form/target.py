@@ -83,6 +83,10 @@ class Target:
     groups: Groups
     identities: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()
 
+    def known(self, R: Matrix) -> int:
+        """Return how many entries of a matrix are known."""
+        return sum(all(self.definitions.get(symbol, 0) is not None for symbol in f.symbols) for f in R.flat)
+
 
 def symbolic_target(chain: TargetChain, task: Task, form: FrameMap, pose: Pose) -> Target:
     """Return the target of a task whose frame has this pose, of polynomials in q.

@@ -1,0 +1,196 @@
+"""Curves of solutions of an arm that is not redundant: followed all around, where they cross too, and cut by limits."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from robotics1.ik.descent import REACHED
+from robotics1.ik.scaled_task import ScaledTask
+from robotics1.ik.solution_search import ASIDE, FLAT, SolutionSearch
+from robotics1.inputs import Array
+
+STEP, STEPS = 0.25, 60  # along a curve, to each side
+LISTED = 0.6 * STEP  # from a sample of a curve, of a solution that is on it
+DIRECTIONS = 24  # in which curves may leave a crossing
+CHANGES = 0.999  # of the second smallest σ, from one sample to the next, where there may be a crossing between
+CROSSING = 1e-3  # σ beside σ₁ of a second direction that may be the tangent of another curve
+PARTS, HALVINGS = 8, 40  # of a step in which a joint may come within its limits and leave them, or cross one
+
+
+class FamilyCurve(NamedTuple):
+    """Solutions along a curve inside the limits, q (k, nq), the unit tangents there, (k, nq), and how regular it is:
+    the least σ, beside σ₁, of the directions across it.
+    """
+
+    q: Array
+    tangents: Array
+    regularity: float
+
+
+@dataclass(eq=False)
+class Families:
+    """The curves of solutions of one target.
+
+    Attributes:
+        problem: the task in its box.
+        search: for the target.
+        polished: a configuration (nq,) → the solution next to it, with no regard to limits.
+        within: a configuration → the same turned into the limits; None if it is outside.
+        seen: all samples of the curves so far.
+    """
+
+    problem: ScaledTask
+    search: SolutionSearch
+    polished: Callable[[Array], Array]
+    within: Callable[[Array], Array | None]
+    seen: list[Array] = field(default_factory=list)
+
+    def dimension(self, q: Array) -> int:
+        """Return in how many independent directions solutions go on from one, with no regard to limits."""
+        sigma, Vt = self._spectrum(q)
+        return sum(all(self._goes_on(q, tangent, step) for step in ASIDE) for tangent in Vt[sigma < FLAT])
+
+    def _goes_on(self, q: Array, tangent: Array, step: float) -> bool:
+        p = self._ahead(q, tangent, step)
+        way = float(np.linalg.norm(self.problem.shortest_difference(p, q)))
+        return self.search.relative_error(p) <= REACHED and 0.2 * step < way < 2 * step
+
+    def through(self, q: Array) -> list[FamilyCurve]:
+        """Return the curve through a solution, and those that cross it; none if the solution is on one already."""
+        if self._is_listed(q):
+            return []
+        found: list[FamilyCurve] = []
+        waiting: list[tuple[Array, Array | None]] = [(q, None)]
+        while waiting:
+            start, ahead = waiting.pop()
+            if ahead is not None and self._is_listed(ahead):
+                continue
+            samples = self._curve(start if ahead is None else ahead)
+            self.seen += [p for p, _ in samples]
+            found.append(self._inside(samples))
+            for crossing in self._crossings([p for p, _ in samples]):
+                waiting += [(crossing, p) for p in self._ways_from(crossing)]
+        return [curve for curve in found if len(curve.q)]
+
+    def _is_listed(self, q: Array) -> bool:
+        return any(np.linalg.norm(self.problem.shortest_difference(p, q)) < LISTED for p in self.seen)
+
+    def _spectrum(self, q: Array) -> tuple[Array, Array]:
+        """Return σ(J), beside the largest, and the right singular vectors as rows."""
+        _, sigma, Vt = np.linalg.svd(self.problem.jacobian(q)[:, self.problem.moving])
+        return sigma / max(sigma[0], 1e-300), Vt
+
+    def _ahead(self, q: Array, tangent: Array, step: float) -> Array:
+        moved, moving = q.copy(), self.problem.moving
+        moved[moving] += step * self.problem.box.unit[moving] * tangent
+        return self.polished(moved)
+
+    def _curve(self, q: Array) -> list[tuple[Array, Array]]:
+        """Return the solutions on the curve through q with their tangents, one after the other."""
+        _, Vt = self._spectrum(q)
+        forward, closed = self._along(q, Vt[-1])
+        back = [] if closed else [(p, -t) for p, t in self._along(q, -Vt[-1])[0]]
+        return [*back[::-1], (q, Vt[-1]), *forward]
+
+    def _along(self, q: Array, tangent: Array) -> tuple[list[tuple[Array, Array]], bool]:
+        """Return the solutions along the curve to one side, and whether it comes home."""
+        found: list[tuple[Array, Array]] = []
+        p = q
+        for _ in range(STEPS):
+            ahead = self._ahead(p, tangent, STEP)
+            if self.search.relative_error(ahead) > REACHED:
+                break
+            if len(found) > 2 and np.abs(self.problem.shortest_difference(ahead, q)).max() < 0.5 * STEP:
+                return found, True
+            sigma, Vt = self._spectrum(ahead)
+            flat = Vt[sigma < FLAT]
+            if not len(flat):
+                break
+            tangent = flat.T @ (flat @ tangent)
+            tangent = tangent / max(float(np.linalg.norm(tangent)), 1e-12)
+            found.append((ahead, tangent))
+            p = ahead
+        return found, False
+
+    def _crossings(self, curve: list[Array]) -> list[Array]:
+        """Return where J loses rank once more along a curve: others may cross it there."""
+        second = [self._second(p) for p in curve]
+        found = []
+        for i in range(len(curve) if len(curve) > 2 else 0):
+            j = (i + 1) % len(curve)
+            besides = second[i - 1], second[j]
+            if second[i] > min(besides) or second[i] > CHANGES * max(besides):
+                continue
+            crossing = self._least(curve[i - 1], curve[i], curve[j])
+            if self._second(crossing) < CROSSING:
+                found.append(crossing)
+        return found
+
+    def _second(self, q: Array) -> float:
+        sigma = self._spectrum(q)[0]
+        return float(sigma[-2]) if len(sigma) > 1 else 1.0
+
+    def _least(self, before: Array, q: Array, after: Array) -> Array:
+        """Return the solution between two others at which the second smallest σ is least."""
+        from scipy.optimize import minimize_scalar
+
+        unit = self.problem.box.unit
+
+        def at(place: float) -> Array:
+            way = self.problem.shortest_difference(after if place > 0 else before, q)
+            return self.polished(q + abs(place) * way * unit)
+
+        found = minimize_scalar(
+            lambda x: self._second(at(x)), bounds=(-1, 1), method="bounded", options={"xatol": 1e-9}
+        )
+        return at(float(found.x))
+
+    def _ways_from(self, crossing: Array) -> list[Array]:
+        """Return solutions one step away from a crossing, in the plane in which J changes nothing."""
+        _, Vt = self._spectrum(crossing)
+        found = []
+        for angle in 2 * np.pi / DIRECTIONS * np.arange(DIRECTIONS):
+            p = self._ahead(crossing, np.cos(angle) * Vt[-1] + np.sin(angle) * Vt[-2], STEP)
+            way = np.linalg.norm(self.problem.shortest_difference(p, crossing))
+            if self.search.relative_error(p) <= REACHED and 0.5 * STEP < way < 2 * STEP:
+                found.append(p)
+        return found
+
+    def _inside(self, curve: list[tuple[Array, Array]]) -> FamilyCurve:
+        """Return what is inside the limits of a curve, with the solutions at which a joint is at its limit."""
+        found, regularity = [], np.inf
+        for (p, tangent), (after, next_tangent) in zip(curve, [*curve[1:], curve[-1]], strict=True):
+            way = self.problem.shortest_difference(after, p) * self.problem.box.unit
+            near = [(p, tangent)]
+            ends = self.within(p) is None, self.within(after) is None
+            if any(ends) and after is not p:
+                near += [(q, tangent if t < 0.5 else next_tangent) for t, q in self._part_inside(p, way, ends)]
+            found += [(q, t) for q, t in ((self.within(q), t) for q, t in near) if q is not None]
+            regularity = min(regularity, self._second(p))
+        n = self.problem.robot.nq
+        tangents = np.zeros((len(found), n))
+        tangents[:, self.problem.moving] = [t for _, t in found] if found else 0.0
+        tangents *= self.problem.box.unit
+        tangents /= np.maximum(np.linalg.norm(tangents, axis=1, keepdims=True), 1e-300)
+        return FamilyCurve(np.array([q for q, _ in found]).reshape(-1, n), tangents, regularity)
+
+    def _part_inside(self, p: Array, way: Array, outside: tuple[bool, bool]) -> list[tuple[float, Array]]:
+        """Return the ends of the part of a step that is inside the limits: shares of the step, and solutions."""
+        shares = np.linspace(0, 1, PARTS + 1)
+        inside = [not outside[0], *(self._is_inside(p, way, t) for t in shares[1:-1]), not outside[1]]
+        found = []
+        for k in range(PARTS):
+            if inside[k] == inside[k + 1]:
+                continue
+            low, high = (shares[k], shares[k + 1]) if inside[k] else (shares[k + 1], shares[k])
+            for _ in range(HALVINGS):
+                middle = 0.5 * (low + high)
+                low, high = (middle, high) if self._is_inside(p, way, middle) else (low, middle)
+            found.append((float(low), self.polished(p + low * way)))
+        return found
+
+    def _is_inside(self, p: Array, way: Array, share: float) -> bool:
+        q = self.polished(p + share * way)
+        return self.search.relative_error(q) <= REACHED and self.within(q) is not None
