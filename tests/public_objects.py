@@ -446,6 +446,7 @@ INSTANCES = {
     "StackedCurve": lambda: [r1.curves.stacked_path([r1.line_path([0], [1]), r1.line_path([1], [3])])],
     "StackedTask": lambda: [
         r1.StackedTask([r1.PositionTask("x"), r1.PositionTask("y")]),
+        r1.StackedTask([r1.PositionTask("x"), r1.PositionTask("y")], weights=[1, 4]),
         r1.StackedTask([r1.PoseTask(), r1.PositionTask("z", frame="tool")]),
     ],
     "StaticTorques": lambda: [r1.singularities.static_torques(arm("six_r"), np.zeros(6), r1.singularities.Load())],

@@ -147,3 +147,31 @@ def test_a_task_that_does_not_fit_is_named():
         StackedTask([r1.PositionTask(), r1.PlanarPoseTask()]).value(arm("six_r"), np.zeros(6))
     with pytest.raises(r1.UnknownNameError, match="elbow"):
         StackedTask([TIP, r1.PositionTask(frame="elbow")]).value(THREE_R, Q)
+
+
+def test_weights_say_which_of_two_contradictory_tasks_is_missed_by_how_much():
+    """A slide asked to stand at 0 and at 1: w₁ q² + w₂ (1 − q)² is least at q = w₂/(w₁ + w₂)."""
+    slide = r1.planar_arm("P", lengths=[])
+    for w1, w2 in ((1, 1), (1, 3), (10, 0.1)):
+        task = r1.StackedTask(["position:x", "position:x"], weights=[w1, w2])
+        assert task.error(slide, [0.25], [[0.0], [1.0]]) == pytest.approx([-0.25 * np.sqrt(w1), 0.75 * np.sqrt(w2)])
+        assert task.jacobian(slide, [0.25]) == pytest.approx(np.sqrt([[w1], [w2]]))
+        q = r1.iterate_ik(slide, task, [[0.0], [1.0]], [0.25], method="pseudoinverse", max_iterations=3).q
+        assert q == pytest.approx([w2 / (w1 + w2)], abs=1e-12)
+
+
+def test_weights_change_no_solution_that_meets_all_tasks():
+    arm = r1.planar_arm("RRR", lengths=[1, 1, 1])
+    pieces = [r1.PositionTask("xy"), r1.OrientationTask()]
+    q = [0.3, 0.7, -0.4]
+    target = (r1.PositionTask("xy").value(arm, q), r1.OrientationTask().value(arm, q))
+    found = r1.solve_ik(arm, r1.StackedTask(pieces, weights=[4, 1]), target, [0.2, 0.8, -0.3]).require()
+    assert r1.forward_kinematics(arm, found.q).homogeneous == pytest.approx(
+        r1.forward_kinematics(arm, q).homogeneous, abs=1e-6
+    )
+
+
+@pytest.mark.parametrize("weights", [[1], [1, 0], [1, -2], [1, np.nan], 1, ["a", 1]])
+def test_weights_are_one_positive_number_a_task(weights):
+    with pytest.raises(r1.InputError, match="weights"):
+        r1.StackedTask(["position:x", "position:y"], weights=weights)

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, moderate, real_array
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tasks.given import TaskLike, task_from
@@ -22,16 +23,22 @@ class StackedTask:
     may a target be. Tasks on one frame with the same axes are one function of its pose; others are taken as they are:
     analyses and inverse kinematics then go by numbers, and each task has its own formulas.
 
+    With weights the rows of e and J of task i are multiplied by √wᵢ, so that least squares minimize Σ wᵢ |eᵢ|² where
+    not all tasks can be met. They change no solution where all can. Priorities: `redundancy.ik_by_priority`.
+
     Attributes:
         tasks: one or more tasks.
+        weights: wᵢ > 0, one a task; None if all count alike.
     """
 
     tasks: tuple[Task, ...]
+    weights: tuple[float, ...] | None
 
-    def __init__(self, tasks: Sequence[TaskLike]) -> None:
+    def __init__(self, tasks: Sequence[TaskLike], weights: npt.ArrayLike | None = None) -> None:
         if not isinstance(tasks, Sequence) or not tasks or isinstance(tasks, str):
             raise InputError(f"tasks must be a list of tasks, such as [PositionTask('xy'), ...]; it is {tasks!r}")
         object.__setattr__(self, "tasks", tuple(map(task_from, tasks)))
+        object.__setattr__(self, "weights", None if weights is None else _positive(weights, len(tasks)))
 
     @property
     def row_names(self) -> tuple[str, ...]:
@@ -68,15 +75,17 @@ class StackedTask:
         return _joined(self.tasks, self._parts(target))
 
     def error(self, robot: RobotLike, q: ConfigurationLike, target: Any) -> Array:
-        """Return (e₁, e₂, ...), (m,), each as its task has it: angles wrapped, rotations as vectors."""
+        """Return (e₁, e₂, ...), (m,), weighted, each as its task has it: angles wrapped, rotations as vectors."""
         robot = robot_from(robot)
         parts = self._parts(target)
-        return np.concatenate([task.error(robot, q, part) for task, part in zip(self.tasks, parts, strict=True)])
+        errors = [task.error(robot, q, part) for task, part in zip(self.tasks, parts, strict=True)]
+        return np.asarray(self._factors() * np.concatenate(errors))
 
     def jacobian(self, robot: RobotLike, q: ConfigurationLike) -> Array:
-        """Return [J₁; J₂; ...], (m, nv); of several configurations (k, nq), (k, m, nv)."""
+        """Return [J₁; J₂; ...], (m, nv), weighted; of several configurations (k, nq), (k, m, nv)."""
         robot = robot_from(robot)
-        return np.concatenate([task.jacobian(robot, q) for task in self.tasks], axis=-2)
+        J = np.concatenate([task.jacobian(robot, q) for task in self.tasks], axis=-2)
+        return np.asarray(self._factors()[:, None] * J)
 
     def check(self, robot: Robot) -> None:
         """Raise TaskError if one of the tasks does not fit the robot."""
@@ -91,12 +100,15 @@ class StackedTask:
     def with_parameters(self, values: Mapping[str, float]) -> "StackedTask":
         """Return the tasks with other values of their named lengths."""
         return StackedTask(
-            [task.with_parameters(values) if hasattr(task, "with_parameters") else task for task in self.tasks]
+            [task.with_parameters(values) if hasattr(task, "with_parameters") else task for task in self.tasks],
+            self.weights,
         )
 
     def frame_map(self) -> FrameMap | None:
         """Return the tasks as one function of a pose, if they are on one frame, with the same axes, and of numbers."""
         forms = [task.frame_map() for task in self.tasks]
+        if self.weights is not None:
+            return None
         if len(self.tasks) == 1:
             return forms[0]
         known = [form for form in forms if form is not None and form.S is not None]
@@ -111,6 +123,11 @@ class StackedTask:
             lambda p, R: np.vstack([form.S(p, R) for form in known if form.S]),
             constant_rows=all(form.constant_rows for form in known),
         )
+
+    def _factors(self) -> Array:
+        """Return √w of each row, (m,)."""
+        weights = (1.0,) * len(self.tasks) if self.weights is None else self.weights
+        return np.repeat(np.sqrt(weights), [task.rows for task in self.tasks])
 
     def _parts(self, target: Any) -> tuple[Any, ...]:
         """Return the target of each task, checked.
@@ -128,6 +145,13 @@ class StackedTask:
                 f"it is {target!r}"
             )
         return tuple(task.target(part) for task, part in zip(self.tasks, parts, strict=True))
+
+
+def _positive(weights: npt.ArrayLike, n: int) -> tuple[float, ...]:
+    given = moderate("weights", real_array("weights", weights, (n,), "one number a task"))
+    if (given <= 0).any():
+        raise InputError(f"weights must be positive; they are {given.tolist()}")
+    return tuple(given.tolist())
 
 
 def _joined(tasks: Sequence[Task], values: tuple[Any, ...]) -> Any:
