@@ -103,7 +103,7 @@ def plot_ellipses(
         panel.set(xlabel=f"{x} [m]", ylabel=f"{y} [m]")
         panel.grid(visible=True, alpha=0.4)
     panels[0].set(title=title)
-    panels[len(panels) // 2].legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=len(KINDS))
+    panels[len(panels) // 2].legend(loc="upper center", bbox_to_anchor=(0.5, 0), borderaxespad=4, ncols=len(KINDS))
     return drawn(panels[0] if flat else np.array(panels), file)
 
 

@@ -84,7 +84,9 @@ def picture(axes: Any, suffix: str) -> bytes:
 
     written = BytesIO()
     with rc_context({"svg.hashsalt": "robotics1"}):
-        np.ravel(axes)[0].figure.savefig(written, format=suffix[1:], dpi=150, metadata=METADATA[suffix])
+        np.ravel(axes)[0].figure.savefig(
+            written, format=suffix[1:], dpi=150, metadata=METADATA[suffix], bbox_inches="tight"
+        )
     return written.getvalue()
 
 

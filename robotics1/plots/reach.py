@@ -61,7 +61,7 @@ def plot_workspace(ws: Workspace, ax: Any = None, *, file: str | Path | None = N
     labels = panel.get_legend_handles_labels()[1]
     if labels:
         columns = 2 if max(map(len, labels)) <= LONG_LABEL else 1
-        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=columns, fontsize="small")
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, 0), borderaxespad=4.5, ncols=columns, fontsize="small")
     return drawn(panel, file)
 
 
