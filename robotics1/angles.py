@@ -51,7 +51,8 @@ def warn_of_degrees(
     size = np.abs(values)
     halves = 2 * np.clip(values, -MOST, MOST)
     limited = np.isfinite(lower) & np.isfinite(upper)
-    far = limited & ((values < lower - TURN) | (values > upper + TURN)) & (values == np.round(values, DECIMALS))
+    few_decimals = values == np.round(np.clip(values, -MOST, MOST), DECIMALS)
+    far = limited & ((values < lower - TURN) | (values > upper + TURN)) & few_decimals
     typed = (size >= FEWEST) & (size <= MOST) & ((halves == np.round(halves)) | far) & turns
     typed &= ~((lower <= values) & (values <= upper) & limited)
     if typed.any():

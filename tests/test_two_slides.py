@@ -153,6 +153,8 @@ def test_three_turns_and_three_slides_have_two_solutions(order):
     found, every, T = checked(rows, q)
     assert (found.method, len(every)) == ("three turns in sequence", 2)
     assert len(all_solutions(rows, T, range(6), starts=100)) == 2
+    batch = SolutionSolver(robot_of(rows), POSE).solve_batch([POSE.value(robot_of(rows), q)])
+    assert (batch.complete[0], batch.counts[0] + batch.outside_counts[0]) == (True, 2)
 
 
 def test_an_arm_of_which_two_slide_has_eight_solutions():

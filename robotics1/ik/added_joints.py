@@ -40,7 +40,7 @@ def way_to_all_solutions(robot: Robot, task: Task, moving: npt.NDArray[np.bool_]
         still: (nq,) where the others stand [rad or m].
     """
     form = task.frame_map()
-    if form is None or form.pose_error is None or form.pose_error.axis.any():
+    if form is None or form.pose_error is None or form.pose_error.axis.any() or not moving.any():
         return None
     chain = fixed_chain(robot, task, moving, still)
     rows = sorted(form.pose_error.rows)

@@ -153,9 +153,14 @@ class EliminatedSolutions(CompiledSolutions):
                 answer[COUNT], answer[ERROR] = UNKNOWN, np.nan
 
 
-def compiled_solutions(exact: ExactSolver) -> CompiledSolutions:
-    """Return the way to all solutions with the kernel that fits."""
-    roots = exact.form.roots
+def compiled_solutions(exact: ExactSolver) -> CompiledSolutions | None:
+    """Return the way to all solutions with the kernel that fits; None if there is none.
+
+    There is none for fewer joints than rows, nor for three joints that slide beside three that turn.
+    """
+    roots, n = exact.form.roots, len(exact.form.chain.coordinate)
+    if n < len(exact.pose_error.rows) or (n == 6 and roots is None and exact.form.loop is None):
+        return None
     return CompiledSolutions(exact) if roots is None else EliminatedSolutions(exact, roots)
 
 

@@ -5,8 +5,6 @@ from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
-import numpy as np
-
 from robotics1.caching import cached_property
 from robotics1.ik.added_joints import way_to_all_solutions
 from robotics1.ik.compiled_solutions import CompiledSolutions, compiled_solutions
@@ -36,9 +34,7 @@ class Prepared:
     @cached_property
     def compiled(self) -> CompiledSolutions | None:
         """The kernel for targets at which no two solutions meet; None if there is none for this arm."""
-        if self.exact is None or self.problem.task.rows > np.count_nonzero(self.problem.moving):
-            return None
-        return compiled_solutions(self.exact)
+        return None if self.exact is None else compiled_solutions(self.exact)
 
     def solve(self, target: Any, starts: int | None, seed: int) -> IKSolutions:
         """Return the solutions of a target, in the form of the task's value.

@@ -18,6 +18,7 @@ from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 
 MOST_COMBINATIONS = 20_000
+ROUNDING = 1e-9  # rad: an angle that is so little before the first one is the first one
 SWEEPS = 4
 
 
@@ -121,5 +122,5 @@ def _without_turns(q: Array, circular: npt.NDArray[np.bool_]) -> Array:
         k = int(np.argmax(gaps))
         first = around[(k + 1) % len(around)]
         first = first - tau if first > tau / 2 else first
-        q[:, j] = first + (q[:, j] - first) % tau
+        q[:, j] = first + (q[:, j] - first + ROUNDING) % tau - ROUNDING
     return q
