@@ -305,3 +305,10 @@ def test_none_of_a_million_configurations_of_a_3r_is_outside(seed):
     for _ in range(20):
         z = section.mapped.image(rng.uniform(section.domain.lower, section.domain.upper, (50_000, 2)))
         assert all(section.distance_in_section(p) < 1e-8 for p in z[section.counts(z) == 0])
+
+
+def test_branches_that_nearly_meet_make_no_cusps():
+    """A Puma's elbow and shoulder lines cross at an angle of 1e-3: det J is a product, so that it is not cuspidal."""
+    last = [("R", 0.4318, 0, 0, 0), ("R", 0.0203, -pi / 2, 0.15005, 0), ("R", 0, pi / 2, 0.4318, 0)]
+    rows = [("R", 0, pi / 2, 0, 0), *last]
+    assert len(r1.workspaces.workspace(r1.robot_from_dh(rows), "position").cusps) == 0

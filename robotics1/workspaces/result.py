@@ -216,7 +216,10 @@ class Workspace(Frozen):
             )
         if self.volume_error:
             lines.append(f"The volume is sampled, to about {self.volume_error:.1g} m³.")
-        lines.append(f"Distances from the axis of the first joint go from {self.r_min:.9g} m to {self.r_max:.9g} m.")
+        lines.append(
+            f"Its distances from the first joint's axis, or from the world's origin if that joint slides, go from "
+            f"{self.r_min:.9g} m to {self.r_max:.9g} m."
+        )
         for region in self.regions:
             many = "reached" if self.redundant else f"{region.solutions} solution{'s' * (region.solutions != 1)}"
             lines.append(f"A region of area {region.area:.6g} m²: {many}.")

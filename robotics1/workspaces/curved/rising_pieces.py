@@ -10,6 +10,8 @@ from robotics1.workspaces.curved.image_curves import TURNED, ImageCurve, RisingP
 
 SHORTEST = 1e-12  # of `up`, below which a piece is a point
 FINE = 4  # parts of each span of a spline
+AROUND = 6 * FINE  # parts, before and behind a cusp: there the speed is |t − t₀|, but for a factor
+UNLIKE = 10.0  # ratio of speeds before and behind
 
 
 def rising_pieces(curves: Sequence[ImageCurve]) -> tuple[list[RisingPiece], list[tuple[int, float]]]:
@@ -46,7 +48,10 @@ def _cusps(curve: ImageCurve, t: Array, velocity: Array) -> list[float]:
     for i, j in zip(good[back], good[back + 1], strict=True):
         direction = velocity[i] / length[i]
         at = float(curve.roots(lambda s, d=direction: curve.velocity(s) @ d, t[i], t[j])[0])
-        if np.linalg.norm(curve.velocity(np.array([at]))[0]) < 1e-5 * scale:  # else it is a corner on the axis
+        there = np.linalg.norm(curve.velocity(np.array([at]))[0])
+        before, after = length[max(i - AROUND, 0)], length[min(j + AROUND, len(t) - 1)]
+        alike = max(before, after) < UNLIKE * min(before, after)  # else two branches nearly meet, and make a corner
+        if there < 1e-5 * scale and alike:  # else it is a corner on the axis
             found.append(at)
     return found
 
