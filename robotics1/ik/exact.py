@@ -196,11 +196,15 @@ class ExactSolver:
 
         Curves are followed from outside the limits too: they may come within.
         """
-        alone = [root for root, dimension in zip(roots, dimensions, strict=True) if not dimension]
         curves = [
             curve
             for root, dimension in zip(roots, dimensions, strict=True)
             for curve in (families.through(root.q) if dimension else ())
+        ]
+        alone = [
+            root
+            for root, dimension in zip(roots, dimensions, strict=True)
+            if not dimension and not (root.singular and families.is_listed(root.q))
         ]
         if not curves:
             return None

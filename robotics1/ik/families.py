@@ -13,6 +13,7 @@ from robotics1.inputs import Array
 
 STEP, STEPS = 0.25, 60  # along a curve, to each side
 LISTED = 0.6 * STEP  # from a sample of a curve, of a solution that is on it
+DIFFERENCE = 1e-4  # in units, of a quotient
 DIRECTIONS = 24  # in which curves may leave a crossing
 CHANGES = 0.999  # of the second smallest σ, from one sample to the next, where there may be a crossing between
 CROSSING = 1e-3  # σ beside σ₁ of a second direction that may be the tangent of another curve
@@ -59,22 +60,26 @@ class Families:
 
     def through(self, q: Array) -> list[FamilyCurve]:
         """Return the curve through a solution, and those that cross it; none if the solution is on one already."""
-        if self._is_listed(q):
+        if self.is_listed(q):
             return []
         found: list[FamilyCurve] = []
         waiting: list[tuple[Array, Array | None]] = [(q, None)]
+        if self._second(q) < FLAT:  # the tangent is somewhere in a plane
+            waiting = [(q, p) for p in self._ways_from(q)]
         while waiting:
             start, ahead = waiting.pop()
-            if ahead is not None and self._is_listed(ahead):
+            if ahead is not None and self.is_listed(ahead):
                 continue
-            samples = self._curve(start if ahead is None else ahead)
+            samples = self._curve(start, None) if ahead is None else self._curve(ahead, self._way(ahead, start))
             self.seen += [p for p, _ in samples]
-            found.append(self._inside(samples))
+            curve = self._inside(samples)
+            found.append(curve._replace(regularity=min(curve.regularity, self._second(start))))
             for crossing in self._crossings([p for p, _ in samples]):
                 waiting += [(crossing, p) for p in self._ways_from(crossing)]
         return [curve for curve in found if len(curve.q)]
 
-    def _is_listed(self, q: Array) -> bool:
+    def is_listed(self, q: Array) -> bool:
+        """Return whether a singular solution is on one of the curves so far."""
         return any(np.linalg.norm(self.problem.shortest_difference(p, q)) < LISTED for p in self.seen)
 
     def _spectrum(self, q: Array) -> tuple[Array, Array]:
@@ -87,12 +92,24 @@ class Families:
         moved[moving] += step * self.problem.box.unit[moving] * tangent
         return self.polished(moved)
 
-    def _curve(self, q: Array) -> list[tuple[Array, Array]]:
-        """Return the solutions on the curve through q with their tangents, one after the other."""
-        _, Vt = self._spectrum(q)
-        forward, closed = self._along(q, Vt[-1])
-        back = [] if closed else [(p, -t) for p, t in self._along(q, -Vt[-1])[0]]
-        return [*back[::-1], (q, Vt[-1]), *forward]
+    def _way(self, p: Array, q: Array) -> Array:
+        """Return the way from q to p in units, of the joints that move the task."""
+        return np.asarray(self.problem.shortest_difference(p, q)[self.problem.moving])
+
+    def _curve(self, q: Array, way: Array | None) -> list[tuple[Array, Array]]:
+        """Return the solutions on the curve through q with their tangents, one after the other.
+
+        Args:
+            q: a solution.
+            way: about along the curve, where J loses rank more than once; None where that cannot be.
+        """
+        sigma, Vt = self._spectrum(q)
+        tangent = Vt[-1] if way is None else _projected(way, Vt[sigma < FLAT])
+        if tangent is None:
+            return [(q, Vt[-1])]
+        forward, closed = self._along(q, tangent)
+        back = [] if closed else [(p, -t) for p, t in self._along(q, -tangent)[0]]
+        return [*back[::-1], (q, tangent), *forward]
 
     def _along(self, q: Array, tangent: Array) -> tuple[list[tuple[Array, Array]], bool]:
         """Return the solutions along the curve to one side, and whether it comes home."""
@@ -106,10 +123,10 @@ class Families:
                 return found, True
             sigma, Vt = self._spectrum(ahead)
             flat = Vt[sigma < FLAT]
-            if not len(flat):
+            turned = _projected(tangent if len(flat) < 2 else self._way(ahead, p), flat)
+            if turned is None:
                 break
-            tangent = flat.T @ (flat @ tangent)
-            tangent = tangent / max(float(np.linalg.norm(tangent)), 1e-12)
+            tangent = turned
             found.append((ahead, tangent))
             p = ahead
         return found, False
@@ -148,14 +165,38 @@ class Families:
         return at(float(found.x))
 
     def _ways_from(self, crossing: Array) -> list[Array]:
-        """Return solutions one step away from a crossing, in the plane in which J changes nothing."""
+        """Return solutions one step away from one at which J loses rank twice."""
         _, Vt = self._spectrum(crossing)
+        angles = 2 * np.pi / DIRECTIONS * np.arange(DIRECTIONS)
         found = []
-        for angle in 2 * np.pi / DIRECTIONS * np.arange(DIRECTIONS):
+        for angle in [*self._tangents(crossing), *angles]:
             p = self._ahead(crossing, np.cos(angle) * Vt[-1] + np.sin(angle) * Vt[-2], STEP)
             way = np.linalg.norm(self.problem.shortest_difference(p, crossing))
             if self.search.relative_error(p) <= REACHED and 0.5 * STEP < way < 2 * STEP:
                 found.append(p)
+        return found
+
+    def _tangents(self, q: Array) -> list[float]:
+        """Return the angles of v = cos φ v₁ + sin φ v₂ in a null space of two dimensions that curves may have.
+
+        With J v = 0 and uᵀJ = 0 the curve q + t v + O(t²) of solutions needs uᵀ (dJ/dv) v = 0: a quadratic form.
+        """
+        moving, unit = self.problem.moving, self.problem.box.unit
+        U, sigma, Vt = np.linalg.svd(self.problem.jacobian(q)[:, moving])
+        null = Vt[-1], Vt[-2]
+        rates = []
+        for v in null:
+            step = np.zeros(len(q))
+            step[moving] = DIFFERENCE * unit[moving] * v
+            change = self.problem.jacobian(q + step) - self.problem.jacobian(q - step)
+            rates.append(change[:, moving] / (2 * DIFFERENCE))
+        found = []
+        for u in U[:, len(sigma) - 2 :].T:
+            (a, b), (c, d) = ([float(u @ rate @ v) for v in null] for rate in rates)
+            size = np.hypot(0.5 * (a - d), 0.5 * (b + c))  # mean + size cos(2φ − middle) = 0
+            middle = np.arctan2(0.5 * (b + c), 0.5 * (a - d))
+            half = np.arccos(np.clip(-0.5 * (a + d) / max(size, 1e-300), -1, 1))
+            found += [0.5 * (middle + side * half) + turn for side in (1, -1) for turn in (0, np.pi)]
         return found
 
     def _inside(self, curve: list[tuple[Array, Array]]) -> FamilyCurve:
@@ -194,3 +235,10 @@ class Families:
     def _is_inside(self, p: Array, way: Array, share: float) -> bool:
         q = self.polished(p + share * way)
         return self.search.relative_error(q) <= REACHED and self.within(q) is not None
+
+
+def _projected(way: Array, flat: Array) -> Array | None:
+    """Return the unit vector along a way, as far as it is in the plane of some rows; None if it is across."""
+    along = flat.T @ (flat @ way)
+    size = float(np.linalg.norm(along))
+    return along / size if size > 1e-12 else None
