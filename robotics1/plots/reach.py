@@ -12,7 +12,7 @@ from robotics1.plots.figures import drawn, legend_text, line_style, new_axes
 from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
 
 HATCHES = {0: "", 1: "//", 2: "", 3: "..", 4: "xx"}  # so that regions differ without colour
-LONG_LABEL = 36  # letters of a label, of which two do not fit beside each other
+LONG_LABEL = 36  # letters of a label; two longer ones do not fit beside each other
 SMALL = 1e-3  # of the whole area: a region without a number in it
 COLORS = {1: "#fdd49e", 2: "#9ecae1", 3: "#c7e9c0", 4: "#bcbddc"}  # of the number of solutions
 

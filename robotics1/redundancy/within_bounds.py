@@ -189,7 +189,7 @@ def within(x: Array, low: Array, high: Array, rounding: float = ROUNDING) -> boo
 
 
 def _size(x: Array, low: Array, high: Array) -> float:
-    """Return the largest finite limit, or entry of x, of which rounding is a part."""
+    """Return the largest finite limit or entry of x; rounding is a part of it."""
     limits = np.abs(np.concatenate([low, high]))
     size = float(limits[np.isfinite(limits)].max(initial=0.0)) or 1.0
     return max(size, float(np.abs(x).max(initial=0.0)))

@@ -105,7 +105,7 @@ def enclosed(
 
 
 def _halved(boxes: _Boxes, slope: Array, spread: Array) -> _Boxes:
-    """Return both halves of boxes, of which sides along which F is monotonic are shrunk to one end."""
+    """Return both halves of boxes; sides along which F is monotonic shrink to one end."""
     sure = slope != 0
     middle = np.where(sure, boxes.middle + np.sign(slope) * boxes.half, boxes.middle)
     half = np.where(sure, 0.0, boxes.half)

@@ -2,7 +2,7 @@
 
 Over a box |qᵢ − mᵢ| ≤ wᵢ a distance from joint i's axis is at most ρᵢ: what it is in the middle, and how far the joints
 after it move the point. So |∂p/∂qᵢ| ≤ ρᵢ, |∂²p/∂qᵢ∂qⱼ| ≤ ρⱼ and |∂³p/∂qᵢ∂qⱼ∂qₖ| ≤ ρₖ, where the last of the joints
-counts. From these follow three bounds, of which the least is taken: of order 0 (a ball about p), 2 and 3 (Taylor).
+counts. From these follow three bounds, and the least counts: of order 0 (a ball about p), 2 and 3 (Taylor).
 """
 
 from dataclasses import dataclass
