@@ -129,7 +129,7 @@ class SolutionSolver:
         """Return the solutions of one target at many values of a locked joint, one entry of the batch for each value.
 
         So a redundant arm is sampled: a joint is locked, and asked at values all over its range. The first joint and
-        the last are the fast ones: a value then moves the goal, and one kernel answers all of them. Where a value has no
+        the last are the fast ones: a value then moves the goal, and one kernel answers them all. Where a value has no
         solution inside the limits, its status is UNREACHABLE and its error ∞; reading its entry finds the nearest miss.
 
         Args:
