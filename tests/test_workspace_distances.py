@@ -31,14 +31,15 @@ def drawn(seed):
 
 
 def nearest_of_all(arm, p, rng):
-    """min |f(q) − p| inside the limits, from the nearest ones of many configurations."""
+    """min |f(q) − p| inside the limits, by descents from the nearest ones of many configurations and from others."""
 
     def squared(q):
         away = XYZ.value(arm, q) - p
         return away @ away, 2 * XYZ.jacobian(arm, q).T @ away
 
     many = rng.uniform(arm.lower, arm.upper, (1000, 3))
-    nearest = np.argsort([np.linalg.norm(XYZ.value(arm, q) - p) for q in many])[:5]
+    order = np.argsort([np.linalg.norm(XYZ.value(arm, q) - p) for q in many])
+    nearest = [*order[:5], *order[5::50]]  # descents from near by may all end in one local minimum
     bounds, exact = list(zip(arm.lower, arm.upper, strict=True)), {"ftol": 1e-15}
     return min(minimize(squared, q, jac=True, bounds=bounds, options=exact).fun for q in many[nearest]) ** 0.5
 
