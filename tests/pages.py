@@ -1,6 +1,8 @@
 """Pages opened in a browser, and what is asked of them."""
 
+import json
 import os
+import re
 import time
 from pathlib import Path
 
@@ -10,6 +12,11 @@ PICTURES = os.environ.get("ROBOTICS1_PICTURES")  # a folder: build/pictures in m
 PICTURES = None if PICTURES is None else Path(PICTURES).absolute()
 
 WINDOWS = ((1280, 800), (900, 700), (390, 844), (1600, 500))
+
+
+def data_behind(html):
+    """Return what the script of a page draws and computes with."""
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', html, re.DOTALL)[1])
 
 
 class OpenPage:

@@ -13,6 +13,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from arms import arm
+from command import run
+from pages import data_behind
 
 import robotics1 as r1
 
@@ -59,11 +61,9 @@ def test_csv_of_a_motion_can_be_played_again(tmp_path):
     rows = np.column_stack([samples.t, samples.q])
     file = tmp_path / "motion.csv"
     file.write_text("t,q1,q2\n" + "\n".join(",".join(map(repr, map(float, row))) for row in rows))
-    from robotics1.viewer.recording import read_recording
-
-    times, q = read_recording(file, robot)
-    assert np.array_equal(times, samples.t)
-    assert np.array_equal(q, samples.q)
+    assert run("view", "planar_2r", "--trajectory", file, "--out", tmp_path / "page.html").code == 0
+    shown = data_behind((tmp_path / "page.html").read_text(encoding="utf-8"))
+    assert shown["actors"] == data_behind(r1.animate(robot, times=samples.t, q=samples.q).html)["actors"]
 
 
 def test_the_message_of_ros_has_joints_points_and_times():

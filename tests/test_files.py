@@ -154,7 +154,7 @@ def test_a_limit_of_the_size_of_files_leaves_no_rest(tmp_path):
     """A real limit, in a child: the kernel refuses the bytes beyond 1000."""
     script = (
         "import resource, signal, sys\n"
-        "from robotics1.errors import InputError\n"
+        "from robotics1 import InputError\n"
         "from robotics1.files import write_file\n"
         "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
         "resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))\n"

@@ -6,6 +6,7 @@ import pytest
 import sympy
 from arms import ARMS, arm, random_q
 from differences import along, derivative
+from pages import data_behind
 
 import robotics1 as r1
 
@@ -145,11 +146,11 @@ def test_a_point_beside_the_last_link_is_as_far_from_joint_2_as_by_hand():
 
 
 def test_a_page_draws_the_jacobian_of_a_point_beside_the_tool():
-    from robotics1.viewer.arm_data import arm_data
-
     arm_ = r1.textbook_robots.planar_arm("RR", [1.0, 0.8])
-    shown = arm_data(arm_, np.array([0.3, 0.5]), r1.PositionTask("xy", point=[0.1, 0.2, 0]))["task"]
-    plain = arm_data(arm_, np.array([0.3, 0.5]), r1.PositionTask("xy"))["task"]
+    shown, plain = (
+        data_behind(r1.view(arm_, [0.3, 0.5], task=task).html)["arms"][0]["task"]
+        for task in (r1.PositionTask("xy", point=[0.1, 0.2, 0]), r1.PositionTask("xy"))
+    )
     assert shown["name"] == plain["name"] == "PositionTask"
     moved = np.array(shown["frame"]["placement"]) - plain["frame"]["placement"]  # the rows of [R p]
     assert moved == pytest.approx([0, 0, 0, 0.1, 0, 0, 0, 0.2, 0, 0, 0, 0])

@@ -27,21 +27,25 @@ def test_the_wheel_brings_its_robots_and_its_exams(tmp_path):
     with ZipFile(wheel_in(tmp_path)) as wheel:
         wheel.extractall(tmp_path / "unpacked")
     program = """
+import sys
 import robotics1
-from robotics1.cli.exam import example, example_folder
+from robotics1.cli import main
 robot = robotics1.load_robot("prr")
-worked = example("exams.from_file.worked").__file__
-exam, = example_folder().glob("exams/*.toml")
-print(robot.parameters["l2"], robot.path, worked, exam, sep="\\n")
+print(robot.parameters["l2"], robot.path, robotics1.__file__, sep="\\n")
+sys.argv = ["robotics1", "exam", "own.toml", "--out", "answers.html"]
+main()
 """
+    question = '[[exercise]]\nrobot = "planar_2r"\n[[exercise.question]]\nask = "jacobian"\ntask = "position:xy"\n'
+    (tmp_path / "unpacked" / "own.toml").write_text(question)
     run = subprocess.run(
         [sys.executable, "-c", program], check=True, cwd=tmp_path / "unpacked", capture_output=True, text=True,
         timeout=120, env=os.environ | {"PYTHONPATH": str(tmp_path / "unpacked")},
     )  # fmt: skip
-    length, *paths = run.stdout.splitlines()
+    length, robot, package = run.stdout.splitlines()[:3]
     assert length == "0.6"
-    assert len(paths) == 3
-    assert all(Path(path).is_relative_to(tmp_path / "unpacked" / "robotics1") for path in paths)
+    assert all(Path(path).is_relative_to(tmp_path / "unpacked" / "robotics1") for path in (robot, package))
+    assert (tmp_path / "unpacked" / "robotics1" / "examples" / "exams" / "exam_2025_01_13.toml").is_file()
+    assert (tmp_path / "unpacked" / "answers.html").is_file()
 
 
 @pytest.mark.sweep
