@@ -1,29 +1,32 @@
 """Real robots in the page: every shape of the file has its triangles in the scene, and all is inside the window."""
 
 import numpy as np
+import pinocchio as pin
 import pytest
-from pages import OpenPage
+from pages import OpenPage, data_behind
 from sweeps import core_first
 
 import robotics1 as r1
-from robotics1.robot.visuals import MeshFile, read_visuals
-from robotics1.viewer.meshes import read_mesh
 
 ROBOTS = core_first(["ur5", "panda", "icub", "kinova", "tiago", "anymal", "talos_reduced"], {"ur5", "panda"})
 MOST = {"ur5": 3e6, "panda": 4e6}  # bytes of the page
 
 
-def triangles(robot):
-    """How many triangles the meshes of the file have, as they are read for the page."""
-    shapes = [visual.shape for visual in read_visuals(robot)]
-    parts = {path: read_mesh(path) for path in {s.path for s in shapes if isinstance(s, MeshFile) and s.found}}
-    return sum(len(part.faces) for s in shapes if isinstance(s, MeshFile) and s.found for part in parts[s.path])
+def triangles(robot, data):
+    """How many triangles the packed meshes have, one of each mesh file that Pinocchio finds."""
+    drawn = [shape["mesh"] for shape in data["arms"][0]["shapes"] if shape["kind"] == "mesh"]
+    files = pin.buildGeomFromUrdfString(robot.model, robot.urdf, pin.GeometryType.VISUAL).geometryObjects
+    assert {shape["link"] for shape in data["arms"][0]["shapes"]} >= {
+        robot.model.frames[f.parentFrame].name for f in files
+    }
+    return sum(data["meshes"][n]["triangles"] for n in drawn)
 
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_every_mesh_of_a_real_robot_is_in_the_scene_and_inside_the_window(browser, name, tmp_path):
     robot = r1.load_robot(name)
-    file = r1.view(robot, None, tmp_path / f"{name}.html").file
+    shown = r1.view(robot, None, tmp_path / f"{name}.html")
+    file = shown.file
     assert file.stat().st_size < MOST.get(name, 16e6)
     page = OpenPage(browser, file)
     drawn = page.ask(
@@ -31,7 +34,7 @@ def test_every_mesh_of_a_real_robot_is_in_the_scene_and_inside_the_window(browse
         ".filter(m => m.userData.drawn && m.userData.drawn.kind === 'mesh')"
         ".map(m => m.geometry.attributes.position.count / 3)"
     )
-    assert sum(drawn) == triangles(robot)
+    assert sum(drawn) == triangles(robot, data_behind(shown.html))
     for low, high in page.inside_windows():
         assert low > -1.001
         assert high < 1.001
