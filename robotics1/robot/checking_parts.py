@@ -58,7 +58,7 @@ def _check_origin(findings: Findings, owner: Element, parent: Element) -> None:
 def _warn_of_degrees(
     findings: Findings, owner: Element, element: Element, what: str, angles: Sequence[float] | None
 ) -> None:
-    typed = next((angle for angle in angles or () if abs(angle) > WIDE and looks_like_degrees(angle)), None)
+    typed = next((angle for angle in angles or () if looks_like_degrees(angle)), None)
     if typed is not None:
         findings.warn(owner, f"has the angle {typed:g} in {what}: a URDF is in radians; are degrees meant?", element)
 
@@ -109,7 +109,7 @@ def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
         note = f"; {absent[0]} is not given, which means 0" if absent else ""
         findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}{note}", limit)
     elif kind == "revolute":
-        _warn_of_degrees(findings, joint, limit, "its limits", (low, high))
+        _warn_of_degrees(findings, joint, limit, "its limits", [x for x in (low, high) if abs(x) > WIDE])
 
 
 def _check_dynamics(findings: Findings, joint: Element) -> None:
