@@ -13,6 +13,7 @@ from robotics1.errors import RobotWarning
 TURN = 2 * pi
 MEANT = 1e-5  # an angle this near to a multiple of π/12 is meant to be it: files write 1.5708 for π/2 [rad]
 DECIMALS = 4  # of a number that was typed
+WIDE = 40.0  # a limit beyond this may be in degrees; -10 and 10 are common, and mean none [rad]
 FEWEST, MOST = 10.0, 720.0  # between these, a whole number that should be an angle in radians is one in degrees
 
 
@@ -26,6 +27,11 @@ def clean_angle(angle: float, tolerance: float = 1e-14) -> float:
     """Return the multiple of π/12 that an angle is to the tolerance [rad], else the angle itself."""
     k = twelfths_of_pi(angle, tolerance)
     return angle if k is None else k * pi / 12
+
+
+def looks_like_degrees(angle: float) -> bool:
+    """Return whether an angle is a whole or half number from 10 to 720: more likely in degrees than in radians."""
+    return FEWEST <= abs(angle) <= MOST and 2 * angle == round(2 * angle)
 
 
 def warn_of_degrees(

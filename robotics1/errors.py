@@ -55,12 +55,26 @@ class RobotFileError(Robotics1Error, ValueError):
         self.element = element
 
 
+def nearest_names(name: str, candidates: Iterable[str], alike: float = 0.5) -> list[str]:
+    """Return up to three candidates that resemble a name, the nearest first; if one has the same letters, that alone.
+
+    Args:
+        name: what was written.
+        candidates: what there is.
+        alike: the least similarity, as `difflib` measures it, from 0 to 1.
+    """
+    written = {candidate: candidate.casefold() for candidate in sorted(candidates)}
+    same = [candidate for candidate, text in written.items() if text == name.casefold()]
+    close = get_close_matches(name.casefold(), set(written.values()), n=3, cutoff=alike)
+    return same or [candidate for text in close for candidate in written if written[candidate] == text][:3]
+
+
 class UnknownNameError(Robotics1Error, LookupError):
     """A name that is not among those that exist; the message lists them, or the nearest."""
 
     def __init__(self, kind: str, name: object, candidates: Iterable[str], note: str = ""):
         self.candidates = tuple(candidates)
-        close = get_close_matches(str(name), self.candidates, n=3, cutoff=0.5)
+        close = nearest_names(str(name), self.candidates)
         if close:
             hint = f"did you mean {' or '.join(map(repr, close))}?"
         elif self.candidates:

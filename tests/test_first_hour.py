@@ -33,6 +33,7 @@ def spatial_pose(target):
 INPUT, UNKNOWN, FILE, TASK = r1.InputError, r1.UnknownNameError, r1.RobotFileError, r1.TaskError
 MISTAKES = {
     # loading
+    "a name in capitals": (lambda: r1.load_robot("PRR"), UNKNOWN, r"did you mean 'prr'\?"),
     "a name with a slip": (lambda: r1.load_robot("prrr"), UNKNOWN, "did you mean 'prr'"),
     "a file that is not there": (lambda: r1.load_robot("arm.urdf"), FILE, "there is no such file"),
     "a file at home": (lambda: r1.load_robot("~/arm.urdf"), FILE, r"write Path\('~/...'\).expanduser\(\)"),
@@ -151,6 +152,47 @@ MISTAKES = {
     # DH tables
     "a twist in degrees": (lambda: dh(("R", 0, 90, 0.4, 0)), INPUT, r"write radians\(90\)"),
     "an offset in degrees": (lambda: dh(("R", 0, 0, 0.4, -90)), INPUT, r"write radians\(-90\)"),
+    "limits of a table in degrees": (
+        lambda: dh(("R", 1, 0, 0, 0), lower=[-180], upper=[180]),
+        r1.RobotWarning,
+        r"write radians\(-180\)",
+    ),
+    "a named twist in degrees": (
+        lambda: dh(("R", 1, "al", 0, 0), parameters={"al": 90}),
+        r1.RobotWarning,
+        r"write radians\(90\)",
+    ),
+    "limits of a planar arm in degrees": (
+        lambda: r1.textbook_robots.planar_arm("RR", [1, 1], upper=[90, None]),
+        r1.RobotWarning,
+        r"write radians\(90\)",
+    ),
+    # rotations
+    "Euler angles in degrees": (
+        lambda: r1.orientation.euler_to_rotation("ZYX", (90, 0, 45)),
+        r1.RobotWarning,
+        r"write radians\(90\)",
+    ),
+    "an angle about an axis in degrees": (
+        lambda: r1.orientation.axis_angle_to_rotation((0, 0, 1), 45),
+        r1.RobotWarning,
+        r"write radians\(45\)",
+    ),
+    "Euler angles of a rate in degrees": (
+        lambda: r1.orientation.euler_rate_map("ZYX", (0, 30, 0)),
+        r1.RobotWarning,
+        r"write radians\(30\)",
+    ),
+    "Euler angles of a target in degrees": (
+        lambda: r1.OrientationTask(angles="ZYX").target([90, 0, 0]),
+        r1.RobotWarning,
+        r"write radians\(90\)",
+    ),
+    "a polar angle in degrees": (
+        lambda: r1.tasks.PolarTask().target([1, 60]),
+        r1.RobotWarning,
+        r"write radians\(60\)",
+    ),
     "a row without its type": (lambda: dh((0, pi / 2, 0.4, 0)), INPUT, r"must be \(type, a, alpha, d, theta\)"),
     "a type in words": (lambda: dh(("revolute", 0, 0, 1, 0)), INPUT, r"'R' \(revolute\) or 'P' \(prismatic\)"),
     "a name without its value": (lambda: dh(("R", "a1", 0, 0, 0)), INPUT, r"parameters=\{'a1': 0.5\}"),

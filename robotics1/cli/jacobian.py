@@ -81,6 +81,7 @@ def _print_numbers(
     from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
     from robotics1.notation import vector
     from robotics1.singularities.rounding import rounded_configuration
+    from robotics1.tasks.task import unitless_factors
     from robotics1.terminal_tables import matrix_table
 
     if at is not None:
@@ -90,7 +91,8 @@ def _print_numbers(
         from robotics1.symbolic.tasks.formula import row_places
 
         places = list(row_places(what, chosen))
-    found = rounded_configuration(lambda x: what.jacobian(arm, x)[places], arm, values)
+    scale = unitless_factors(arm, what)[places]
+    found = rounded_configuration(lambda x: what.jacobian(arm, x)[places], arm, values, scale)
     J = found.spaces.J
     det = float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
     if json:

@@ -1,19 +1,18 @@
 """A Denavit–Hartenberg table: its rows, where the arm stands, and what it carries."""
 
-import keyword
 import math
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
-from unicodedata import normalize
 
 import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, by_name, one_of, real_array, real_number
+from robotics1.angles import warn_of_degrees
+from robotics1.dh.entries import joint_limits, named_values, number_or_name, value_of
+from robotics1.errors import InputError
+from robotics1.inputs import Array, by_name, one_of, real_array
 from robotics1.notation import joint_value, length, vector
 from robotics1.results import Frozen
 from robotics1.robot.checking import MOST_DEGREES
@@ -23,7 +22,6 @@ from robotics1.robot.placements import homogeneous
 from robotics1.tables import in_html, table_of
 
 CONVENTIONS = ("standard", "modified")
-Limits = Sequence[float | None] | Array | None
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 
@@ -77,11 +75,7 @@ class DHTable(Frozen):
         """Check the arguments, and copy them."""
         one_of("convention", self.convention, CONVENTIONS)
         rows = _rows(self.rows)
-        lower = joint_limits("lower", self.lower, len(rows), -math.inf)
-        upper = joint_limits("upper", self.upper, len(rows), math.inf)
-        for i, (a, b) in enumerate(zip(lower, upper, strict=True), 1):
-            if a > b or a == math.inf or b == -math.inf:
-                raise InputError(f"the limits of q{i} must have lower ≤ upper; they are {a:g} and {b:g}")
+        lower, upper = joint_limits(self.lower, self.upper, [row.type == "R" for row in rows])
         self.__dict__.update(
             rows=rows,
             base_placement=homogeneous("base_placement", self.base_placement),
@@ -97,9 +91,10 @@ class DHTable(Frozen):
         )
         self.__setstate__({"lower": lower, "upper": upper})
         lengths = [*self.base_placement.translation, *self.tool_placement.translation]
-        for value in (*(x for row in self.numbers for x in row[1:]), *lengths, *lower, *upper):
-            if math.isfinite(value) and abs(value) > LARGEST:
+        for value in (*(x for row in self.numbers for x in row[1:]), *lengths):
+            if abs(value) > LARGEST:
                 raise InputError(f"a DH table has the number {value:g}; at most {LARGEST:g} can be computed with")
+        warn_of_degrees("the DH table", np.array([(alpha, theta) for _, _, alpha, _, theta in self.numbers]))
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -182,14 +177,6 @@ class DHTable(Frozen):
         return [*constants, *(f"{name} = {value:g}" for name, value in self.parameters.items())]
 
 
-def value_of(entry: float | str, parameters: Mapping[str, float]) -> float:
-    """Return the number that a number, "name" or "-name" stands for."""
-    if not isinstance(entry, str):
-        return entry
-    name = entry.removeprefix("-")
-    return -parameters[name] if entry.startswith("-") else parameters[name]
-
-
 def screw(axis: Array, angle: float, length: float) -> pin.SE3:
     """Return the turn by `angle` [rad] about an axis through the origin, with the shift by `length` [m] along it."""
     return pin.SE3(pin.exp3(angle * axis), length * axis)
@@ -245,56 +232,3 @@ def _row(i: int, row: tuple[Any, ...]) -> DHRow:
                 f"{name} of row {i} is {value:g}, more than a turn: angles are in radians; write radians({value:g})"
             )
     return DHRow(str(row[0]), *entries)
-
-
-def number_or_name(where: str, value: Any) -> float | str:
-    """Return a number, "name" or "-name".
-
-    Raises:
-        InputError: it is none of these.
-    """
-    if not isinstance(value, str):
-        return real_number(where, value)
-    sign, name = ("-", value.strip()[1:].strip()) if value.strip().startswith("-") else ("", value.strip())
-    if not name.isidentifier() or normalize("NFKC", name) != name or name.startswith("__") or keyword.iskeyword(name):
-        raise InputError(
-            f"{where} must be a number, a name such as 'l2' or a negated name such as '-l2', not {value!r}; "
-            f"a name has letters, digits and underscores, and numbers are not written as text"
-        )
-    if name == "pi" or re.fullmatch(r"q\d+", name):
-        raise InputError(f"{where} cannot be called {name!r}: q1, q2, ... are the joints and pi is the number math.pi")
-    return sign + name
-
-
-def named_values(of: str, entries: Sequence[float | str], parameters: Mapping[str, float]) -> dict[str, float]:
-    """Return name → value, in the order of the entries.
-
-    Raises:
-        InputError: a name has no value, or one that is no number.
-        UnknownNameError: a parameter is not among the names.
-    """
-    names = list(dict.fromkeys(entry.removeprefix("-") for entry in entries if isinstance(entry, str)))
-    missing = [name for name in names if name not in parameters]
-    if missing:
-        raise InputError(f"no value for {', '.join(missing)}: give it, as in parameters={{{missing[0]!r}: 0.5}}")
-    for name in parameters:
-        if name not in names:
-            raise UnknownNameError(f"parameter of {of} named", name, names)
-    return {name: real_number(f"parameter {name!r}", parameters[name]) for name in names}
-
-
-def joint_limits(name: str, value: Limits, n: int, none: float) -> Array:
-    """Return limits (n,), with `none`, an infinity, for each None.
-
-    Raises:
-        InputError: there is not one number or None for each joint.
-    """
-    if value is None:
-        return np.full(n, none)
-    try:
-        limits = np.array([none if entry is None else float(entry) for entry in value])
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{name} must have one number or None for each of {n} joints, not {value!r}") from error
-    if limits.shape != (n,) or np.isnan(limits).any():
-        raise InputError(f"{name} must have one number or None for each of {n} joints; it is {limits.tolist()}")
-    return limits

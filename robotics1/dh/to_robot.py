@@ -9,8 +9,9 @@ from typing import Any, Literal
 import pinocchio as pin
 
 from robotics1.angles import printed_twelfths_of_pi
+from robotics1.dh.entries import Limits
 from robotics1.dh.joints import joints_of, links_of, placements_of
-from robotics1.dh.table import DHTable, Limits
+from robotics1.dh.table import DHTable
 from robotics1.dh.to_urdf import dh_text
 from robotics1.notation import joint_value
 from robotics1.robot.building import build_model

@@ -10,7 +10,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, real_number
 from robotics1.notation import joint_value
 from robotics1.orientation.elementary import turn, unit_vector
-from robotics1.orientation.expressions import Matrix, as_matrix, expression, expressions
+from robotics1.orientation.expressions import Matrix, angles_in_radians, as_matrix, expression, expressions
 from robotics1.orientation.nearest import PRINTED, rotation_of
 from robotics1.orientation.quaternion import quaternion_of
 from robotics1.results import Frozen
@@ -28,7 +28,7 @@ def axis_angle_to_rotation(axis: Any, angle: Any) -> Matrix:
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.5.
     """
-    axis, angle = expressions("axis", axis, (3,), "a direction"), expressions("angle", angle, (), "an angle [rad]")
+    axis, angle = expressions("axis", axis, (3,), "a direction"), angles_in_radians("angle", angle, ())
     if object not in (axis.dtype, angle.dtype):
         return turn(unit_vector("axis", axis), float(angle))
     import sympy

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from robotics1.inputs import Array, real_number
 from robotics1.notation import joint_value
 from robotics1.orientation.euler_inverse import canonical, completed, first_solution, other_solution, sine_squared
-from robotics1.orientation.expressions import Matrix, angle_of, as_matrix, expressions
+from robotics1.orientation.expressions import Matrix, angle_of, angles_in_radians, as_matrix
 from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
 from robotics1.results import Frozen
@@ -31,7 +31,7 @@ def euler_to_rotation(sequence: str, angles: Any, *, fixed: bool = False) -> Mat
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.4; Craig, Introduction to Robotics,
     appendix B.
     """
-    R1, R2, R3 = euler_sequence(sequence, fixed).turns(expressions("angles", angles, (3,), "[rad]"))
+    R1, R2, R3 = euler_sequence(sequence, fixed).turns(angles_in_radians("angles", angles, (3,)))
     return as_matrix(R1 @ R2 @ R3)
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.angles import warn_of_degrees
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
 
@@ -30,6 +31,14 @@ def expressions(name: str, values: Any, shape: tuple[int, ...], meaning: str = "
     if raw.shape != shape or not any(_is_formula(entry) for entry in raw.flat):
         return real_array(name, values, shape, meaning)
     return np.array([expression(name, entry) for entry in raw.flat], dtype=object).reshape(shape)
+
+
+def angles_in_radians(name: str, values: Any, shape: tuple[int, ...]) -> Array:
+    """Return angles [rad] as `expressions` does; of numbers that look like degrees there is a warning."""
+    angles = expressions(name, values, shape, "[rad]")
+    if angles.dtype != object:
+        warn_of_degrees("the rotation", angles)
+    return angles
 
 
 def expression(name: str, entry: Any) -> Any:

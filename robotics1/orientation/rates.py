@@ -12,7 +12,15 @@ from robotics1.inputs import Array, one_of, real_array
 from robotics1.notation import joint_value, vector
 from robotics1.orientation.elementary import axial_vector, turn
 from robotics1.orientation.euler_inverse import sine_squared
-from robotics1.orientation.expressions import Matrix, as_matrix, cosine_and_sine, expressions, root, simplified
+from robotics1.orientation.expressions import (
+    Matrix,
+    angles_in_radians,
+    as_matrix,
+    cosine_and_sine,
+    expressions,
+    root,
+    simplified,
+)
 from robotics1.orientation.nearest import PRINTED, SINGULAR, rotation_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
 from robotics1.printed_digits import half_units, shared_half_units
@@ -42,7 +50,7 @@ def euler_rate_map(sequence: str, angles: Any, *, fixed: bool = False, reference
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.6.
     """
     one_of("reference", reference, AXES)
-    return as_matrix(rate_map(euler_sequence(sequence, fixed), expressions("angles", angles, (3,), "[rad]"), reference))
+    return as_matrix(rate_map(euler_sequence(sequence, fixed), angles_in_radians("angles", angles, (3,)), reference))
 
 
 def rate_map(sequence: EulerSequence, angles: Array, reference: Axes = "world") -> Array:

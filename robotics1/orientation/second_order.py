@@ -7,7 +7,7 @@ import numpy as np
 
 from robotics1.inputs import Array, one_of, real_array
 from robotics1.orientation.elementary import axial_vector, cross_matrix
-from robotics1.orientation.expressions import Matrix, as_matrix, expressions, simplified
+from robotics1.orientation.expressions import Matrix, angles_in_radians, as_matrix, expressions, simplified
 from robotics1.orientation.nearest import PRINTED, rotation_of
 from robotics1.orientation.rates import AXES, Axes, EulerRates, rate_map, rates_of
 from robotics1.orientation.sequence import EulerSequence, euler_sequence
@@ -95,7 +95,7 @@ def euler_rate_map_derivative(
     """
     order = euler_sequence(sequence, fixed)
     one_of("reference", reference, AXES)
-    phi, phi_dot = expressions("angles", angles, (3,), "[rad]"), expressions("rates", rates, (3,), "[rad/s]")
+    phi, phi_dot = angles_in_radians("angles", angles, (3,)), expressions("rates", rates, (3,), "[rad/s]")
     return as_matrix(_map_derivative(order, phi, phi_dot, reference))
 
 

@@ -16,6 +16,7 @@ from robotics1.plots.figures import MOST_DRAWN, PLANES, drawn, new_axes, new_pro
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipsoid
+from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
@@ -93,7 +94,7 @@ def plot_ellipses(
             _draw(
                 panel,
                 kind,
-                [shadow_of(KINDS[kind][0](J), plane) for J in jacobians],
+                [shadow_of(KINDS[kind][0](subspaces(J)), plane) for J in jacobians],
                 tools,
                 per_metre[kind],
                 robot.reach,

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from robotics1.dh.table import Limits, joint_limits
+from robotics1.dh.entries import Limits, joint_limits
 from robotics1.errors import InputError
 from robotics1.inputs import Array, moderate, one_of, real_array
 from robotics1.kinematics import forward_kinematics, frame_jacobian
@@ -59,11 +59,7 @@ def robot_from_screws(
     twists = [_unit_screw(f"screw {i} of {name}", pair) for i, pair in enumerate(pairs, 1)]
     if body is not None:
         twists = [adjoint(home) @ twist for twist in twists]
-    n = len(twists)
-    limits = joint_limits("lower", lower, n, -np.inf), joint_limits("upper", upper, n, np.inf)
-    for i, (least, most) in enumerate(zip(*limits, strict=True), 1):
-        if least > most:
-            raise InputError(f"the limits of q{i} must have lower ≤ upper; they are {least:g} and {most:g}")
+    limits = joint_limits(lower, upper, [bool(twist[3:].any()) for twist in twists])
     joints: list[Joint] = []
     origin: Array = np.zeros(3)
     for i, twist in enumerate(twists, 1):

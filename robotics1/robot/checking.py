@@ -7,9 +7,11 @@ gives no reason for what it refuses, and a very long chain crashes it. So all of
 from collections.abc import Iterator, Mapping
 from typing import cast
 
+from robotics1.errors import nearest_names
 from robotics1.robot.checking_parts import check_joint, check_link
 from robotics1.robot.findings import LARGEST, Findings
 from robotics1.robot.markup import Element, child, children, linked
+from robotics1.robot.overlooked import check_overlooked
 
 MOST_LINKS = 1000  # Pinocchio's parser recurses: 5000 links in a row crash it
 MOST_DEGREES = 128  # its memory grows with the cube: 200 degrees of freedom take 513 MB
@@ -34,6 +36,7 @@ def check_urdf(root: Element) -> Findings:
         return findings
     _check_names(findings, links)
     _check_names(findings, joints)
+    check_overlooked(findings, root)
     _check_tree(findings, root, links, joints)
     types = {joint.get("name"): joint.get("type") for joint in joints}
     for joint in joints:
@@ -144,7 +147,9 @@ def _check_ends(findings: Findings, joint: Element, names: set[str | None]) -> N
         if name is None:
             findings.error(joint, f"has no <{end} link='...'/>", at)
         elif name not in names:
-            findings.error(joint, f"has the {end} {name!r}, and there is no such link", at)
+            meant = nearest_names(name, filter(None, names))
+            hint = f"; is {meant[0]!r} meant?" if meant else ""
+            findings.error(joint, f"has the {end} {name!r}, and there is no such link{hint}", at)
 
 
 def _in_loops(above: Mapping[str, str]) -> set[str]:

@@ -1,11 +1,12 @@
 """The checks of one joint and of one link."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import cast
 
 import numpy as np
 
+from robotics1.angles import WIDE, looks_like_degrees
 from robotics1.robot.findings import Findings
 from robotics1.robot.markup import Element, child, children
 
@@ -51,7 +52,15 @@ def _check_origin(findings: Findings, owner: Element, parent: Element) -> None:
     origin = child(parent, "origin")
     if origin is not None:
         findings.numbers(owner, origin, "xyz", 3)
-        findings.numbers(owner, origin, "rpy", 3)
+        _warn_of_degrees(findings, owner, origin, "the rpy of its <origin>", findings.numbers(owner, origin, "rpy", 3))
+
+
+def _warn_of_degrees(
+    findings: Findings, owner: Element, element: Element, what: str, angles: Sequence[float] | None
+) -> None:
+    typed = next((angle for angle in angles or () if looks_like_degrees(angle)), None)
+    if typed is not None:
+        findings.warn(owner, f"has the angle {typed:g} in {what}: a URDF is in radians; are degrees meant?", element)
 
 
 def _check_axis(findings: Findings, joint: Element) -> None:
@@ -96,7 +105,11 @@ def _check_limit(findings: Findings, joint: Element, kind: str) -> None:
     high = 0.0 if upper is None else upper[0]
     both = (lower is not None or limit.get("lower") is None) and (upper is not None or limit.get("upper") is None)
     if both and low > high:
-        findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}", limit)
+        absent = [name for name in ("lower", "upper") if limit.get(name) is None]
+        note = f"; {absent[0]} is not given, which means 0" if absent else ""
+        findings.error(joint, f"has its limits the wrong way round: lower {low:g} is above upper {high:g}{note}", limit)
+    elif kind == "revolute":
+        _warn_of_degrees(findings, joint, limit, "its limits", [x for x in (low, high) if abs(x) > WIDE])
 
 
 def _check_dynamics(findings: Findings, joint: Element) -> None:

@@ -11,18 +11,20 @@ import pinocchio as pin
 
 from robotics1.errors import InputError
 from robotics1.robot.building import build_model
-from robotics1.robot.frames import links_of
-from robotics1.robot.joints import Joint, Triple, placed, tips
+from robotics1.robot.findings import LARGEST
+from robotics1.robot.frames import tool_frame
+from robotics1.robot.joints import Joint, Triple, placed
 from robotics1.robot.model import Robot
+from robotics1.robot.model_checks import check_limits, check_model
 from robotics1.robot.parameters import Parameters
 from robotics1.robot.urdf import Link, element, urdf_text
 
-USUAL_TOOLS = ("tool0", "tool")
 KINDS = {"R": "revolute", "P": "prismatic"}
 FREE = {"JointModelPlanar": "planar", "JointModelFreeFlyer": "floating"}
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 WORLD = "universe"
 SAME_PLACE = 1e-12  # of a link and its joint
+STEP = 0.5  # of a follower, by which its axis is found [rad or m]
 
 
 def robot_of_model(model: pin.Model, shapes: pin.GeometryModel | None = None, tool: str | None = None) -> Robot:
@@ -39,23 +41,17 @@ def robot_of_model(model: pin.Model, shapes: pin.GeometryModel | None = None, to
     Raises:
         InputError: the model has a joint of another kind, or two links of one name.
     """
-    if not model.njoints > 1:
-        raise InputError("the pin.Model has no joints")
+    check_model(model)
+    if not isinstance(shapes, pin.GeometryModel | None):
+        raise InputError(f"the shapes of a pin.Model are a pin.GeometryModel, not {type(shapes).__name__}")
     links, joints = _tree(model)
     if len(set(links)) < len(links):
-        raise InputError("two frames of the pin.Model have one name, so that neither can be asked about")
+        raise InputError("two frames of the model have one name, so that neither can be asked about")
     name = model.name or "robot"
     made = build_model(name, dict.fromkeys(links, pin.Inertia.Zero()), joints)
-    parts = {link: Link(pin.Inertia.Zero()) for link in links} | _with_shapes(model, links, shapes)
-    ends = tips(links_of(made), joints)
-    usual = [name for name in USUAL_TOOLS if name in ends]
-    meant = ends[0] if len(ends) == 1 else next(iter(usual), None)
+    parts = {link: Link(pin.Inertia.Zero()) for link in links} | _with_shapes(links, shapes)
     text = urdf_text(name, parts, joints)
-    robot = Robot(name, made, joints, meant, Parameters(None), text, Path(f"{name}.urdf"))
-    if tool is not None:
-        robot.frame_id(tool)
-        robot.__dict__["tool"] = tool
-    return robot
+    return Robot(name, made, joints, tool_frame(made, joints, tool), Parameters(None), text, Path(f"{name}.urdf"))
 
 
 def _tree(model: pin.Model) -> tuple[list[str], tuple[Joint, ...]]:
@@ -87,22 +83,49 @@ def _joint(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
         InputError: it is none that turns, slides, moves in a plane or floats.
     """
     name, model_joint = str(model.names[number]), model.joints[number]
+    if model_joint.shortname() == "JointModelMimic":
+        return _follower(model, number, carried)
     kind, axis = _motion(name, model_joint)
     q, v = model_joint.idx_q, model_joint.idx_v
     limits: dict[str, float] = {}
-    if model_joint.nv == 1:
+    if kind in ("revolute", "prismatic"):
         limits = {"max_velocity": float(model.upperVelocityLimit[v]), "max_effort": float(model.upperEffortLimit[v])}
-    if model_joint.nq == 1 and kind in ("revolute", "prismatic"):
-        limits |= {"lower": float(model.lowerPositionLimit[q]), "upper": float(model.upperPositionLimit[q])}
+        if model_joint.nq == 1:
+            limits |= {"lower": float(model.lowerPositionLimit[q]), "upper": float(model.upperPositionLimit[q])}
         limits = {key: _without_placeholder(value) for key, value in limits.items()}
+        check_limits(name, limits.get("lower", 0), limits.get("upper", 0), limits["max_velocity"], limits["max_effort"])
     parent = carried[model.parents[number]]
     joint = replace(Joint(name, kind, parent, carried[number], axis=axis, leader=name), **limits)  # type: ignore[arg-type]
     return placed(joint, model.jointPlacements[number])
 
 
 def _without_placeholder(value: float) -> float:
-    """Return a limit; what Pinocchio writes for none, the largest number there is, is infinite."""
-    return value if abs(value) < np.finfo(float).max / 2 else float(np.copysign(np.inf, value))
+    """Return a limit; what stands for none, as Pinocchio's largest number, is infinite."""
+    return float(np.copysign(np.inf, value)) if abs(value) > LARGEST else value
+
+
+def _follower(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
+    """Return a joint that mimics another one.
+
+    Pinocchio does not tell its axis: it is that of the motion, while the leader moves. With the factor 0 it is fixed.
+    """
+    name, mimic = str(model.names[number]), model.joints[number].extract()
+    leader = next(i for i, joint in enumerate(model.joints) if joint.nq > 0 and joint.idx_q == mimic.idx_q)
+    data, leaders = model.createData(), np.arange(model.nq) == mimic.idx_q
+    poses = []
+    for moved in (0.0, STEP / max(abs(mimic.scaling), 1e-300)):
+        pin.forwardKinematics(model, data, moved * leaders)
+        poses.append(model.jointPlacements[number].actInv(data.liMi[number]))
+    motion = pin.log6(poses[1] * poses[0].inverse())
+    turns = float(np.linalg.norm(motion.angular)) > STEP / 2
+    kind = KINDS["R" if turns else "P"] if mimic.scaling != 0 else "fixed"
+    joint = Joint(name, kind, carried[model.parents[number]], carried[number], leader=name)
+    if kind == "fixed":
+        return placed(joint, model.jointPlacements[number] * poses[0])
+    axis = np.sign(mimic.scaling) * (motion.angular if turns else motion.linear)
+    x, y, z = map(float, axis / np.linalg.norm(axis))
+    a, b, leads = float(mimic.scaling), float(mimic.offset), str(model.names[leader])
+    return placed(replace(joint, axis=(x, y, z), leader=leads, multiplier=a, offset=b), model.jointPlacements[number])
 
 
 def _motion(name: str, joint: Any) -> tuple[str, Triple]:
@@ -115,12 +138,15 @@ def _motion(name: str, joint: Any) -> tuple[str, Triple]:
         if letters in (f"{motion}X", f"{motion}Y", f"{motion}Z", f"{motion}UBX", f"{motion}UBY", f"{motion}UBZ"):
             return KINDS[motion], AXES[letters[-1]]
         if letters in (f"{word}Unaligned", f"{word}UnboundedUnaligned"):
-            x, y, z = map(float, joint.extract().axis)
+            axis = np.array(joint.extract().axis)
+            if not abs(np.linalg.norm(axis) - 1) < 1e-6:
+                raise InputError(f"joint {name!r} of the model has the axis {axis.tolist()}, which is no unit vector")
+            x, y, z = map(float, axis)
             return KINDS[motion], (x, y, z)
-    raise InputError(f"joint {name!r} of the pin.Model is a {kind}; joints that turn, slide or float can be read")
+    raise InputError(f"joint {name!r} of the model is a {kind}; joints that turn, slide or float can be read")
 
 
-def _with_shapes(model: pin.Model, links: Sequence[str], shapes: pin.GeometryModel | None) -> dict[str, Link]:
+def _with_shapes(links: Sequence[str], shapes: pin.GeometryModel | None) -> dict[str, Link]:
     """Return the links that have shapes; each shape hangs on the link that its joint carries."""
     drawn: dict[str, list[Element]] = {}
     for shape in [] if shapes is None else shapes.geometryObjects:

@@ -15,15 +15,14 @@ from robotics1.errors import (
     RobotFileError,
     Robotics1Error,
     RobotWarning,
-    UnknownNameError,
 )
 from robotics1.inputs import by_name
 from robotics1.robot.building import build_model
 from robotics1.robot.checking import check_urdf
 from robotics1.robot.findings import Finding, NotComparable, RobotReport, difference_from_yourdfpy
-from robotics1.robot.frames import frame_number, links_of
+from robotics1.robot.frames import tool_frame
 from robotics1.robot.from_pinocchio import robot_of_model
-from robotics1.robot.joints import Joint, tips
+from robotics1.robot.joints import Joint
 from robotics1.robot.locking import lock, rebase
 from robotics1.robot.markup import Element, parse_xml
 from robotics1.robot.meshes import find_meshes
@@ -35,7 +34,6 @@ from robotics1.robot.sources import robot_file, robot_text
 from robotics1.robot.urdf import Link, read_joints, read_links, urdf_text
 from robotics1.robot.xacro.expansion import Expanded, expand_xacro
 
-USUAL_TOOLS = ("tool0", "tool")
 FEW = 6  # parameters: with more, or in a large file, the polynomials are found when formulas are first asked for
 SHOWN = 2  # of the warnings of a file, in the one that Python shows
 LITTLE = 0.01  # of what an expansion may use
@@ -180,7 +178,7 @@ class RobotText:
             model.name,
             model,
             joints,
-            _tool(model, joints, self.tool),
+            tool_frame(model, joints, self.tool),
             Parameters(parameters),
             urdf_text(model.name, links, own_joints),
             self.path,
@@ -248,16 +246,3 @@ def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
         return tuple(Path(folder).resolve() for folder in listed)
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
-
-
-def _tool(model: pin.Model, joints: Sequence[Joint], named: str | None) -> str | None:
-    """Return the tool frame: the named one, the only tip, or the tip with a usual name."""
-    links = links_of(model)
-    if named is not None:
-        if frame_number(model, named) is None:
-            raise UnknownNameError(f"frame of robot {model.name!r} named", named, links)
-        return named
-    candidates = tips(links, joints)
-    if len(candidates) == 1:
-        return candidates[0]
-    return next((name for name in USUAL_TOOLS if name in candidates), None)

@@ -25,7 +25,7 @@ def robot_of_mjcf(text: str, path: Path, tool: str | None, *, trusted: bool) -> 
 
     Raises:
         InputError: the file is not trusted.
-        RobotFileError: Pinocchio cannot read it.
+        RobotFileError: Pinocchio cannot read it, or reads what is no robot.
     """
     if not trusted:
         raise InputError(
@@ -43,4 +43,7 @@ def robot_of_mjcf(text: str, path: Path, tool: str | None, *, trusted: bool) -> 
     except (RuntimeError, ValueError) as error:
         reason = str(error).strip().splitlines()[-1]
         raise RobotFileError(f"Pinocchio cannot read it as MJCF: {reason}", path=path) from error
-    return robot_of_model(model, tool=tool)
+    try:
+        return robot_of_model(model, tool=tool)
+    except InputError as error:
+        raise RobotFileError(str(error), path=path) from error

@@ -117,8 +117,7 @@ def manipulability(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Ma
 
 
 def _of_spaces(spaces: Subspaces, rounded: RoundedConfiguration | None = None) -> Manipulability:
-    J = spaces.J
-    return Manipulability(J, velocity_ellipsoid(J), force_ellipsoid(J), spaces, rounded)
+    return Manipulability(spaces.J, velocity_ellipsoid(spaces), force_ellipsoid(spaces), spaces, rounded)
 
 
 def sigma_min(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> Any:

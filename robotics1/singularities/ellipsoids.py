@@ -7,8 +7,9 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
-from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.results import Frozen
+from robotics1.singularities.spaces import Subspaces
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,20 +57,13 @@ class Ellipsoid(Frozen):
         return float(1 / np.linalg.norm(along[counted] / self.lengths[counted]))
 
 
-def velocity_ellipsoid(J: Array) -> Ellipsoid:
+def velocity_ellipsoid(spaces: Subspaces) -> Ellipsoid:
     """Return {J q̇ : |q̇| ≤ 1}, with the singular values of J (m, n) as semi-axes, the longest first."""
-    axes, sigma = _axes_and_singular_values(J)
-    return Ellipsoid(axes, sigma)
+    axes = np.hstack([spaces.range, spaces.left_null])
+    return Ellipsoid(axes, np.pad(spaces.singular_values[: spaces.rank], (0, len(axes) - spaces.rank)))
 
 
-def force_ellipsoid(J: Array) -> Ellipsoid:
+def force_ellipsoid(spaces: Subspaces) -> Ellipsoid:
     """Return {f : |Jᵀ f| ≤ 1}, with 1/σᵢ along the axes of the velocity ellipsoid: forces of N(Jᵀ) need no torque."""
-    axes, sigma = _axes_and_singular_values(J)
-    return Ellipsoid(axes, np.array([1 / s if s > 0 else np.inf for s in sigma]))
-
-
-def _axes_and_singular_values(J: Array) -> tuple[Array, Array]:
-    """Return U (m, m) and σ (m,), with zeros for those that do not count, of J = U Σ Vᵀ."""
-    U, sigma, _ = np.linalg.svd(J)
-    rank = numeric_rank(sigma)
-    return U, np.pad(sigma[:rank], (0, len(U) - rank))
+    moved = velocity_ellipsoid(spaces)
+    return Ellipsoid(moved.axes, np.array([1 / s if s > 0 else np.inf for s in moved.lengths]))

@@ -14,10 +14,12 @@ from robotics1.notation import enumeration, vector
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike
-from robotics1.singularities.loads import GRAVITY, Load, Payload, gravity_vector, loads_of, own_weight, point_jacobian
-from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration, singularity_within_rounding
+from robotics1.singularities.loads import GRAVITY, Load, Payload, gravity_vector, loads_of, own_weight
+from robotics1.singularities.rounding import RoundedConfiguration, singularity_within_rounding
 from robotics1.singularities.spaces import RankStatus, echelon
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.pose import PoseTask
+from robotics1.tasks.task import unitless_factors, unitless_rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,7 +150,7 @@ def wrenches_without_torque(
     """
     robot = robot_from(robot)
     c = real_array("point", point, (3,), "in the axes of the link [m]")
-    rounded = rounded_configuration(lambda x: point_jacobian(robot, x, frame, c, reference), robot, q)
+    rounded = singularity_within_rounding(robot, PoseTask(frame=frame, reference=reference, point=tuple(c)), q)
     return FreeWrenches(rounded.spaces.left_null, rounded)
 
 
@@ -234,7 +236,9 @@ def largest_force(
         raise InputError(f"what is held alone is beyond the bound of {joint}: {vector(np.abs(h))} and {vector(limits)}")
     rounded = singularity_within_rounding(robot, task, q)
     needed = rounded.spaces.J.T @ u / length
-    counts = np.abs(needed) > RANK_TOLERANCE * float(rounded.spaces.singular_values.max(initial=0.0))
+    rows, scale = unitless_rows(robot, task), unitless_factors(robot, task)
+    size = np.linalg.norm(scale * rounded.spaces.J) * np.linalg.norm(u / length / rows)
+    counts = np.abs(needed) * scale[0] / rows[0] > RANK_TOLERANCE * size
     if not (counts & np.isfinite(limits)).any():
         return LargestForce(np.inf, u / length, h, (), rounded)
     room = np.full(robot.nv, np.inf)

@@ -8,8 +8,7 @@ import pinocchio as pin
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array, real_number
-from robotics1.kinematics import forward_kinematics, frame_jacobian, reference_axes
-from robotics1.orientation.elementary import cross_matrix
+from robotics1.kinematics import frame_jacobian
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 
@@ -47,7 +46,7 @@ class Load(Frozen):
 
     def torque(self, robot: Robot, q: Array) -> Array:
         """Return Jᵀ (f, m), (n,): what the load does to the joints."""
-        J = point_jacobian(robot, q, self.frame, self.point, self.reference)
+        J = frame_jacobian(robot, q, frame=self.frame, point=self.point, reference=self.reference)
         return np.asarray(J.T @ np.r_[self.force, self.moment])
 
 
@@ -78,14 +77,6 @@ class Payload(Frozen):
     def torque(self, robot: Robot, q: Array, gravity: Array) -> Array:
         """Return Jᵀ (m g₀), (n,): what the weight does to the joints."""
         return Load(self.mass * gravity, frame=self.frame, point=self.centre).torque(robot, q)
-
-
-def point_jacobian(robot: Robot, q: Array, frame: str | None, point: Array, reference: str = "world") -> Array:
-    """Return J (6, n) of a point of a link: (v + ω × R c, ω), with c in the axes of the link [m]."""
-    J = frame_jacobian(robot, q, frame=frame, reference=reference)
-    axes = reference_axes(robot, q, reference)
-    arm = axes.T @ forward_kinematics(robot, q, frame=frame).rotation @ point
-    return np.vstack([J[:3] - cross_matrix(arm) @ J[3:], J[3:]])
 
 
 def gravity_vector(value: Any) -> Array:

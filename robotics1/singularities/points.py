@@ -16,7 +16,7 @@ from robotics1.robot.model import Robot
 from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
-from robotics1.tasks.task import Task, unitless_jacobian, unitless_rows
+from robotics1.tasks.task import Task, unitless_factors, unitless_jacobian
 
 ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
 MOVES = 1e-12  # σ₁ of a Jacobian without units that is not rounding
@@ -63,7 +63,7 @@ class SingularPoints:
     @cached_property
     def units(self) -> Array:
         """(m, n) factors that take the units out of J."""
-        return np.asarray(unitless_rows(self.robot, self.task)[:, None] * self.robot.units)
+        return unitless_factors(self.robot, self.task)
 
     def _in_time(self, q: Array) -> Array:
         check_time()  # J of an arm of many joints is asked for hundreds of times in one step

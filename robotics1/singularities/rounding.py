@@ -14,8 +14,9 @@ from robotics1.printed_digits import half_units
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces, subspaces_of_rank, vanishing_block
+from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces_without_units, vanishing_block
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.task import unitless_factors
 
 ROUNDS = 8  # of Newton's method, which converges quadratically from so near
 SLACK = 1e-6  # relative: how far beyond half a unit a singularity still counts as within
@@ -84,20 +85,20 @@ def singularity_within_rounding(robot: RobotLike, task: TaskLike, q: Configurati
         TaskError: the task does not fit the robot.
     """
     robot, task = robot_and_task(robot, task)
-    return rounded_configuration(lambda x: task.jacobian(robot, x), robot, q)
+    return rounded_configuration(lambda x: task.jacobian(robot, x), robot, q, unitless_factors(robot, task))
 
 
-def rounded_configuration(matrix: Callable[[Array], Array], robot: Robot, q: ConfigurationLike) -> RoundedConfiguration:
-    """Return the same for any matrix A(q), (m, n), such as a Jacobian times an input matrix."""
+def rounded_configuration(
+    matrix: Callable[[Array], Array], robot: Robot, q: ConfigurationLike, scale: Array | float = 1.0
+) -> RoundedConfiguration:
+    """Return the same for any matrix A(q), (m, n), such as a Jacobian times an input matrix; `scale` * A has no
+    units, and tells the rank.
+    """
     x = robot.configuration(q)
     units = half_units(x if isinstance(q, str | Mapping) else q) if robot.nq == robot.nv else np.zeros(robot.nq)
-    spaces = subspaces(matrix(x))
-    singular = singular_within(matrix, robot, x, units)
-    there = None
-    if singular is not None:
-        A = matrix(singular)
-        there = subspaces_of_rank(A, numeric_rank(np.linalg.svd(A, compute_uv=False)))
-    return RoundedConfiguration(x, units, spaces, singular, there, robot.joint_names)
+    singular = singular_within(lambda at: scale * matrix(at), robot, x, units)
+    there = None if singular is None else subspaces_without_units(matrix(singular), scale)
+    return RoundedConfiguration(x, units, subspaces_without_units(matrix(x), scale), singular, there, robot.joint_names)
 
 
 def singular_within(matrix: Callable[[Array], Array], robot: Robot, q: Array, within: Array) -> Array | None:

@@ -1,6 +1,6 @@
 """The four subspaces of a Jacobian, its rank, and its inverses, under one threshold of rank."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -124,6 +124,16 @@ def subspaces(J: npt.ArrayLike, *, rounding: float | None = None) -> Subspaces:
     else:
         off = real_number("rounding", rounding, non_negative=True)
     return subspaces_of_rank(J, numeric_rank(sigma), float(off))
+
+
+def subspaces_without_units(J: Array, scale: Array | float) -> Subspaces:
+    """Return the subspaces of a computed J (m, n). What counts as rounding is told by the singular values of
+    `scale` * J, which has no units: so the rank of metres beside radians does not depend on the unit of length.
+    """
+    sigma = np.linalg.svd(scale * J, compute_uv=False)
+    found = subspaces_of_rank(J, numeric_rank(sigma))
+    certain = int(np.count_nonzero(sigma[: found.rank] > FOUR_DECIMALS * sigma[:1]))
+    return found if certain == found.rank else replace(found, rounding=float(found.singular_values[certain]))
 
 
 def subspaces_of_rank(J: Array, r: int, rounding: float = 0.0) -> Subspaces:

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.angles import warn_of_degrees
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, one_of, real_array
 from robotics1.orientation.expressions import angle_of, root, wrapped
@@ -71,6 +72,7 @@ class PolarTask(FrameTask):
         r = real_array(
             "the target", target, (self.rows,), f"({', '.join(self.row_names)}) [{', '.join(self.row_units)}]"
         )
+        warn_of_degrees("the target", r[1:2])
         if r[0] < 0:
             raise InputError(f"the distance ρ of the target must not be negative; it is {r[0]:g}")
         return r

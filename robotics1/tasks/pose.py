@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
+from robotics1.angles import warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, real_array
@@ -68,6 +69,7 @@ class SequenceAngles:
     def target(self, target: Any) -> Array:
         """Return φ_d, (3,), as the first of the two triples of its rotation, in (−π, π]."""
         sequence, angles = self.sequence, real_array("the target", target, (3,), f"{self.sequence} angles [rad]")
+        warn_of_degrees("the target", angles)
         sine = float(rate_determinant(sequence, angles)) * (1 if sequence.fixed else -1)
         if abs(sine) <= SINGULAR:
             raise TaskError(f"the target's {self._not_determined}")

@@ -248,7 +248,8 @@ class FrameTask:
             every = [self.jacobian(robot, one) for one in robot.configurations(q)]
             return np.reshape(every, (len(every), self.rows, robot.nv))
         T = self._pose(robot, q)
-        return self.S(T.translation, T.rotation) @ self._frame_jacobian(robot, q)
+        J = frame_jacobian(robot, q, frame=self.frame, reference=self.reference, point=self.point)
+        return self.S(T.translation, T.rotation) @ J
 
     def check(self, robot: Robot) -> None:
         """Raise TaskError if the task does not fit the robot; here any robot will do."""
@@ -256,17 +257,12 @@ class FrameTask:
     def check_integrable(self, robot: Robot) -> None:
         """Raise TaskError if the axes move with the robot, so that J is not ∂r/∂q and no target stands still."""
         self.check(robot)
-        if self.reference == "world":
-            return
-        frame = robot.frame_id(None if self.reference == "tool" else self.reference)
-        if robot.own_model.frames[frame].parentJoint != 0:
+        axes = None if self.reference == "tool" else self.reference
+        if self.reference != "world" and robot.own_model.frames[robot.frame_id(axes)].parentJoint != 0:
             raise TaskError(
                 f"the axes of {self.reference!r} move with the robot, so a target in them does not stand still; "
                 f"use reference='world'"
             )
-
-    def _frame_jacobian(self, robot: Robot, q: ConfigurationLike) -> Array:
-        return frame_jacobian(robot, q, frame=self.frame, reference=self.reference, point=self.point)
 
     def _pose(self, robot: Robot, q: ConfigurationLike) -> pin.SE3:
         T = forward_kinematics(robot, q, frame=self.frame, point=self.point)
@@ -293,6 +289,12 @@ def unitless_rows(robot: Robot, task: Task) -> Array:
     return np.array([1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units])
 
 
+def unitless_factors(robot: Robot, task: Task) -> Array:
+    """Return (m, nv) factors that take the units out of J: of rows in metres, and of joints that slide."""
+    columns = robot.units if robot.nq == robot.nv else np.ones(robot.nv)
+    return np.asarray(unitless_rows(robot, task)[:, None] * columns)
+
+
 def unitless_jacobian(robot: Robot, task: Task, q: ConfigurationLike) -> Array:
     """Return J(q), (m, nv), without units: rows in metres and prismatic speeds are divided by the reach."""
-    return np.asarray(unitless_rows(robot, task)[:, None] * task.jacobian(robot, q) * robot.units)
+    return np.asarray(unitless_factors(robot, task) * task.jacobian(robot, q))

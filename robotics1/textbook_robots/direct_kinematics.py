@@ -8,7 +8,7 @@ import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.curves.symbolic_path import formula_of
-from robotics1.dh.table import Limits, joint_limits
+from robotics1.dh.entries import Limits, joint_limits
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_number
 from robotics1.robot.checking import MOST_DEGREES
@@ -55,9 +55,7 @@ def robot_from_formula(
         )
     n = len(joints)
     f = FormulaFunction(_entries(formulas, n, values), n)
-    low, high = joint_limits("lower", lower, n, -np.inf), joint_limits("upper", upper, n, np.inf)
-    if (low > high).any():
-        raise InputError(f"the limits must have lower ≤ upper; they are {low.tolist()} and {high.tolist()}")
+    low, high = joint_limits(lower, upper, [letter == "R" for letter in joints])
     listed, parent = [], BASE
     for i, (letter, a, b) in enumerate(zip(joints, low.tolist(), high.tolist(), strict=True), 1):
         link = "end" if i == n else f"link{i}"

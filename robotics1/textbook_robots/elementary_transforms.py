@@ -10,7 +10,7 @@ import numpy as np
 
 from robotics1.angles import printed_twelfths_of_pi
 from robotics1.curves.symbolic_path import formula_of
-from robotics1.dh.table import Limits, joint_limits
+from robotics1.dh.entries import Limits, joint_limits
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import by_name, real_number
 from robotics1.notation import joint_value
@@ -64,9 +64,8 @@ def robot_from_transforms(
             raise UnknownNameError("parameter of the transforms named", name, names)
     known = {name: real_number(f"parameter {name!r}", given.get(name, 1.0)) for name in names}
     n = _check_order(steps)
-    low, high = joint_limits("lower", lower, n, -np.inf), joint_limits("upper", upper, n, np.inf)
-    if (low > high).any():
-        raise InputError(f"the limits must have lower ≤ upper; they are {low.tolist()} and {high.tolist()}")
+    turns = {step.joint: step.turns for step in reversed(steps)}  # of each joint the first step
+    low, high = joint_limits(lower, upper, [turns[i] for i in range(1, n + 1)])
     limits = tuple(zip(low.tolist(), high.tolist(), strict=True))
     return TransformChain(steps, limits, sentences, Parameters(known)).robot()
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from robotics1.dh.entries import Limits, joint_limits, named_values, number_or_name, value_of
 from robotics1.dh.joints import named_placement
-from robotics1.dh.table import Limits, joint_limits, named_values, number_or_name, value_of
 from robotics1.errors import InputError
 from robotics1.inputs import by_name, true_or_false
 from robotics1.robot.checking import MOST_DEGREES
@@ -62,11 +62,8 @@ def planar_arm(
     known = named_values("the planar arm", links, {**ones, **given})
     if any(abs(value_of(link, known)) > LARGEST for link in links):
         raise InputError(f"lengths must be at most {LARGEST:g}; they are {[value_of(link, known) for link in links]}")
-    n = len(joints)
-    least, most = joint_limits("lower", lower, n, -np.inf), joint_limits("upper", upper, n, np.inf)
-    if (least > most).any():
-        raise InputError(f"the limits must have lower ≤ upper; they are {least.tolist()} and {most.tolist()}")
-    limits = tuple((float(a), float(b)) for a, b in zip(least, most, strict=True))
+    low, high = joint_limits(lower, upper, [letter == "R" for letter in joints])
+    limits = tuple(zip(low.tolist(), high.tolist(), strict=True))
     return PlanarArm(joints, links, true_or_false("absolute", absolute), limits, Parameters(known)).robot()
 
 
