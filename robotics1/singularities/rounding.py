@@ -89,8 +89,7 @@ def singularity_within_rounding(robot: RobotLike, task: TaskLike, q: Configurati
 
 def rounded_configuration(matrix: Callable[[Array], Array], robot: Robot, q: ConfigurationLike) -> RoundedConfiguration:
     """Return the same for any matrix A(q), (m, n), such as a Jacobian times an input matrix."""
-    x = robot.configuration(q)
-    units = half_units(x if isinstance(q, str | Mapping) else q) if robot.nq == robot.nv else np.zeros(robot.nq)
+    x, units = robot.configuration(q), printed_half_units(robot, q)
     spaces = subspaces(matrix(x))
     singular = singular_within(matrix, robot, x, units)
     there = None
@@ -98,6 +97,13 @@ def rounded_configuration(matrix: Callable[[Array], Array], robot: Robot, q: Con
         A = matrix(singular)
         there = subspaces_of_rank(A, numeric_rank(np.linalg.svd(A, compute_uv=False)))
     return RoundedConfiguration(x, units, spaces, singular, there, robot.joint_names)
+
+
+def printed_half_units(robot: Robot, q: ConfigurationLike) -> Array:
+    """Return half a unit of the last printed digit of each joint, (nq,); 0 of a number that is exact, or computed."""
+    if robot.nq != robot.nv:
+        return np.zeros(robot.nq)
+    return half_units(robot.configuration(q) if isinstance(q, str | Mapping) else q)
 
 
 def singular_within(matrix: Callable[[Array], Array], robot: Robot, q: Array, within: Array) -> Array | None:
