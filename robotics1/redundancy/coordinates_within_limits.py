@@ -33,7 +33,7 @@ class BoundedJoints:
         """Return q (n,)."""
         both, one = self._kinds()
         c, h, rate = self._sine()
-        bend = self.units * (np.sqrt(1 + x * x) - 1)
+        bend = self.units * (np.hypot(1, x) - 1)
         alone = np.where(np.isfinite(self.lower), self.lower + bend, self.upper - bend)
         free = np.where(one, alone, self.units * x)
         return np.clip(np.where(both, c + h * np.sin(rate * x), free), self.lower, self.upper)
@@ -42,17 +42,18 @@ class BoundedJoints:
         """Return dq/dx (n,)."""
         both, one = self._kinds()
         _, h, rate = self._sine()
-        alone = np.where(np.isfinite(self.lower), 1.0, -1.0) * self.units * x / np.sqrt(1 + x * x)
+        alone = np.where(np.isfinite(self.lower), 1.0, -1.0) * self.units * (x / np.hypot(1, x))
         return np.where(both, h * rate * np.cos(rate * x), np.where(one, alone, self.units))
 
     def x(self, q: Array) -> Array:
         """Return the x (n,) of a start: of the q nearest to this one that is not quite at a limit."""
         both, one = self._kinds()
         c, h, rate = self._sine()
+        q = np.clip(q, self.lower, self.upper)
         part = np.divide(q - c, h, out=np.zeros(len(q)), where=both & (h > 0))
         sine = np.arcsin(np.clip(part, EDGE - 1, 1 - EDGE)) / rate
         bend = np.maximum(np.where(np.isfinite(self.lower), q - self.lower, self.upper - q) / self.units, EDGE)
-        alone = np.sqrt((1 + np.where(one, bend, 1.0)) ** 2 - 1)
+        alone = np.sqrt(np.where(one, bend, 1.0)) * np.sqrt(np.where(one, bend, 1.0) + 2)
         return np.where(both, sine, np.where(one, alone, q / self.units))
 
     def _kinds(self) -> tuple[Array, Array]:
