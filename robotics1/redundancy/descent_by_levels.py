@@ -92,7 +92,8 @@ def _gradient_of(part: Part, held: Sequence[Part]) -> Part:
 
     def of(x: Array) -> tuple[Array, Array]:
         N, steps = _null(held, x), DIFFERENCE * np.eye(len(x))
-        H = N.T @ (np.array([gradient(x - d) - gradient(x + d) for d in steps]).T / (2 * DIFFERENCE))
+        slopes = np.array([gradient(x - d) - gradient(x + d) for d in steps]).reshape(steps.shape)
+        H = N.T @ slopes.T / (2 * DIFFERENCE)
         along = H @ N
         values, axes = np.linalg.eigh(0.5 * (along + along.T))
         kept = np.abs(values) > FLAT * np.abs(values).max(initial=0.0)  # others are differences of rounding
@@ -161,7 +162,7 @@ def _over_the_top(part: Part, held: Sequence[Part], x: Array, axis: Array, curva
 
 def _null(held: Sequence[Part], x: Array) -> Array:
     """Return a basis of the directions that keep what is held, (n, k)."""
-    if not held:
+    if not held or not len(x):
         return np.eye(len(x))
     _, sigma, Vt = np.linalg.svd(_stacked(held, x)[1])
     return np.asarray(Vt[int(np.count_nonzero(sigma > RANK * sigma[:1])) :].T)
@@ -180,7 +181,7 @@ def _stacked(held: Sequence[Part], x: Array) -> tuple[Array, Array]:
 
 def _brought_back(held: Sequence[Part], x: Array) -> Array | None:
     """Return the q near x with what is held, by Newton's method; None where it does not get there."""
-    if not held:
+    if not held or not len(x):
         return x
     for _ in range(8):
         e, C = _stacked(held, x)
