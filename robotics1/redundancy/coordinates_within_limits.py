@@ -3,8 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.inputs import Array
+
+Mask = npt.NDArray[np.bool_]
 
 EDGE = 1e-3  # of half the range: where a start at a limit is put, since dq/dx = 0 at the limit itself
 
@@ -56,7 +59,7 @@ class BoundedJoints:
         alone = np.sqrt(np.where(one, bend, 1.0)) * np.sqrt(np.where(one, bend, 1.0) + 2)
         return np.where(both, sine, np.where(one, alone, q / self.units))
 
-    def _kinds(self) -> tuple[Array, Array]:
+    def _kinds(self) -> tuple[Mask, Mask]:
         """Return which joints have two limits, and which have one."""
         low, high = np.isfinite(self.lower), np.isfinite(self.upper)
         return low & high, low ^ high

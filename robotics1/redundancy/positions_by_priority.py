@@ -134,9 +134,8 @@ def ik_by_priority(
     number = counting_number("starts", starts, least=1, most=10_000)
     others = random_configurations(robot, number - 1, np.random.default_rng(0))
     parts = [_part(robot, task, target) for task, target in goals]
-    none = np.full(robot.nq, np.inf)
-    bounds = (robot.lower, robot.upper) if true_or_false("limits", limits) else (-none, none)
-    joints = BoundedJoints(*bounds, robot.units)
+    kept, none = true_or_false("limits", limits), np.full(robot.nq, np.inf)
+    joints = BoundedJoints(robot.lower if kept else -none, robot.upper if kept else none, robot.units)
     found = [
         _answer(robot, goals, descend_by_levels(parts, q, joints, tolerance=zero, most_steps=steps), zero)
         for q in (start, *others)
