@@ -140,9 +140,107 @@ def test_an_orientation_that_no_planar_arm_has_is_approached_as_far_as_the_posit
     assert sum(found.q) % (2 * pi) == pytest.approx(0.0, abs=1e-5) or sum(found.q) % (2 * pi) == pytest.approx(2 * pi)
 
 
+# --- within the joint limits
+
+
+def limited(seed):
+    """A planar arm of four joints with drawn lengths and limits."""
+    rng = np.random.default_rng(seed)
+    lengths, low, high = rng.uniform(0.3, 1, 4), rng.uniform(-2, -0.1, 4), rng.uniform(0.1, 2, 4)
+    robot = r1.robot_from_dh([("R", x, 0, 0, 0) for x in lengths], lower=low.tolist(), upper=high.tolist())
+    return rng, robot, lengths, low, high
+
+
+@given(seeds)
+def test_within_limits_no_configuration_near_the_answer_is_better_at_the_first_level(seed):
+    """Targets inside, at and beyond what the limits leave: a bounded minimisation from the answer finds no less."""
+    rng, robot, lengths, low, high = limited(seed)
+    target = rng.uniform(-1, 1, 2) * lengths.sum()
+    found = ik_by_priority(robot, [(XY, target)], rng.uniform(-3, 3, 4))
+    assert found.within_limits
+    assert (found.q >= low).all()
+    assert (found.q <= high).all()
+    assert found.levels[0].error == pytest.approx(target - tips(lengths, found.q)[3], abs=1e-9)
+    assert found.converged
+    better = minimize(
+        lambda q: np.sum((tips(lengths, q)[3] - target) ** 2),
+        found.q,
+        bounds=list(zip(low, high, strict=True)),
+        method="L-BFGS-B",
+        options={"ftol": 1e-15, "gtol": 1e-10},
+    )
+    near = np.abs(better.x - found.q).max() < 0.1
+    assert not near or sqrt(better.fun) >= found.levels[0].error_norm - 1e-5
+
+
+@given(seeds)
+def test_within_limits_no_motion_that_keeps_the_first_level_makes_the_second_better(seed):
+    rng, robot, lengths, low, high = limited(seed)
+    target, second = tips(lengths, rng.uniform(low, high))[3], rng.uniform(-2, 2, 2)
+    middle = r1.PositionTask("xy", frame="link3")
+    found = ik_by_priority(robot, [(XY, target), (middle, second)], rng.uniform(low, high))
+    if found.levels[0].status is not REALISED:
+        return  # the descent ended in another least error of the first level
+    assert found.within_limits
+    assert found.levels[1].error == pytest.approx(second - tips(lengths, found.q)[2], abs=1e-9)
+    assert found.converged
+    better = minimize(
+        lambda q: np.sum((tips(lengths, q)[2] - second) ** 2),
+        found.q,
+        method="SLSQP",
+        bounds=list(zip(low, high, strict=True)),
+        constraints={"type": "eq", "fun": lambda q: tips(lengths, q)[3] - target},
+        options={"ftol": 1e-12},
+    )
+    near = np.abs(better.x - found.q).max() < 0.1 and np.abs(tips(lengths, better.x)[3] - target).max() < 1e-8
+    assert not near or sqrt(better.fun) >= found.levels[1].error_norm - 1e-5
+
+
+def test_by_hand_a_shoulder_that_stops_at_45_degrees_leaves_the_projection_on_its_line():
+    """Of one joint, 0 ≤ q ≤ π/4, to (0, 1): the tip stops at 45°, and |e| = 2 sin(22.5°)."""
+    one = r1.robot_from_dh([("R", 1, 0, 0, 0)], lower=[0.0], upper=[pi / 4])
+    found = ik_by_priority(one, [(XY, [0.0, 1.0])], [0.1])
+    assert found.q == pytest.approx([pi / 4], abs=1e-12)
+    assert found.levels[0].status is LEAST
+    assert found.levels[0].error_norm == pytest.approx(2 * sin(pi / 8), abs=1e-12)
+    free = ik_by_priority(one, [(XY, [0.0, 1.0])], [0.1], limits=False).require()
+    assert free.q == pytest.approx([pi / 2])
+    assert not free.within_limits
+    away = ik_by_priority(one, [(XY, [0.0, 1.0])], [0.0])  # from the other limit
+    assert away.q == pytest.approx([pi / 4], abs=1e-12)
+
+
+def test_joints_with_one_limit_or_with_no_room_between_two():
+    """Two slides: x ≥ 0.5 alone, and y = 0.2 fixed."""
+    cross = r1.robot_from_transforms(["Tx(q1)", "Ty(q2)"], lower=[0.5, 0.2], upper=[np.inf, 0.2])
+    far = ik_by_priority(cross, [(XY, [7.0, 1.0])], [0.0, 0.0])
+    assert far.q == pytest.approx([7.0, 0.2], abs=1e-9)
+    near = ik_by_priority(cross, [(XY, [-3.0, 0.2])], [4.0, 0.2])
+    assert near.q == pytest.approx([0.5, 0.2], abs=1e-9)
+    assert [found.levels[0].status for found in (far, near)] == [LEAST, LEAST]
+    below = r1.robot_from_transforms(["Tx(q1)"], lower=[-np.inf], upper=[0.5])
+    assert ik_by_priority(below, [(r1.PositionTask("x"), [3.0])], [-9.0]).q == pytest.approx([0.5])
+    assert ik_by_priority(below, [(r1.PositionTask("x"), [-8.0])], [0.4]).require().q == pytest.approx([-8.0])
+
+
+def test_a_level_in_conflict_leaves_to_the_next_what_it_does_not_need():
+    """Six links: y of the third cannot be 9, and is 3 with three of them upright; the others have one freedom left."""
+    arm_6 = r1.textbook_robots.planar_arm("RRRRRR", [1.0] * 6)
+    last = (r1.PositionTask("x", frame="link6"), [1.4])
+    levels = [(XY, [2.0, 1.0]), (r1.PositionTask("y", frame="link4"), [9.0]), last]
+    found = ik_by_priority(arm_6, levels, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], starts=3)
+    assert statuses(found) == [REALISED, LEAST, REALISED]
+    assert [level.freedom for level in found.levels] == [6, 4, 1]
+    ends = tips([1] * 6, found.q)
+    assert ends[2] == pytest.approx([0, 3], abs=1e-6)
+    assert ends[5] == pytest.approx([2, 1], abs=1e-9)
+    assert ends[4][0] == pytest.approx(1.4, abs=1e-9)
+
+
 @pytest.mark.parametrize(
     ("levels", "options", "words"),
     [
+        ([(XY, [1, 1])], {"limits": [1, 2]}, "limits must be True or False"),
         ([], {}, "levels must be a list of pairs"),
         ([XY], {}, "level 1 must be a pair"),
         ([(XY, [1, 1]), (XY, [0, 1])], {}, "the same task as one before it"),

@@ -104,6 +104,19 @@ def test_a_start_away_from_the_goal_brakes_turns_and_comes_back():
     assert law.breakpoints == pytest.approx([1 + sqrt(1.5)])
 
 
+@pytest.mark.parametrize("law", ["trapezoidal", "double_s"])
+@given(bound, bound, bound, st.sampled_from([-1.0, -0.5, 0.5, 1.0]), st.sampled_from([-1.0, -0.7, 0.7, 1.0]))
+def test_a_distance_that_one_ramp_covers_takes_the_time_of_that_ramp(law, V, A, J, x0, x1):
+    """Also away from the goal at the largest speed, from where a turn and another have the same distance."""
+    limits, v0, v1 = r1.MotionLimits(V, A, J if law == "double_s" else None), x0 * V, x1 * V
+    rise, jerk = abs(v1 - v0), J if law == "double_s" else inf
+    T = rise / A + A / jerk if rise >= A**2 / jerk else 2 * sqrt(rise / J)
+    T = T if rise else 0.0
+    q1 = (v0 + v1) / 2 * T
+    assume(x0 * x1 > 0)
+    assert r1.minimum_time(0.0, q1, limits, law, v0=v0, v1=v1).duration == pytest.approx(T, rel=1e-6, abs=1e-12)
+
+
 def test_a_bang_bang_from_v_to_v_goes_straight_on():
     answer = r1.minimum_time(0, 2, r1.MotionLimits(0.5, 1), "bang_bang", v0=0.5, v1=0.5)
     assert answer.duration == pytest.approx(4)

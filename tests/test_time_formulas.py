@@ -251,7 +251,6 @@ def test_a_joint_that_is_too_fast_to_stop_by_hand():
 @pytest.mark.parametrize(
     ("law", "options", "words"),
     [
-        ("cubic", {"velocity": "V", "v0": 1}, "belong to a trapezoidal law"),
         ("trapezoidal", {"acceleration": "A", "deceleration": "B", "v0": 1}, "one bound of the acceleration"),
         ("trapezoidal", {"acceleration": "A", "velocity": 1, "v0": 2}, "must be within ±1"),
         ("trapezoidal", {"acceleration": "A", "velocity": "V", "v0": "V"}, "give it another name"),

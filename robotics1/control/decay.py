@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import FormulaError, InputError
-from robotics1.inputs import Array, real_array, real_number
+from robotics1.inputs import Array, counting_number, real_array, real_number
 from robotics1.results import Frozen
 
 COMMUTE = 1e-9  # relative: D K − K D below this is rounding
@@ -78,14 +78,56 @@ class ErrorDecay(Frozen):
         size = wanted * float(np.linalg.norm(self.start))
         if size == 0:
             return 0.0
-        slowest = -float(self.rates[0].real)
-        times = np.linspace(0.0, (np.log(1 / wanted) + 10) / slowest, SEARCHED)
-        sizes = self._sizes(times)
-        above = np.flatnonzero(sizes > size)
-        if not len(above) or above[-1] == len(times) - 1:
-            return 0.0 if not len(above) else float(times[-1])
-        i = above[-1]
+        end = (np.log(1 / wanted) + 10) / -float(self.rates[0].real)
+        while True:
+            times = np.linspace(0.0, end, SEARCHED)
+            above = np.flatnonzero(self._sizes(times) > size)
+            if not len(above):
+                return 0.0
+            if (i := above[-1]) < len(times) - 1:
+                break
+            end *= 2  # a large ė₀ makes e large before it decays
         return float(brentq(lambda x: float(np.linalg.norm(self(x))) - size, times[i], times[i + 1], xtol=1e-14))
+
+    @property
+    def largest_step(self) -> float:
+        """The sampling time h [s] below which the sampled law converges, its command held constant for h.
+
+        Of first order e_{k+1} = (1 − h K) e_k, and |1 − h λ| < 1 for every eigenvalue λ of K: h < 2 Re λ/|λ|², which is
+        2/k for one gain; at h = 1/k the error is zero after one step. Of second order, with the modes k and d of K and
+        D: h < 2/d and h < 2d/k. A Cartesian law behaves so near its target.
+
+        Raises:
+            FormulaError: of second order, K and D have no common modes.
+
+        Source: Åström, Wittenmark, Computer-Controlled Systems, 1997, sections 2.3 (sampling) and 3.2 (Jury's test).
+        """
+        if self.D is None:
+            values = np.linalg.eigvals(self.K)
+            return float((2 * values.real / np.abs(values) ** 2).min(initial=np.inf))
+        V = self._modes
+        k, d = (np.diag(V.T @ G @ V) for G in (self.K, self.D))
+        return float(np.minimum(2 / d, 2 * d / k).min(initial=np.inf))
+
+    def sampled(self, step: float, steps: int) -> Array:
+        """Return e at the times 0, h, 2h, ..., (steps + 1, m), with the command held constant in between.
+
+        Args:
+            step: h > 0 [s].
+            steps: how many.
+
+        Raises:
+            InputError: h is not positive, or steps no positive integer.
+        """
+        h, m = real_number("step", step, positive=True), len(self.start)
+        one = np.eye(m)
+        A = one - h * self.K
+        if self.D is not None:
+            A = np.block([[one - h * h / 2 * self.K, h * one - h * h / 2 * self.D], [-h * self.K, one - h * self.D]])
+        states = [self._state]
+        for _ in range(counting_number("steps", steps, least=1, most=1_000_000)):
+            states.append(A @ states[-1])
+        return np.array(states)[:, :m]
 
     def _sizes(self, times: Array) -> Array:
         """Return |e| at equally spaced times, step by step."""

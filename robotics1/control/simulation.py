@@ -1,5 +1,6 @@
 """A control law in simulation."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ from robotics1.results import Frozen
 from robotics1.trajectories.following.integration import integrated
 
 PRECISION = 1e-9
+MOST_STEPS = 1_000_000  # of a sampled law
 RUNAWAY = 1e4  # of a joint in the duration, in radians or reaches: faster ones have met a singularity
 
 
@@ -50,7 +52,7 @@ class ControlRun(Frozen):
         """Return how the error ends, and which joints saturate, in a sentence."""
         cut = [str(i + 1) for i in np.flatnonzero(self.saturated)]
         limits = f"; joint {', '.join(cut)} saturates" if cut else ""
-        early = "" if self.complete else "; the joints ran away there, near a singularity"
+        early = "" if self.complete else "; the joints ran away there"
         return f"|e| = {self.final_error:.6g} at t = {self.t[-1]:.6g} s{limits}{early}"
 
 
@@ -62,8 +64,9 @@ def simulate_law(
     duration: float | None = None,
     limits: npt.ArrayLike | None = None,
     samples: int = 201,
+    step: float | None = None,
 ) -> ControlRun:
-    """Integrate a law from a start, with its command cut at limits.
+    """Integrate a law from a start, with its command cut at limits; or with its command held for each step.
 
     Args:
         law: `joint_law(...)` or `cartesian_law(...)`.
@@ -72,6 +75,8 @@ def simulate_law(
         duration: [s], for a target at rest; a motion has its own.
         limits: (n,) largest |q̇| of a law of first order, |q̈| of second, or one number; None for no limits.
         samples: the number of times that are returned.
+        step: h > 0 [s], the sampling time: the command of the times 0, h, 2h, ... is held in between, and these times
+            are returned; None for a law in continuous time.
 
     Raises:
         InputError: it is no law, a shape is wrong, or a duration is missing.
@@ -93,6 +98,10 @@ def simulate_law(
         u = np.clip(command(t, x, side), -bound, bound)
         return u if law.order == 1 else np.concatenate([x[n:], u])
 
+    if step is not None:
+        times, states, complete = _held(lambda t, x: rate(t, x, "right")[-n:], law, start, ends[-1], step)
+        return _run(law, times, states, bound, complete=complete)
+
     segments = integrated(
         rate,
         ends,
@@ -109,6 +118,25 @@ def simulate_law(
     times = times[times <= reached]
     states = np.array([next((s.state(t) for s in segments if t <= s.end), start) for t in times])
     return _run(law, times, states, bound, complete=reached >= ends[-1])
+
+
+def _held(
+    command: Callable[[float, Array], Array], law: ControlLaw, start: Array, end: float, step: float
+) -> tuple[Array, Array, bool]:
+    """Return the times 0, h, 2h, ... up to the end, the states there, and whether the joints did not run away."""
+    h, n = real_number("step", step, positive=True), law.robot.nv
+    if end / h > MOST_STEPS:
+        raise InputError(f"step must leave {MOST_STEPS} steps at most; {end:g} s in steps of {h:g} s are more")
+    times = h * np.arange(int(end / h * (1 + PRECISION)) + 1)
+    states = [start]
+    for t in times[:-1]:
+        x = states[-1]
+        u = command(float(t), x)
+        moved = x + h * u if law.order == 1 else np.concatenate([x[:n] + h * x[n:] + h * h / 2 * u, x[n:] + h * u])
+        if not (np.abs(moved[:n]) < RUNAWAY * law.robot.units).all():
+            break
+        states.append(moved)
+    return times[: len(states)], np.array(states), len(states) == len(times)
 
 
 def _run(law: ControlLaw, times: Array, states: Array, bound: Array, *, complete: bool) -> ControlRun:

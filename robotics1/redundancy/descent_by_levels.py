@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.inputs import Array
+from robotics1.redundancy.coordinates_within_limits import BoundedJoints
 
 Part = Callable[[Array], tuple[Array, Array]]  # q → e (m,) and J (m, n), with de = −J dq
 
@@ -17,7 +18,7 @@ LONGEST = 0.5  # of a step [rad, or reaches]
 SLOW = 0.3  # a step that leaves more of |e| is one of Gauss and Newton no longer
 SMALLEST_STEP = 1e-13
 LEAST_DAMPING = 1e-9  # of the largest curvature
-FLAT = 1e-5  # of |J|²: a curvature that is none, but for its differences
+FLAT = 1e-5  # of |J|², or of the largest curvature: one that is none, but for its differences
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,19 +41,20 @@ class LevelEnd:
 
 
 def descend_by_levels(
-    parts: Sequence[Part], q: Array, units: Array, *, tolerance: float, most_steps: int
+    parts: Sequence[Part], q: Array, joints: BoundedJoints, *, tolerance: float, most_steps: int
 ) -> list[LevelEnd]:
     """Return where each level ends; each starts where the one before it ended.
 
-    Of a level that is realised e = 0 is held; of one that is not, the gradient Jᵀe = 0. With C the derivative of all
-    that is held and N a basis of its null space, a step is q + N z, with z of Gauss and Newton on J N z = e, or of
-    Newton where these are slow, damped as by Levenberg and Marquardt; then Newton's method on what is held brings q
-    back. A step counts if |e| falls. Where the slope is zero and |e| the largest along some axis, the step is along it.
+    Of a level that is realised e = 0 is held; of one that is not, the gradient along what the levels before it leave.
+    With C the derivative of all that is held and N a basis of its null space, a step is q + N z, with z of Gauss and
+    Newton on J N z = e, or of Newton where these are slow, damped as by Levenberg and Marquardt; then Newton's method
+    on what is held brings q back. A step counts if |e| falls. Where the slope is zero and |e| the largest along some
+    axis, the step is along it.
 
     Args:
         parts: of each level q → (e, J).
         q: (n,) the start.
-        units: (n,) what a joint's motion is measured in: 1 rad, or the reach of the arm.
+        joints: the coordinates in which the steps are taken.
         tolerance: the |e| that is zero.
         most_steps: of each level.
 
@@ -60,36 +62,43 @@ def descend_by_levels(
     Int. J. Robotics Research 33, 2014 (levels); Nocedal, Wright, Numerical Optimization, 2006, chapter 10;
     Dauphin and others, Identifying and attacking the saddle point problem, NeurIPS 2014 (|curvature|).
     """
-    scaled = [_scaled(part, units) for part in parts]
+    inside = [_within_limits(part, joints) for part in parts]
     held: list[Callable[[Array], tuple[Array, Array]]] = []
     ends: list[LevelEnd] = []
-    x: Array = q / units
-    for part in scaled:
+    x = joints.x(q)
+    for part in inside:
         end = _descended(part, held, x, tolerance, most_steps)
-        x = end.q
-        held.append(part if end.realised else _gradient_of(part))
-        ends.append(LevelEnd(x * units, end.realised, end.stationary, end.steps, end.freedom))
+        held.append(part if end.realised else _gradient_of(part, tuple(held)))
+        polished = None if end.realised else _brought_back(held, end.q)
+        x = end.q if polished is None else polished
+        ends.append(LevelEnd(joints.q(x), end.realised, end.stationary, end.steps, end.freedom))
     return ends
 
 
-def _scaled(part: Part, units: Array) -> Part:
+def _within_limits(part: Part, joints: BoundedJoints) -> Part:
     def of(x: Array) -> tuple[Array, Array]:
-        e, J = part(x * units)
-        return e, J * units
+        e, J = part(joints.q(x))
+        return e, J * joints.slope(x)
 
     return of
 
 
-def _gradient_of(part: Part) -> Part:
-    """Return the gradient g = Jᵀe as what is held, with its derivative by central differences (de = −J dq)."""
+def _gradient_of(part: Part, held: Sequence[Part]) -> Part:
+    """Return the gradient g = N NᵀJᵀe along what is held as held too, with its derivative by central differences."""
 
     def gradient(x: Array) -> Array:
-        e, J = part(x)
-        return np.asarray(J.T @ e)
+        (e, J), N = part(x), _null(held, x)
+        return np.asarray(N @ (N.T @ (J.T @ e)))
 
     def of(x: Array) -> tuple[Array, Array]:
-        H = np.array([(gradient(x - d) - gradient(x + d)) / (2 * DIFFERENCE) for d in DIFFERENCE * np.eye(len(x))]).T
-        return gradient(x), np.asarray(0.5 * (H + H.T))
+        N, steps = _null(held, x), DIFFERENCE * np.eye(len(x))
+        slopes = np.array([gradient(x - d) - gradient(x + d) for d in steps]).reshape(steps.shape)
+        H = N.T @ slopes.T / (2 * DIFFERENCE)
+        along = H @ N
+        values, axes = np.linalg.eigh(0.5 * (along + along.T))
+        kept = np.abs(values) > FLAT * np.abs(values).max(initial=0.0)  # others are differences of rounding
+        curved = axes[:, kept] * values[kept] @ axes[:, kept].T
+        return gradient(x), np.asarray(N @ (curved @ N.T + H - along @ N.T))
 
     return of
 
@@ -153,7 +162,7 @@ def _over_the_top(part: Part, held: Sequence[Part], x: Array, axis: Array, curva
 
 def _null(held: Sequence[Part], x: Array) -> Array:
     """Return a basis of the directions that keep what is held, (n, k)."""
-    if not held:
+    if not held or not len(x):
         return np.eye(len(x))
     _, sigma, Vt = np.linalg.svd(_stacked(held, x)[1])
     return np.asarray(Vt[int(np.count_nonzero(sigma > RANK * sigma[:1])) :].T)
@@ -172,7 +181,7 @@ def _stacked(held: Sequence[Part], x: Array) -> tuple[Array, Array]:
 
 def _brought_back(held: Sequence[Part], x: Array) -> Array | None:
     """Return the q near x with what is held, by Newton's method; None where it does not get there."""
-    if not held:
+    if not held or not len(x):
         return x
     for _ in range(8):
         e, C = _stacked(held, x)
@@ -185,16 +194,5 @@ def _brought_back(held: Sequence[Part], x: Array) -> Array | None:
 
 def _curvature(part: Part, held: Sequence[Part], x: Array, N: Array) -> Array:
     """Return the Hessian of ½|e|² on the set that is held, in N: the derivative of the projected gradient."""
-
-    def slope(at: Array) -> Array:
-        e, J = part(at)
-        M = _null(held, at)
-        return np.asarray(M @ (M.T @ (J.T @ e)))
-
-    steps = DIFFERENCE * N.T
-    B = (
-        np.array([N.T @ (slope(x - d) - slope(x + d)) / (2 * DIFFERENCE) for d in steps])
-        .reshape(len(steps), len(steps))
-        .T
-    )
-    return np.asarray(0.5 * (B + B.T))
+    _, H = _gradient_of(part, held)(x)
+    return np.asarray(N.T @ H @ N)

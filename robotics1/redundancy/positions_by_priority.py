@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from robotics1.inputs import Array, counting_number, real_number
+from robotics1.inputs import Array, counting_number, real_number, true_or_false
 from robotics1.notation import count
+from robotics1.redundancy.coordinates_within_limits import BoundedJoints
 from robotics1.redundancy.descent_by_levels import LevelEnd, Part, descend_by_levels
 from robotics1.redundancy.given_levels import level_pairs
 from robotics1.results import Frozen, require
@@ -59,7 +60,7 @@ class PriorityIK(Frozen):
     Attributes:
         q: (n,) [rad or m].
         levels: what becomes of each, in the order of priority.
-        within_limits: whether q is inside the joint limits, which the descent does not know.
+        within_limits: whether q is inside the joint limits.
     """
 
     q: Array
@@ -96,28 +97,34 @@ def ik_by_priority(
     tolerance: float = 1e-9,
     most_steps: int = 200,
     starts: int = 1,
+    limits: bool = True,
 ) -> PriorityIK:
-    """Return q of the least |e₁|, of all such q one of the least |e₂|, and so on, with eᵢ = r_d,ᵢ − fᵢ(q).
+    """Return q of the least |e₁| within the joint limits, of all such q one of the least |e₂|, and so on.
+
+    eᵢ = r_d,ᵢ − fᵢ(q), and lower ≤ q ≤ upper.
 
     Level by level the error is made small by steps q + N z, with N of the null space of what the levels before hold:
-    eᵢ = 0 where they are realised, else the gradient Jᵢᵀ eᵢ = 0. z is that of Gauss and Newton, damped until |eᵢ|
-    falls, or of Newton where that is slow; after each step the levels before are brought back. So a lower level never
-    makes a higher one worse. The descent ends at the least error near the start: `starts=` tries others.
+    eᵢ = 0 where they are realised, else that the gradient Jᵢᵀ eᵢ along the allowed motions is zero. z is that of Gauss
+    and Newton, damped until |eᵢ| falls, or of Newton where that is slow; after each step the levels before are brought
+    back. So a lower level never makes a higher one worse. The descent ends at the least error near the start: `starts=`
+    tries others.
 
     Args:
         robot: an arm of revolute and prismatic joints.
         levels: pairs (task, target), the most important first.
-        q0: (n,) where the descent starts [rad or m].
+        q0: (n,) where the descent starts, moved inside the limits [rad or m].
         tolerance: the |e| of a level that is realised.
         most_steps: of each level.
         starts: how many starts are tried: q0, and random ones within the limits; the best answer is returned.
+        limits: whether the joint limits bound q; False ignores them.
 
     Raises:
         InputError: a shape is wrong, there is no level, or a task stands in two of them.
         TaskError: a task does not fit the robot, or its axes move with it.
 
     Source: Escande, Mansard, Wieber, Hierarchical quadratic programming: fast online humanoid-robot motion generation,
-    Int. J. Robotics Research 33, 2014; Baerlocher, Boulic, The Visual Computer 20, 2004.
+    Int. J. Robotics Research 33, 2014; Baerlocher, Boulic, The Visual Computer 20, 2004; James, Roos, MINUIT,
+    Computer Physics Communications 10, 1975 (limits).
     """
     robot = robot_from(robot)
     robot.require_single_coordinates("have an inverse kinematics by priority")
@@ -127,8 +134,10 @@ def ik_by_priority(
     number = counting_number("starts", starts, least=1, most=10_000)
     others = random_configurations(robot, number - 1, np.random.default_rng(0))
     parts = [_part(robot, task, target) for task, target in goals]
+    kept, none = true_or_false("limits", limits), np.full(robot.nq, np.inf)
+    joints = BoundedJoints(robot.lower if kept else -none, robot.upper if kept else none, robot.units)
     found = [
-        _answer(robot, goals, descend_by_levels(parts, q, robot.units, tolerance=zero, most_steps=steps), zero)
+        _answer(robot, goals, descend_by_levels(parts, q, joints, tolerance=zero, most_steps=steps), zero)
         for q in (start, *others)
     ]
     return reduce(lambda best, other: other if _is_better(other, best, zero) else best, found)

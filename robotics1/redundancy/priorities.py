@@ -14,6 +14,7 @@ from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.given_levels import checked_levels
 from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
+from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -28,6 +29,7 @@ class LevelStatus(Enum):
     """What becomes of one level."""
 
     REALISED = "realised"
+    REALISED_WITHIN_DIGITS = "realised to the digits that are given: what is left is not more than their rounding"
     IN_CONFLICT = "not realised: the levels before it leave too little freedom"
     OUT_OF_RANGE = "not realised: it is not in the range of the task's Jacobian"
     NOT_MET = "not realised by this method, although it could be"
@@ -51,6 +53,11 @@ class LevelOutcome(Frozen):
     residual: Array
     rank: int
     free_rank: int
+
+    @property
+    def is_realised(self) -> bool:
+        """Whether the rate is realised, or what is left of it is not more than the rounding of the given digits."""
+        return self.status in (LevelStatus.REALISED, LevelStatus.REALISED_WITHIN_DIGITS)
 
     @property
     def is_algorithmic_singularity(self) -> bool:
@@ -79,7 +86,7 @@ class Priorities(Frozen):
         parts = []
         for number, level in enumerate(self.levels, 1):
             size = float(np.linalg.norm(level.residual))
-            rest = "" if level.status is LevelStatus.REALISED else f" (|residual| = {size:.6g})"
+            rest = "" if level.is_realised else f" (|residual| = {size:.6g})"
             parts.append(f"level {number}: {level.status.value}{rest}")
         return "; ".join(parts)
 
@@ -89,7 +96,7 @@ class Priorities(Frozen):
         Raises:
             NotConverged: one is not.
         """
-        return require(self, all(level.status is LevelStatus.REALISED for level in self.levels))
+        return require(self, all(level.is_realised for level in self.levels))
 
 
 def priority_velocity(
@@ -130,9 +137,11 @@ def priority_velocity(
     ("levels"); Chiaverini, IEEE Trans. Robotics and Automation 13, 1997 ("projection").
     """
     robot, tasks, rates = checked_levels(robot, levels, "ṙ")
-    q = robot.configuration(q)
-    rows = [(task.jacobian(robot, q), b) for task, b in zip(tasks, rates, strict=True)]
-    return _solved(robot, rows, rates, method, null_velocity, damping, weights)
+
+    def rows_at(near: Array) -> list[tuple[Array, Array]]:
+        return [(task.jacobian(robot, near), np.zeros(task.rows)) for task in tasks]
+
+    return _solved(robot, rows_at, rates, q, method, null_velocity, damping, weights)
 
 
 def priority_acceleration(
@@ -165,18 +174,19 @@ def priority_acceleration(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4 (second order).
     """
     robot, tasks, rates = checked_levels(robot, levels, "r̈")
-    q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
-    rows = [
-        (task.jacobian(robot, q), b - jacobian_rate(robot, task, q, qdot) @ qdot)
-        for task, b in zip(tasks, rates, strict=True)
-    ]
-    return _solved(robot, rows, rates, method, null_acceleration, damping)
+    speed = moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
+
+    def rows_at(near: Array) -> list[tuple[Array, Array]]:
+        return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed) for task in tasks]
+
+    return _solved(robot, rows_at, rates, q, method, null_acceleration, damping)
 
 
 def _solved(
     robot: Robot,
-    rows: Sequence[tuple[Array, Array]],
+    rows_at: RowsAt,
     asked: list[Array],
+    q: ConfigurationLike,
     method: str,
     wish: Any,
     damping: float,
@@ -188,6 +198,8 @@ def _solved(
         raise InputError(f"damping belongs to method='levels'; the method is {one!r}")
     if weights is not None and one != "stacked":
         raise InputError(f"weights belong to method='stacked', which has no priorities; the method is {one!r}")
+    found_rows, meant = rows_at(robot.configuration(q)), rates_within_digits(robot, rows_at, asked, q)
+    rows = [(A, b - drift) for (A, drift), b in zip(found_rows, asked, strict=True)]
     exact = by_levels(rows, n)
     found: Hierarchy = exact
     if one == "projection":
@@ -204,20 +216,22 @@ def _solved(
             found.null.T @ moderate("the null motion", velocity_of_joints(robot, "the null motion", wish))
         )
     outcomes = []
-    for i, (A, b) in enumerate(rows):
-        at_best = b - A @ exact.x
-        outcomes.append(
-            LevelOutcome(_status(A, b, at_best, b - A @ x), asked[i], b - A @ x, exact.ranks[i], exact.free_ranks[i])
-        )
+    for i, (A, drift) in enumerate(found_rows):
+        left, size = asked[i] - drift - A @ x, float(np.linalg.norm(asked[i]) + np.linalg.norm(drift))
+        if np.linalg.norm(left) <= 10 * RANK_TOLERANCE * size:
+            status = LevelStatus.REALISED
+        else:
+            b = meant[i] - drift
+            status = _status(A, b, b - A @ exact.x, b - A @ x, RANK_TOLERANCE * size)
+        outcomes.append(LevelOutcome(status, asked[i], left, exact.ranks[i], exact.free_ranks[i]))
     return Priorities(x, tuple(outcomes), found.null, one)
 
 
-def _status(A: Array, b: Array, at_best: Array, left: Array) -> LevelStatus:
-    """Return the status of a level with these residuals: by priority, and of the method."""
-    size = RANK_TOLERANCE * max(float(np.linalg.norm(b)), 1e-300)
-    if np.linalg.norm(left) <= 10 * size:
-        return LevelStatus.REALISED
+def _status(A: Array, b: Array, at_best: Array, left: Array, rounding: float) -> LevelStatus:
+    """Return the status of a level, b being what its digits mean, with the residuals by priority and of the method."""
+    if np.linalg.norm(left) <= 10 * rounding:
+        return LevelStatus.REALISED_WITHIN_DIGITS
     alone = b - A @ (np.linalg.pinv(A, rcond=RANK_TOLERANCE) @ b)
-    if np.linalg.norm(alone) > size:
+    if np.linalg.norm(alone) > rounding:
         return LevelStatus.OUT_OF_RANGE
-    return LevelStatus.IN_CONFLICT if np.linalg.norm(at_best) > 10 * size else LevelStatus.NOT_MET
+    return LevelStatus.IN_CONFLICT if np.linalg.norm(at_best) > 10 * rounding else LevelStatus.NOT_MET

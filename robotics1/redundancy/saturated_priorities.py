@@ -9,15 +9,16 @@ import numpy.typing as npt
 from robotics1.inputs import Array, moderate
 from robotics1.kinematics import velocity_of_joints
 from robotics1.redundancy.given_levels import checked_levels
-from robotics1.redundancy.saturation import acceleration_limits, limits_of
-from robotics1.redundancy.within_bounds import BoundedLevel, levels_within
+from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits
+from robotics1.redundancy.saturation import acceleration_limits, at_limits, limits_of
+from robotics1.redundancy.within_bounds import levels_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
-from robotics1.robot.model import ConfigurationLike
+from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tasks.given import TaskLike
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
-REALISED = 1e-7  # a residual that is rounding, in SI units
+REALISED = 1e-7  # of what is asked: a residual that is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +32,7 @@ class SaturatedPriorities(Frozen):
         saturated: (nv,) whether a joint is at a limit.
         lower, upper: (nv,) the limits.
         residuals: of each level, ṙᵢ − Jᵢ q̇, or r̈ᵢ − J̇ᵢ q̇ − Jᵢ q̈.
+        realised: of each level, whether all of it is realised, as far as the given digits tell.
     """
 
     joints: Array
@@ -39,15 +41,12 @@ class SaturatedPriorities(Frozen):
     lower: Array
     upper: Array
     residuals: tuple[Array, ...]
+    realised: tuple[bool, ...]
 
     def explain(self) -> str:
         """Return the scale of each level, in a sentence."""
-        levels = [
-            f"level {i}: "
-            + ("no scale realises it" if np.isnan(s) else "realised" if s == 1 else f"slowed down to {s:.6g}")
-            for i, s in enumerate(self.scales, 1)
-        ]
-        return "; ".join(levels)
+        levels = enumerate(zip(self.scales, self.realised, strict=True), 1)
+        return "; ".join(f"level {i}: {_words(s, realised)}" for i, (s, realised) in levels)
 
     def require(self) -> "SaturatedPriorities":
         """Return self if every level is realised.
@@ -55,8 +54,7 @@ class SaturatedPriorities(Frozen):
         Raises:
             NotConverged: one is slowed down, not realised by any scale, or has a part out of the range of its Jacobian.
         """
-        left = max(float(np.abs(residual).max(initial=0.0)) for residual in self.residuals)
-        return require(self, all(s == 1 for s in self.scales) and left <= REALISED)
+        return require(self, all(self.realised))
 
 
 def saturated_priority_velocity(
@@ -87,8 +85,11 @@ def saturated_priority_velocity(
     """
     robot, tasks, rates = checked_levels(robot, levels, "ṙ")
     low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
-    rows = [(task.jacobian(robot, q), b, np.zeros(len(b))) for task, b in zip(tasks, rates, strict=True)]
-    return _resolved(rows, low, high, levels_within(rows, low, high))
+
+    def rows_at(near: Array) -> list[tuple[Array, Array]]:
+        return [(task.jacobian(robot, near), np.zeros(task.rows)) for task in tasks]
+
+    return _resolved(robot, rows_at, rates, q, low, high)
 
 
 def saturated_priority_acceleration(
@@ -130,24 +131,39 @@ def saturated_priority_acceleration(
     squares by levels).
     """
     robot, tasks, asked = checked_levels(robot, levels, "r̈")
-    q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
-    low, high = acceleration_limits(robot, qdot, limits, lower, max_velocity, step)
-    rows = [
-        (task.jacobian(robot, q), b, jacobian_rate(robot, task, q, qdot) @ qdot)
-        for task, b in zip(tasks, asked, strict=True)
-    ]
-    return _resolved(rows, low, high, levels_within(rows, low, high, least_squares=True))
+    speed = moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
+    low, high = acceleration_limits(robot, speed, limits, lower, max_velocity, step)
+
+    def rows_at(near: Array) -> list[tuple[Array, Array]]:
+        return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed) for task in tasks]
+
+    return _resolved(robot, rows_at, asked, q, low, high, least_squares=True)
 
 
-def _words(s: float) -> str:
+def _words(s: float, realised: bool) -> str:
     if np.isnan(s):
         return "no scale realises it"
-    return "realised" if s == 1 else f"slowed down to {s:.6g}"
+    if s < 1:
+        return f"slowed down to {s:.6g}"
+    return "realised" if realised else "realised but for a part that is not in the range of its Jacobian"
 
 
 def _resolved(
-    rows: Sequence[BoundedLevel], low: Array, high: Array, found: tuple[Array, tuple[float, ...]]
+    robot: Robot,
+    rows_at: RowsAt,
+    asked: Sequence[Array],
+    q: ConfigurationLike,
+    low: Array,
+    high: Array,
+    *,
+    least_squares: bool = False,
 ) -> SaturatedPriorities:
-    x, scales = found
-    at = (np.abs(x - low) <= 1e-9) | (np.abs(x - high) <= 1e-9)
-    return SaturatedPriorities(x, scales, at, low, high, tuple(b - d - A @ x for A, b, d in rows))
+    rows, meant = rows_at(robot.configuration(q)), rates_within_digits(robot, rows_at, asked, q)
+    levels = [(A, b, drift) for (A, drift), b in zip(rows, meant, strict=True)]
+    x, scales = levels_within(levels, low, high, least_squares=least_squares)
+    realised = []
+    for s, (A, b, drift) in zip(scales, levels, strict=True):
+        size = float(np.linalg.norm(b) + np.linalg.norm(drift))
+        realised.append(s == 1 and bool(np.linalg.norm(b - drift - A @ x) <= REALISED * size))
+    residuals = tuple(b - drift - A @ x for (A, drift), b in zip(rows, asked, strict=True))
+    return SaturatedPriorities(x, scales, at_limits(x, low, high), low, high, residuals, tuple(realised))

@@ -21,6 +21,7 @@ from robotics1.inputs import (
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.null_saturation import Saturated, SaturationStep, saturate_step_by_step
+from robotics1.redundancy.rates_within_digits import rates_within_digits
 from robotics1.redundancy.within_bounds import largest_scale_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
@@ -31,6 +32,7 @@ from robotics1.trajectories.following.task_rates import jacobian_rate
 
 Method = Literal["optimal", "sns", "scaled"]
 METHODS: tuple[Method, ...] = get_args(Method)
+AT_LIMIT = 1e-9  # of the room between the limits
 
 
 class SaturationStatus(Enum):
@@ -54,6 +56,8 @@ class SaturatedMotion(Frozen):
         lower, upper: (nv,) the limits.
         residual: (m,) what of the task is not realised.
         method: "optimal", "sns" or "scaled".
+        within_digits: whether the task is in the range of the Jacobian only as far as the given digits tell: a part of
+            the residual is their rounding.
         steps: of the algorithm, with method "sns".
     """
 
@@ -65,13 +69,15 @@ class SaturatedMotion(Frozen):
     upper: Array
     residual: Array
     method: str
+    within_digits: bool = False
     steps: tuple[SaturationStep, ...] = ()
 
     def explain(self) -> str:
         """Return the status with the scale and the joints at their limits, in a sentence."""
         at = [f"{i + 1}" for i in np.flatnonzero(self.saturated)]
         where = f"; at a limit: joint {', '.join(at)}" if at else ""
-        return f"{self.status.value}; s = {self.scale:.6g}{where}"
+        digits = "; what is left is not more than the rounding of the given digits" if self.within_digits else ""
+        return f"{self.status.value}; s = {self.scale:.6g}{where}{digits}"
 
     def require(self) -> "SaturatedMotion":
         """Return self if the whole task is realised.
@@ -123,7 +129,12 @@ def saturated_velocity(
     robot, task = robot_and_task(robot, task)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
     low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
-    return _resolved(task.jacobian(robot, q), rdot, np.zeros(task.rows), low, high, one_of("method", method, METHODS))
+
+    def rows_at(near: Array) -> list[tuple[Array, Array]]:
+        return [(task.jacobian(robot, near), np.zeros(task.rows))]
+
+    (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [rdot], q), rows_at(robot.configuration(q))
+    return _resolved(J, (rdot, meant), drift, low, high, one_of("method", method, METHODS))
 
 
 def saturated_acceleration(
@@ -165,30 +176,36 @@ def saturated_acceleration(
     """
     robot, task = robot_and_task(robot, task)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
-    q, qdot = robot.configuration(q), moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
-    low, high = acceleration_limits(robot, qdot, limits, lower, max_velocity, step)
-    drift = jacobian_rate(robot, task, q, qdot) @ qdot
-    return _resolved(task.jacobian(robot, q), rddot, drift, low, high, one_of("method", method, METHODS))
+    speed = moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
+    low, high = acceleration_limits(robot, speed, limits, lower, max_velocity, step)
+
+    def rows_at(near: Array) -> list[tuple[Array, Array]]:
+        return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed)]
+
+    (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [rddot], q), rows_at(robot.configuration(q))
+    return _resolved(J, (rddot, meant), drift, low, high, one_of("method", method, METHODS))
 
 
-def _resolved(J: Array, asked: Array, drift: Array, low: Array, high: Array, method: str) -> SaturatedMotion:
+def _resolved(
+    J: Array, asked_meant: tuple[Array, Array], drift: Array, low: Array, high: Array, method: str
+) -> SaturatedMotion:
+    asked, meant = asked_meant
     spaces = subspaces(J)
-    out = spaces.unrealisable(asked - drift)
+    out = spaces.unrealisable(meant - drift)
     reachable = np.linalg.norm(out) <= RANK_TOLERANCE * (np.linalg.norm(asked) + np.linalg.norm(drift))
     b, c = asked - spaces.unrealisable(asked), drift - spaces.unrealisable(drift)
     found = _within_limits(J, b, c, low, high, method)
     x, s = found.x, found.scale
-    room = 1e-9 * np.maximum(1.0, np.where(np.isfinite(high - low), high - low, 1.0))
-    at = (np.abs(x - low) <= room) | (np.abs(x - high) <= room)
     shortest = np.linalg.pinv(J, rcond=RANK_TOLERANCE) @ (b - c)
     if not reachable:
         status = SaturationStatus.OUT_OF_RANGE
     elif s < 1:
         status = SaturationStatus.SCALED
     else:
-        plain = np.allclose(x, shortest, rtol=0, atol=1e-9 * max(1.0, float(np.abs(x).max(initial=0.0))))
+        plain = np.allclose(x, shortest, rtol=0, atol=1e-9 * float(np.abs(x).max(initial=0.0)))
         status = SaturationStatus.WITHIN_LIMITS if plain else SaturationStatus.SATURATED
-    return SaturatedMotion(x, s, status, at, low, high, asked - drift - J @ x, method, found.steps)
+    at, left, by_digits = at_limits(x, low, high), asked - drift - J @ x, bool((meant != asked).any())
+    return SaturatedMotion(x, s, status, at, low, high, left, method, by_digits, found.steps)
 
 
 def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, method: str) -> Saturated:
@@ -213,6 +230,12 @@ def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, me
         return Saturated(np.zeros(0), 0.0)
     wide = np.where(high > low, high, low + 1e-12)
     return Saturated(np.clip(lsq_linear(J, -drift, bounds=(low, wide), method="bvls").x, low, high), 0.0)
+
+
+def at_limits(x: Array, low: Array, high: Array) -> npt.NDArray[np.bool_]:
+    """Return whether each joint is at a limit, (nv,)."""
+    room = AT_LIMIT * np.where(np.isfinite(high - low), high - low, 0.0)
+    return (np.abs(x - low) <= room) | (np.abs(x - high) <= room)
 
 
 def limits_of(

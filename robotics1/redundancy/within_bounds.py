@@ -75,8 +75,9 @@ def solution_line(C: Array, c: Array, g: Array) -> Line:
     a, b = U[:, r:].T @ c, U[:, r:].T @ g  # a + s b = 0 is left
     least, most = 0.0, 1.0
     if np.abs(b).max(initial=0.0) > room:
-        least = most = float(-(a @ b) / (b @ b))
-        least = most = min(max(least, 0.0), 1.0)
+        least = most = min(max(float(-(a @ b) / (b @ b)), 0.0), 1.0)
+        if np.abs(a + b).max() <= room:  # 1, but for rounding
+            least = most = 1.0
     if np.abs(a + most * b).max(initial=0.0) > room:
         least, most = 1.0, 0.0
     return Line(start, slope, Vt[r:].T, least, most)

@@ -94,11 +94,17 @@ def rounded_configuration(
     """Return the same for any matrix A(q), (m, n), such as a Jacobian times an input matrix; `scale` * A has no
     units, and tells the rank.
     """
-    x = robot.configuration(q)
-    units = half_units(x if isinstance(q, str | Mapping) else q) if robot.nq == robot.nv else np.zeros(robot.nq)
+    x, units = robot.configuration(q), printed_half_units(robot, q)
     singular = singular_within(lambda at: scale * matrix(at), robot, x, units)
     there = None if singular is None else subspaces_without_units(matrix(singular), scale)
     return RoundedConfiguration(x, units, subspaces_without_units(matrix(x), scale), singular, there, robot.joint_names)
+
+
+def printed_half_units(robot: Robot, q: ConfigurationLike) -> Array:
+    """Return half a unit of the last printed digit of each joint, (nq,); 0 of a number that is exact, or computed."""
+    if robot.nq != robot.nv:
+        return np.zeros(robot.nq)
+    return half_units(robot.configuration(q) if isinstance(q, str | Mapping) else q)
 
 
 def singular_within(matrix: Callable[[Array], Array], robot: Robot, q: Array, within: Array) -> Array | None:

@@ -1,4 +1,4 @@
-"""The cases of the least time of each timing law over Δ, in SymPy."""
+"""The cases of the least time of each timing law over Δ, from rest to rest, in SymPy."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -15,7 +15,7 @@ class TimeCase:
     Attributes:
         name: what the case is.
         conditions: relations that all hold; none where there is no other case.
-        duration: T.
+        duration: T; nan where it has no closed form.
         times: the instants, in order, at which the acceleration or the jerk switches, without 0 and T.
         velocity: the largest |q̇|.
         acceleration: the largest |q̈|, while the speed grows.
@@ -30,7 +30,11 @@ class TimeCase:
 
     def explain(self) -> str:
         """Return the case as it is written on paper."""
+        import sympy
+
         when = f"if {' and '.join(map(str, self.conditions))}: " if self.conditions else ""
+        if self.duration == sympy.nan:
+            return f"{self.name}: {when or 'else '}T has no closed form"
         switches = f", switching at t = {', '.join(map(str, self.times))}" if self.times else ""
         return f"{self.name}: {when}T = {self.duration}{switches}"
 
@@ -40,11 +44,8 @@ def cases_of(law: str, symbols: Mapping[str, Any]) -> list[TimeCase]:
 
     Args:
         law: its name.
-        symbols: of the distance and the bounds, positive, by what they are: "distance", "velocity", ...; of a
-            trapezoidal law also "v0" and "v1", real.
+        symbols: of the distance and the bounds, positive, by what they are: "distance", "velocity", ...
     """
-    if "v0" in symbols:
-        return _between_velocities(symbols)
     find = {"trapezoidal": _trapezoidal, "double_s": _double_s, "bang_bang": _bang_bang}
     return find[law](symbols) if law in find else _shape(law, symbols)
 
@@ -64,40 +65,7 @@ def _trapezoidal(symbols: Mapping[str, Any]) -> list[TimeCase]:
     needed = sympy.simplify(V**2 / (2 * A) + V**2 / (2 * D))
     T = sympy.expand(d / V + V / (2 * A) + V / (2 * D))
     cruise = TimeCase("trapezoidal", (sympy.Ge(d, needed),), T, (V / A, sympy.expand(T - V / D)), V, A)
-    return _decided([cruise, _when(triangle, sympy.Lt(d, needed))])
-
-
-def _between_velocities(symbols: Mapping[str, Any]) -> list[TimeCase]:
-    """Return the cases of accelerations ±A from v0 to v1, which are positive towards the goal and within ±V.
-
-    A ramp straight from v0 to v1 takes Δ₀ = |v1 − v0| (v0 + v1)/(2A). If Δ ≥ Δ₀, the velocity first rises, to
-    c = √(AΔ + (v0² + v1²)/2) or to V. Else the joint passes its goal, turns, and comes back with the velocity −c of
-    c = √((v0² + v1²)/2 − AΔ), which is less than V.
-    """
-    import sympy
-
-    d, A, v0, v1 = (symbols[name] for name in ("distance", "acceleration", "v0", "v1"))
-    squares, straight = (v0**2 + v1**2) / 2, sympy.Abs(v1 - v0) * (v0 + v1) / (2 * A)
-    fastest = [sympy.Abs(v0), sympy.Abs(v1)]
-    c, back = sympy.sqrt(A * d + squares), sympy.sqrt(squares - A * d)
-    rising: tuple[Any, ...] = (sympy.Ge(d, straight),)
-    cases = []
-    if "velocity" in symbols:
-        V = symbols["velocity"]
-        needed = (V**2 - squares) / A
-        T = sympy.expand(d / V + (V + squares / V - v0 - v1) / A)
-        cases.append(TimeCase("trapezoidal", (sympy.Ge(d, needed),), T, ((V - v0) / A, T - (V - v1) / A), V, A))
-        rising += (sympy.Lt(d, needed),)
-    turned = TimeCase(
-        "past the goal and back",
-        (sympy.Lt(d, straight),),
-        (2 * back + v0 + v1) / A,
-        ((back + v0) / A,),
-        sympy.Max(back, *fastest),
-        A,
-    )
-    triangle = TimeCase("triangular", rising, (2 * c - v0 - v1) / A, ((c - v0) / A,), sympy.Max(c, *fastest), A)
-    return _decided([*cases, triangle, turned])
+    return decided([cruise, _when(triangle, sympy.Lt(d, needed))])
 
 
 def _bang_bang(symbols: Mapping[str, Any]) -> list[TimeCase]:
@@ -117,7 +85,7 @@ def _bang_bang(symbols: Mapping[str, Any]) -> list[TimeCase]:
     if len(cases) == 1:
         return cases
     bound = symbols["velocity"] ** 2 / symbols["acceleration"]
-    return _decided([_when(cases[0], sympy.Ge(d, bound)), _when(cases[1], sympy.Lt(d, bound))])
+    return decided([_when(cases[0], sympy.Ge(d, bound)), _when(cases[1], sympy.Lt(d, bound))])
 
 
 def _double_s(symbols: Mapping[str, Any]) -> list[TimeCase]:
@@ -148,7 +116,7 @@ def _double_s(symbols: Mapping[str, Any]) -> list[TimeCase]:
         cases.append(_phases("the velocity alone is reached", conditions, tj, tj, d / V - 2 * tj, J))
     smallest = [] if A is None else [2 * A**3 / J**2]
     smallest += [] if V is None else [2 * V * sympy.sqrt(V / J)]
-    return _decided([*cases, _when(tiny, *(sympy.Lt(d, bound) for bound in smallest))])
+    return decided([*cases, _when(tiny, *(sympy.Lt(d, bound) for bound in smallest))])
 
 
 def _phases(name: str, conditions: tuple[Any, ...], tj: Any, ta: Any, tc: Any, J: Any) -> TimeCase:
@@ -176,7 +144,7 @@ def _shape(law: str, symbols: Mapping[str, Any]) -> list[TimeCase]:
         k = BOUNDS.index(name) + 1
         conditions = tuple(_longer(T, k, S, BOUNDS.index(other) + 1, d) for other, S in others)
         cases.append(TimeCase(f"bounded by the {name}", conditions, T, (), c[0] * d / T, c[1] * d / T**2))
-    return _decided(cases)
+    return decided(cases)
 
 
 def _longer(T: Any, k: int, S: Any, j: int, d: Any) -> Any:
@@ -215,7 +183,7 @@ def _when(case: TimeCase, *conditions: Any) -> TimeCase:
     return replace(case, conditions=(*case.conditions, *conditions))
 
 
-def _decided(cases: Sequence[TimeCase]) -> list[TimeCase]:
+def decided(cases: Sequence[TimeCase]) -> list[TimeCase]:
     """Return the cases that numbers do not rule out; one alone has no condition left."""
     import sympy
 

@@ -13,9 +13,11 @@ from robotics1.trajectories.law_kinds import KINDS
 from robotics1.trajectories.least_time_of_joints import Law, minimum_time
 from robotics1.trajectories.limits import MotionLimits
 from robotics1.trajectories.time_cases import BOUNDS, TimeCase, cases_of
+from robotics1.trajectories.time_cases_between_velocities import cases_between_velocities
 
 TRIALS = 8  # random values with which the formulas are compared
 AGREES = 1e-9  # relative
+DIGITS = 30  # of the numbers that formulas are evaluated with
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,7 @@ class TimeFormula:
         Raises:
             UnknownNameError: a value is of no symbol.
             InputError: a symbol has no value, one that is not positive, or v0 or v1 is beyond the bound V.
+            FormulaError: the case that holds has no closed form.
         """
         import sympy
 
@@ -75,20 +78,29 @@ class TimeFormula:
         missing = [name for name in symbols if name not in values]
         if missing:
             raise InputError(f"give {missing[0]} a value too; the formula has {', '.join(symbols)}")
-        known = {symbols[name]: sympy.Float(_number(symbols[name], value)) for name, value in values.items()}
+        known = {symbols[name]: sympy.Float(_number(symbols[name], value), DIGITS) for name, value in values.items()}
         self._check_ends(known)
+        case = self._case_at(known)
+        if case.duration == sympy.nan:
+            raise FormulaError(
+                f"here T has no closed form: {case.name}, and T is a root of a quartic; minimum_time(q0, q1, limits, "
+                f"{self.law!r}, v0=v0, v1=v1) has it in numbers"
+            )
+        return _with_numbers(case, known)
+
+    def _case_at(self, known: Mapping[Any, Any]) -> TimeCase:
         for case in self.cases[:-1]:
             if all(_holds(condition, known) for condition in case.conditions):
-                return _with_numbers(case, known)
-        return _with_numbers(self.cases[-1], known)
+                return case
+        return self.cases[-1]
 
     def _check_ends(self, known: Mapping[Any, Any]) -> None:
         """Raise InputError where a velocity at an end is beyond its bound."""
         v, V = (
             [self.symbols[name] for name in names if name in self.symbols] for names in (("v0", "v1"), ("velocity",))
         )
-        ends = [abs(float(symbol.evalf(subs=known))) for symbol in v]
-        if ends and V and max(ends) > float(V[0].evalf(subs=known)):
+        ends = [abs(_in_numbers(symbol, known)) for symbol in v]
+        if ends and V and max(ends) > _in_numbers(V[0], known):
             raise InputError(f"v0 and v1 must be within ±{V[0]}, the bound of the velocity; one is {max(ends):g}")
 
     def explain(self) -> str:
@@ -112,8 +124,10 @@ def time_formula(
         time_formula("trapezoidal", velocity="V", acceleration="A").duration
         # Δ/V + V/A if Δ ≥ V²/A, else 2√(Δ/A)
 
-    From rest to rest; a trapezoidal law also from v0 to v1. Then one condition decides whether the goal is passed:
-    Δ < |v1 − v0| (v0 + v1)/(2A).
+    From rest to rest; or from v0 to v1: for a trapezoidal and a bang-bang law, a cubic with bounds on the velocity and
+    the acceleration, a quintic with v0 = v1, and a double-S where both ramps reach A or the cruise reaches V. In the
+    other cases T is a root of a polynomial of degree four or more, which the explanation says. For a trapezoidal law
+    one condition decides whether the goal is passed: Δ < |v1 − v0| (v0 + v1)/(2A).
 
     The formulas are compared with `minimum_time` at random values, to 1e-9.
 
@@ -126,7 +140,7 @@ def time_formula(
     Raises:
         InputError: an argument is neither a name, a symbol nor a positive number, or the law needs another bound, or
             cannot keep one.
-        FormulaError: the formulas do not agree with `minimum_time`.
+        FormulaError: the least time has no closed form, or the formulas do not agree with `minimum_time`.
 
     Source: Biagiotti, Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, chapter 3.
     """
@@ -147,7 +161,8 @@ def time_formula(
                 raise InputError(f"{end.name!r} names a velocity at an end and another quantity; give it another name")
         symbols |= ends
     _check_bounds(law, symbols)
-    formula = TimeFormula(law, symbols, tuple(cases_of(law, symbols)))
+    find = cases_between_velocities if "v0" in symbols else cases_of
+    formula = TimeFormula(law, symbols, tuple(find(law, symbols)))
     _compare(formula)
     return formula
 
@@ -186,8 +201,8 @@ def _check_bounds(law: str, symbols: Mapping[str, Any]) -> None:
     """Refuse bounds that a law needs and has not, or has and cannot keep."""
     if law not in ("trapezoidal",) and "deceleration" in symbols:
         raise InputError(f"a {law} law has one bound on the acceleration; 'trapezoidal' brakes with another")
-    if "v0" in symbols and (law != "trapezoidal" or "deceleration" in symbols):
-        raise InputError("v0 and v1 belong to a trapezoidal law with one bound of the acceleration")
+    if "v0" in symbols:
+        _check_bounds_between_velocities(law, symbols)
     if law == "trapezoidal" and "acceleration" not in symbols:
         raise InputError("a trapezoidal law needs a bound on the acceleration")
     if law == "double_s" and "jerk" not in symbols:
@@ -198,20 +213,35 @@ def _check_bounds(law: str, symbols: Mapping[str, Any]) -> None:
         raise InputError("give a bound: velocity=, acceleration= or jerk=")
 
 
+def _check_bounds_between_velocities(law: str, symbols: Mapping[str, Any]) -> None:
+    if law in ("cosine", "cycloidal"):
+        raise InputError(f"a {law} law begins and ends at rest; with velocities at the ends take 'cubic'")
+    if "deceleration" in symbols:
+        raise InputError("with v0 or v1 there is one bound of the acceleration: leave out deceleration=")
+    if law in ("cubic", "quintic") and "jerk" in symbols:
+        raise FormulaError(
+            f"with velocities at the ends a bound of the jerk of a {law} has no short formula: minimum_time(q0, q1, "
+            f"limits, {law!r}, v0=v0, v1=v1) has the time in numbers"
+        )
+    v0, v1 = symbols["v0"], symbols["v1"]
+    if "velocity" in symbols and any(v.is_number and (abs(v) - symbols["velocity"]).is_positive for v in (v0, v1)):
+        raise InputError(f"v0 and v1 must be within ±{symbols['velocity']}; they are {v0} and {v1}")
+
+
 def _holds(condition: Any, known: Mapping[Any, Any]) -> bool:
     """Return whether an inequality holds in numbers."""
-    left, right = (float(side.evalf(subs=known)) for side in (condition.lhs, condition.rhs))
+    left, right = (_in_numbers(side, known) for side in (condition.lhs, condition.rhs))
     return {">=": left >= right, "<=": left <= right, ">": left > right, "<": left < right}[condition.rel_op]
 
 
 def _with_numbers(case: TimeCase, known: Mapping[Any, Any]) -> TimeCase:
-    def number(expression: Any) -> float:
-        return float(expression.evalf(subs=known))
+    T, velocity, acceleration = (_in_numbers(x, known) for x in (case.duration, case.velocity, case.acceleration))
+    times = tuple(sorted({T * round(_in_numbers(t / case.duration, known), 15) for t in case.times}))
+    return TimeCase(case.name, case.conditions, T, times, velocity, acceleration)
 
-    times = tuple(sorted({round(number(t), 15) for t in case.times}))
-    return TimeCase(
-        case.name, case.conditions, number(case.duration), times, number(case.velocity), number(case.acceleration)
-    )
+
+def _in_numbers(expression: Any, known: Mapping[Any, Any]) -> float:
+    return float(expression.xreplace(known))
 
 
 def _compare(formula: TimeFormula) -> None:
@@ -224,7 +254,10 @@ def _compare(formula: TimeFormula) -> None:
     names = [str(s) for s in formula.symbols.values() if s.is_Symbol]
     for _ in range((3 if "v0" in formula.symbols else 1) * TRIALS if names else 1):
         values = _drawn(formula, rng)
-        found = formula.case_of(**values)
+        try:
+            found = formula.case_of(**values)
+        except FormulaError:  # the case without a closed form
+            continue
         known = {name: float(values.get(str(s), s if s.is_number else 0)) for name, s in formula.symbols.items()}
         distance, v0, v1 = known.pop("distance"), known.pop("v0", 0.0), known.pop("v1", 0.0)
         law = minimum_time(0.0, distance, MotionLimits(**known), formula.law, v0=v0, v1=v1).laws[0]
@@ -242,6 +275,9 @@ def _drawn(formula: TimeFormula, rng: np.random.Generator) -> dict[str, float]:
     """Return random values of the symbols; the velocities at the ends within their bound."""
     values = {str(s): float(np.exp(rng.uniform(-2, 2))) for s in formula.symbols.values() if s.is_Symbol}
     bound = formula.symbols.get("velocity", 3)
+    if str(bound) in values:
+        ends = [formula.symbols[name] for name in ("v0", "v1") if name in formula.symbols]
+        values[str(bound)] += max((abs(float(v)) for v in ends if v.is_number), default=0.0)
     most = values.get(str(bound), bound)
     for name in ("v0", "v1"):
         if name in formula.symbols and formula.symbols[name].is_Symbol:

@@ -36,7 +36,10 @@ class Transfer:
         there is one such velocity.
         """
         slowest = max(self.v0, self.v1)
-        if self._ramps(slowest)[1] > self.distance:
+        straight = self._ramps(slowest)[1]
+        if abs(straight - self.distance) <= NEAR * abs(self.distance):
+            return slowest, 0.0  # where both velocities are negative, a turn before it would have the same Δ
+        if straight > self.distance:
             velocity, time = self._mirrored().fastest()
             return -velocity, time
         missing = self.distance - self._ramps(self.max_velocity)[1] if self.max_velocity < inf else -inf

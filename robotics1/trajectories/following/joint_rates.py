@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array
 from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.printed_digits import shared_half_units
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -163,7 +164,7 @@ def joint_velocity(
             return task.jacobian(robot, near) @ chosen.inputs(robot, near) @ rates.inputs
 
         def within(N: Array, outside: Array) -> bool:
-            return realised_within_digits(N, rdot, outside, made, x, rounded.half_units)
+            return realised_within_digits(N, (rdot, shared_half_units(rdot)), outside, made, (x, rounded.half_units))
 
         outcome = _outcome(rates, rdot, within)
         return JointVelocity(**outcome, qdot=rates.joints, rounded=rounded)
@@ -217,7 +218,7 @@ def joint_acceleration(
             return A @ rates.inputs + drifts(robot, task, chosen, near, u)[0]
 
         def within(N: Array, outside: Array) -> bool:
-            return realised_within_digits(N, rddot, outside, made, x, rounded.half_units)
+            return realised_within_digits(N, (rddot, shared_half_units(rddot)), outside, made, (x, rounded.half_units))
 
         outcome = _outcome(rates, rddot, within)
         return JointAcceleration(**outcome, qddot=rates.joints, drift=rates.drift, rounded=rounded)
