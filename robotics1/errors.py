@@ -55,12 +55,22 @@ class RobotFileError(Robotics1Error, ValueError):
         self.element = element
 
 
+def close_names(name: str, candidates: Iterable[str]) -> list[str]:
+    """Return the candidates that may be meant: those that differ in capitals only, else the three nearest."""
+    folded: dict[str, list[str]] = {}
+    for candidate in candidates:
+        folded.setdefault(candidate.casefold(), []).append(candidate)
+    if name.casefold() in folded:
+        return folded[name.casefold()]
+    return [other for close in get_close_matches(name.casefold(), folded) for other in folded[close]][:3]
+
+
 class UnknownNameError(Robotics1Error, LookupError):
     """A name that is not among those that exist; the message lists them, or the nearest."""
 
     def __init__(self, kind: str, name: object, candidates: Iterable[str], note: str = ""):
         self.candidates = tuple(candidates)
-        close = get_close_matches(str(name), self.candidates, n=3, cutoff=0.5)
+        close = close_names(str(name), self.candidates)
         if close:
             hint = f"did you mean {' or '.join(map(repr, close))}?"
         elif self.candidates:
