@@ -1,7 +1,6 @@
 """Angles: whole turns, the multiples of π/12 that files and tables write with few digits, and degrees by mistake."""
 
 import re
-import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -11,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import RobotWarning
+from robotics1.errors import warn
 
 TURN = 2 * pi
 MEANT = 1e-5  # an angle this near to a multiple of π/12 is meant to be it: files write 1.5708 for π/2 [rad]
@@ -76,11 +75,9 @@ def warn_of_degrees(
     typed &= ~((lower <= values) & (values <= upper) & limited)
     if typed.any():
         angle = float(values[typed][0])
-        warnings.warn(
+        warn(
             f"{name} has the angle {angle:g}, which is {angle / TURN:.1f} turns: angles are in radians; "
-            f"if degrees are meant, write radians({angle:g})",
-            RobotWarning,
-            stacklevel=4,
+            f"if degrees are meant, write radians({angle:g})"
         )
 
 

@@ -16,6 +16,8 @@
 Misuse raises. An unreachable target is not misuse: it is an outcome, reported in the result's status.
 """
 
+import sys
+import warnings
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
@@ -119,3 +121,11 @@ class MissingExtraError(Robotics1Error, ImportError):
 
 class RobotWarning(UserWarning):
     """Something in a robot's file, or an angle that a caller hands in, is probably not meant."""
+
+
+def warn(sentence: str) -> None:
+    """Give a `RobotWarning` of the user's own line, wherever in the package it is found."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "robotics1":
+        level, frame = level + 1, frame.f_back
+    warnings.warn(sentence, RobotWarning, stacklevel=level)

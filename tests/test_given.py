@@ -1,5 +1,6 @@
 """What a caller may hand in for a robot, a task, a pose, a rotation and a configuration: all forms give one answer."""
 
+import warnings
 from math import pi
 
 import numpy as np
@@ -260,6 +261,21 @@ def test_what_is_odd_about_a_joint_is_a_warning_of_python():
 def test_computed_degrees_far_outside_the_limits_are_a_warning(q):
     with pytest.warns(r1.RobotWarning, match="angles are in radians; if degrees are meant, write radians"):
         r1.forward_kinematics("planar_2r", q)
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda: r1.forward_kinematics("planar_2r", [0, 90]),
+        lambda: r1.ik_solutions("prr", "planar-pose", [0.5, 0.5, 90]),
+        lambda: r1.view("planar_2r", [0, 90]),
+    ],
+)
+def test_a_warning_is_one_and_of_the_line_of_the_user(ask):
+    with warnings.catch_warnings(record=True) as given:
+        warnings.simplefilter("default")
+        ask()
+    assert [warning.filename for warning in given] == [__file__]
 
 
 def test_radians_and_lengths_give_no_warning(cylindrical, recwarn):

@@ -1,14 +1,13 @@
 """The shapes to draw, as the page wants them: plain shapes by their sizes, meshes packed."""
 
 import base64
-import warnings
 import zlib
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from robotics1.errors import InputError, RobotWarning
+from robotics1.errors import InputError, warn
 from robotics1.robot.model import Robot
 from robotics1.robot.visuals import Box, Capsule, Cylinder, MeshFile, Sphere, Visual, read_visuals
 from robotics1.viewer.arm_data import placement
@@ -79,7 +78,7 @@ class Shapes:
         return self._known[mesh.path]
 
     def _warn(self, sentence: str) -> None:
-        warnings.warn(sentence, RobotWarning, stacklevel=7)
+        warn(sentence)
         self.note(f"{sentence[0].upper()}{sentence[1:]}")
 
     def note(self, sentence: str) -> None:
