@@ -72,10 +72,11 @@ def __getattr__(name: str) -> Any:
 
 def _meant(name: str, known: list[str]) -> str:
     """Return which names may be meant."""
-    from difflib import get_close_matches
+    from .errors import nearest_names
 
     usual = USUAL.get(name.lower().replace("_", ""))
-    close = get_close_matches(name, known, n=3) or [other for other in known if name in other][:3]
+    longer = [other for other in known if other.startswith(f"{name}_")]
+    close = list(dict.fromkeys(longer + nearest_names(name, known))) or [other for other in known if name in other]
     if usual is None and not close:
         return "; dir(robotics1) lists what there is"
-    return f"; did you mean {usual or ' or '.join(close)}?"
+    return f"; did you mean {usual or ' or '.join(close[:3])}?"

@@ -1,20 +1,23 @@
 """Angles: whole turns, the multiples of π/12 that files and tables write with few digits, and degrees by mistake."""
 
 import re
-import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from math import pi
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import RobotWarning
+from robotics1.errors import warn
 
 TURN = 2 * pi
 MEANT = 1e-5  # an angle this near to a multiple of π/12 is meant to be it: files write 1.5708 for π/2 [rad]
 DECIMALS = 4  # of a number that was typed
 WIDE = 40.0  # a limit beyond this may be in degrees; -10 and 10 are common, and mean none [rad]
-FEWEST, MOST = 10.0, 720.0  # between these, a whole number that should be an angle in radians is one in degrees
+FEWEST_COMPUTED = 30.0  # an iteration may end some turns away
+FEWEST, MOST = 10.0, 720.0  # between these, whole angles and those far outside their limits are in degrees
 
 
 def twelfths_of_pi(angle: float, tolerance: float = MEANT) -> int | None:
@@ -34,6 +37,19 @@ def looks_like_degrees(angle: float) -> bool:
     return FEWEST <= abs(angle) <= MOST and 2 * angle == round(2 * angle)
 
 
+_iterating: ContextVar[bool] = ContextVar("_iterating", default=False)
+
+
+@contextmanager
+def angles_of_an_iteration() -> Iterator[None]:
+    """Warn of no degrees inside: an iteration may pass through angles of any size."""
+    token = _iterating.set(True)
+    try:
+        yield
+    finally:
+        _iterating.reset(token)
+
+
 def warn_of_degrees(
     name: str,
     values: npt.NDArray[np.floating[Any]],
@@ -43,8 +59,8 @@ def warn_of_degrees(
 ) -> None:
     """Warn of angles that were probably typed in degrees.
 
-    These are whole or half numbers from 10 to 720, and others of this size with at most four decimals that are more
-    than a turn outside of their limits. A computed angle has more decimals: an iteration may come so far.
+    These are whole or half numbers from 10 to 720, and others of this size that are more than a turn outside of their
+    limits; from 30 on if they have more than four decimals, as a computed angle has.
 
     Args:
         name: what they are called.
@@ -54,20 +70,20 @@ def warn_of_degrees(
     """
     if max(map(abs, values.ravel().tolist()), default=0.0) < FEWEST:  # at each call: NumPy would take longer
         return
+    if _iterating.get():
+        return
     size = np.abs(values)
     halves = 2 * np.clip(values, -MOST, MOST)
     limited = np.isfinite(lower) & np.isfinite(upper)
-    few_decimals = values == np.round(np.clip(values, -MOST, MOST), DECIMALS)
-    far = limited & ((values < lower - TURN) | (values > upper + TURN)) & few_decimals
+    computed = values != np.round(np.clip(values, -MOST, MOST), DECIMALS)
+    far = limited & ((values < lower - TURN) | (values > upper + TURN)) & ((size >= FEWEST_COMPUTED) | ~computed)
     typed = (size >= FEWEST) & (size <= MOST) & ((halves == np.round(halves)) | far) & turns
     typed &= ~((lower <= values) & (values <= upper) & limited)
     if typed.any():
         angle = float(values[typed][0])
-        warnings.warn(
+        warn(
             f"{name} has the angle {angle:g}, which is {angle / TURN:.1f} turns: angles are in radians; "
-            f"if degrees are meant, write radians({angle:g})",
-            RobotWarning,
-            stacklevel=4,
+            f"if degrees are meant, write radians({angle:g})"
         )
 
 

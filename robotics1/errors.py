@@ -16,6 +16,8 @@
 Misuse raises. An unreachable target is not misuse: it is an outcome, reported in the result's status.
 """
 
+import sys
+import warnings
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
@@ -55,7 +57,7 @@ class RobotFileError(Robotics1Error, ValueError):
         self.element = element
 
 
-def nearest_names(name: str, candidates: Iterable[str], alike: float = 0.5) -> list[str]:
+def nearest_names(name: str, candidates: Iterable[str], alike: float = 0.6) -> list[str]:
     """Return up to three candidates that resemble a name, the nearest first; if one has the same letters, that alone.
 
     Args:
@@ -65,7 +67,7 @@ def nearest_names(name: str, candidates: Iterable[str], alike: float = 0.5) -> l
     """
     written = {candidate: candidate.casefold() for candidate in sorted(candidates)}
     same = [candidate for candidate, text in written.items() if text == name.casefold()]
-    close = get_close_matches(name.casefold(), set(written.values()), n=3, cutoff=alike)
+    close = get_close_matches(name.casefold(), dict.fromkeys(written.values()), n=3, cutoff=alike)
     return same or [candidate for text in close for candidate in written if written[candidate] == text][:3]
 
 
@@ -123,3 +125,11 @@ class MissingExtraError(Robotics1Error, ImportError):
 
 class RobotWarning(UserWarning):
     """Something in a robot's file, or an angle that a caller hands in, is probably not meant."""
+
+
+def warn(sentence: str) -> None:
+    """Give a `RobotWarning` of the user's own line, wherever in the package it is found."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "robotics1":
+        level, frame = level + 1, frame.f_back
+    warnings.warn(sentence, RobotWarning, stacklevel=level)

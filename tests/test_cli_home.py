@@ -183,10 +183,35 @@ def test_the_compiler_stays_where_a_process_is_not_the_commands_own():
 def test_a_word_too_many_or_too_short_is_answered_with_what_is_meant():
     assert "write the values of the joints behind --q" in run("fk", "planar_2r", "0,0").stderr
     assert "Did you mean 'singularities'?" in run("sing", "planar_2r").stderr
+    assert "Did you mean 'singularities'?" in run("singularity", "planar_2r").stderr
+    assert "Did you mean 'fk'?" in run("FK", "planar_2r").stderr
+
+
+@pytest.mark.parametrize("q", ["[0.5, 1, 2]", "(0.5 1 2)", "q3=2,q1=0.5,q2=1"])
+def test_a_configuration_is_typed_with_brackets_or_by_names(q):
+    assert answer("fk", "prr", "-q", q) == answer("fk", "prr", "--q", "0.5,1,2")
+
+
+def test_a_named_angle_is_typed_in_degrees_and_a_named_length_in_metres():
+    assert answer("fk", "prr", "-q", "q1=0.5,q2=90,q3=-90", "--degrees") == answer("fk", "prr", "-q", "0.5,pi/2,-pi/2")
+
+
+def test_a_position_for_a_pose_that_nobody_typed_is_answered_with_the_task():
+    assert "for a position add --task position:xy" in run("ik", "prr", "--target", "0.5,0.5").refusal
+    assert "for a position add --task position" in run("ik", "ur5", "--target", "0.5,0.5,0.2").refusal
+
+
+def test_every_command_that_reads_angles_reads_them_in_degrees():
+    inside = answer("workspace", "planar_2r", "--box", "q1=-60:60", "--degrees")
+    assert inside["area"] == pytest.approx(answer("workspace", "planar_2r", "--box", "q1=-pi/3:pi/3")["area"])
+    held = ("planar_2r", "--task", "position:y", "--lock", "q1=90")
+    assert answer("singularities", *held, "--degrees") == answer("singularities", *held[:-1], "q1=pi/2")
+    assert answer("check", "prr", "--lock", "q2=90", "--degrees") == answer("check", "prr", "--lock", "q2=pi/2")
 
 
 def test_a_warning_is_said_once():
     assert run("fk", "planar_2r", "--q", "0,90").stderr.count("radians(90)") == 1
+    assert run("ik", "prr", "--target", "0.5,0.5,90").stderr.count("radians(90)") == 1
 
 
 def test_sentences_are_broken_between_words_on_a_terminal_only():

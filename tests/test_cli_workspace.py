@@ -80,7 +80,7 @@ def test_every_orientation_is_answered_with_radii():
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["planar_2r", "--box", "q1"], "write it like q2=0.2:1.5"),
+        (["planar_2r", "--box", "q1"], "write it like q1=-1:pi/2"),
         (["planar_2r", "--box", "q7=0:1"], "q7"),
         (["planar_2r", "--task", "pose"], "PositionTask"),
         (["planar_2r", "--line", "1,2"], "is not a line"),

@@ -189,5 +189,5 @@ def test_what_is_no_load_is_refused(call, words):
 
 
 def test_an_unknown_link_is_refused():
-    with pytest.raises(r1.UnknownNameError, match="did you mean"):
+    with pytest.raises(r1.UnknownNameError, match="did you mean 'link1'"):
         static_torques(TWO_R, [0, 0], Load([1, 0, 0], frame="lnk1"))

@@ -44,7 +44,8 @@ MISTAKES = {
     "lengths in a list": (lambda: r1.load_robot("prr", parameters=[0.5, 0.3]), INPUT, r"such as \{'l2': 0.5\}"),
     "a tool with a slip": (lambda: r1.load_robot("planar_2r", tool="tol"), UNKNOWN, "did you mean 'tool'"),
     "half a text": (lambda: r1.load_robot("<robot><link></robot>"), FILE, "not well-formed XML"),
-    "a length of another robot": (lambda: two().with_parameters({"l3": 1}), UNKNOWN, "did you mean"),
+    "a length of another robot": (lambda: two().with_parameters({"l3": 1}), UNKNOWN, "there is 'l1', 'l2'"),
+    "no name at all": (lambda: r1.load_robot("nothing"), UNKNOWN, "there is 'cylindrical', 'planar_2r', 'prr'"),
     # configurations
     "q before the robot": (lambda: r1.forward_kinematics(Q, "planar_2r"), INPUT, "must be a Robot, not a list"),
     "one joint of two": (lambda: fk(0.1), INPUT, r"shape \(2,\), one number for each of q1, q2"),
@@ -56,6 +57,7 @@ MISTAKES = {
         r"write radians\(-57.3\)",
     ),
     "degrees with a half": (lambda: fk([-22.5, 0]), r1.RobotWarning, r"write radians\(-22.5\)"),
+    "degrees of a computation": (lambda: fk(np.degrees([0.1, 0.9])), r1.RobotWarning, r"write radians\(51.5662\)"),
     "degrees of a start": (
         lambda: r1.solve_ik("planar_2r", "position:xy", [1, 1], [30, 45]),
         r1.RobotWarning,
@@ -217,6 +219,7 @@ MISTAKES = {
     # names of other packages
     "fk": (lambda: r1.fk, AttributeError, "did you mean forward_kinematics"),
     "the Jacobian": (lambda: r1.jacobian, AttributeError, "did you mean frame_jacobian"),
+    "half a name": (lambda: r1.load, AttributeError, "did you mean load_robot"),
     "a slip in a name": (lambda: r1.forward_kinematic, AttributeError, "did you mean forward_kinematics"),
 }
 

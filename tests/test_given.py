@@ -1,5 +1,6 @@
 """What a caller may hand in for a robot, a task, a pose, a rotation and a configuration: all forms give one answer."""
 
+import warnings
 from math import pi
 
 import numpy as np
@@ -256,10 +257,31 @@ def test_what_is_odd_about_a_joint_is_a_warning_of_python():
         r1.load_robot(odd)
 
 
-def test_radians_degrees_by_computation_and_lengths_give_no_warning(cylindrical, recwarn):
+@pytest.mark.parametrize("q", [[0, -np.degrees(1)], np.degrees([0.7, 0.3]), [-np.degrees(2), 0.1]])
+def test_computed_degrees_far_outside_the_limits_are_a_warning(q):
+    with pytest.warns(r1.RobotWarning, match="angles are in radians; if degrees are meant, write radians"):
+        r1.forward_kinematics("planar_2r", q)
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda: r1.forward_kinematics("planar_2r", [0, 90]),
+        lambda: r1.ik_solutions("prr", "planar-pose", [0.5, 0.5, 90]),
+        lambda: r1.view("planar_2r", [0, 90]),
+    ],
+)
+def test_a_warning_is_one_and_of_the_line_of_the_user(ask):
+    with warnings.catch_warnings(record=True) as given:
+        warnings.simplefilter("default")
+        ask()
+    assert [warning.filename for warning in given] == [__file__]
+
+
+def test_radians_and_lengths_give_no_warning(cylindrical, recwarn):
     r1.forward_kinematics("planar_2r", [3 * pi, -2.5 * pi])
     r1.forward_kinematics("planar_2r", np.radians([90, 180]))
     r1.forward_kinematics(cylindrical, [12.0, 0.1, 30.0])  # its first and third joints slide
-    r1.iterate_ik("planar_2r", "position:xy", [5, 5], [0.3, 0.2], method="newton")
+    r1.iterate_ik("planar_2r", "position:xy", [5, 5], [0.3, 0.2], method="newton")  # passes through q2 = -46.8
     r1.forward_kinematics(r1.robot_from_dh([("R", 1, 0, 0, 0)], lower=[-30], upper=[30]), [25])  # inside its limits
     assert not [warning for warning in recwarn if issubclass(warning.category, r1.RobotWarning)]

@@ -145,6 +145,13 @@ def test_a_robot_without_shapes_is_drawn_as_a_skeleton_and_the_page_says_so(brow
     page.tab.close()
 
 
+def test_a_page_says_that_it_shows_another_task_where_rows_are_not_constant():
+    radius = r1.FunctionTask(lambda p, R, q: [np.hypot(p[0], p[1])], 1)
+    page = r1.view("planar_2r", [0.1, 0.2], task=radius).html
+    assert "FunctionTask (r1) is none: σ_min and the arrows are those of PositionTask (x, y)." in page
+    assert '<p class="notes"></p>' in r1.view("planar_2r", [0.1, 0.2], task="position:x").html
+
+
 @pytest.mark.parametrize("kind", ["script", "image", "entity", "template", "line separator"])
 def test_names_of_a_file_are_text_in_the_page(browser, kind, tmp_path):
     name = NAMES[kind]

@@ -121,7 +121,7 @@ def test_what_is_no_planar_arm_is_refused(arguments, error, words):
 
 
 def test_a_parameter_that_no_length_has_is_refused():
-    with pytest.raises(r1.UnknownNameError, match="no parameter of the planar arm named 'l3'; did you mean 'l1'"):
+    with pytest.raises(r1.UnknownNameError, match="no parameter of the planar arm named 'l3'; there is 'l1'"):
         planar_arm("RR", ["l1", 1], parameters={"l1": 1, "l3": 2})
     with pytest.raises(r1.UnknownNameError, match="no parameter of the planar arm named 'l3'"):
         planar_arm("RR", ["l1", 1], parameters={"l1": 1}).with_parameters({"l3": 2})

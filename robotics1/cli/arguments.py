@@ -80,13 +80,32 @@ def parse_robot(
     from robotics1.robot.loading import load_robot
 
     path = source if "/" not in source else Path(source)
+    given = loading_options(path, parameters, packages, lock, degrees)
+    return load_robot(path, tool=tool, **given)
+
+
+def loading_options(
+    path: str | Path,
+    parameters: Sequence[str] | None,
+    packages: Sequence[Path] | None,
+    lock: Sequence[str] | None,
+    degrees: bool,
+) -> dict[str, Any]:
+    """Return parameters, packages and locked joints as `load_robot` and `check_robot` take them.
+
+    Raises:
+        Robotics1Error: one cannot be read; or joints are locked in degrees, and the robot cannot be loaded, which says
+            which of them turn.
+    """
     given: dict[str, Any] = {"parameters": parse_parameters(parameters), "packages": packages or ()}
     locked = parse_lock(lock, degrees)
     if degrees and locked:
+        from robotics1.robot.loading import load_robot
+
         free = load_robot(path, **given)
         turning = {name for name, turns in zip(free.joint_names, free.revolute, strict=False) if turns}
         locked = {name: math.radians(value) if name in turning else value for name, value in locked.items()}
-    return load_robot(path, tool=tool, locked=locked, **given)
+    return given | {"locked": locked}
 
 
 def parse_lock(texts: Sequence[str] | None, degrees: bool = False) -> dict[str, float]:
@@ -129,8 +148,33 @@ def parse_point(text: str) -> tuple[float | str, ...]:
 
 
 def parse_names(text: str) -> tuple[str, ...]:
-    """Return names separated by commas or blanks."""
-    return tuple(part for part in re.split(r"[,\s]+", text.strip()) if part)
+    """Return names separated by commas or blanks, with or without brackets around them all."""
+    inside = re.fullmatch(r"\s*[(\[](.*)[)\]]\s*", text, re.DOTALL)
+    return tuple(part for part in re.split(r"[,\s]+", (inside[1] if inside else text).strip()) if part)
+
+
+def parse_box(robot: Robot, texts: Sequence[str] | None, degrees: bool) -> dict[str, tuple[float, float]]:
+    """Return joint → (lower, upper), each typed as q1=-1:pi/2; of revolute joints in degrees where asked.
+
+    Raises:
+        InputError: one of them is not name=lower:upper.
+    """
+    box = {}
+    for text in texts or ():
+        name, _, interval = text.partition("=")
+        name, typed = name.strip(), interval.split(":")
+        if len(typed) != 2:
+            raise InputError(f"{text[:100]!r} is not an interval; write it like q1=-1:pi/2")
+        lower, upper = (_joint_value(robot, name, end, degrees) for end in typed)
+        box[name] = (lower, upper)
+    return box
+
+
+def _joint_value(robot: Robot, joint: str, text: str, degrees: bool) -> float:
+    """Return the value of a joint as typed, of one that turns in degrees where asked."""
+    value = parse_number(without_pi(text) if degrees else text)
+    turns = degrees and joint in robot.joint_names and robot.revolute[robot.joint_names.index(joint)]
+    return math.radians(value) if turns else value
 
 
 def parse_task(text: str, frame: str | None, angles: str | None = None) -> FrameTask:
@@ -179,7 +223,9 @@ def read_text(path: Path) -> str:
 
 
 def configuration(robot: Robot, text: str | None, degrees: bool) -> Array:
-    """Return q as typed, in degrees where asked, or of a posture's name; without text, zero moved inside the limits.
+    """Return q as typed, in degrees where asked: numbers, q1=0.5,q2=1, or a posture's name.
+
+    Without text it is zero, moved inside the limits.
 
     Raises:
         InputError: the wrong number of values.
@@ -190,8 +236,10 @@ def configuration(robot: Robot, text: str | None, degrees: bool) -> Array:
         return np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
     if text.strip() in robot.postures:
         return robot.configuration(text.strip())
+    if "=" in text:
+        pairs = [part.partition("=") for part in parse_names(text)]
+        return robot.configuration({name: _joint_value(robot, name, value, degrees) for name, _, value in pairs})
     values = parse_vector(text, degrees)
     if degrees and robot.nq == robot.nv and values.shape == robot.revolute.shape:
         return robot.configuration(np.where(robot.revolute, np.radians(values), values))
-    q = robot.configuration(values)
-    return q
+    return robot.configuration(values)

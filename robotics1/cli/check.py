@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
-from robotics1.cli.arguments import parse_lock, parse_number, parse_parameters, read_text
-from robotics1.cli.options import AsJson, Locked, Packages, Parameters, RobotName, Tool
+from robotics1.cli.arguments import loading_options, parse_number, read_text
+from robotics1.cli.options import AsJson, Locked, Packages, Parameters, RobotName, Tool, TypedDegrees
 from robotics1.errors import InputError
 from robotics1.names import printable
 
@@ -38,6 +38,7 @@ def check(
     trusted: Annotated[bool, typer.Option("--trusted", help="Let a xacro read YAML and the environment.")] = False,
     param: Parameters = None,
     tool: Tool = None,
+    degrees: TypedDegrees = False,
     json: AsJson = False,
 ) -> None:
     """The verdict on a robot file, and what was understood of it."""
@@ -46,8 +47,7 @@ def check(
     from robotics1.robot.findings import AGREES
     from robotics1.robot.loading import check_robot
 
-    values = parse_parameters(param)
-    given: dict[str, Any] = {"parameters": values, "packages": packages or (), "locked": parse_lock(lock)}
+    given = loading_options(robot, param, packages, lock, degrees)
     found = check_robot(robot, tool=tool, trusted=trusted, **given)
     difference = None
     if dh is not None and found.robot is not None:

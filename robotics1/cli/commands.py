@@ -84,8 +84,8 @@ def main() -> None:
     """Run the command: exit code 0 done, 1 the verdict is negative, 2 misuse or an error, 130 interrupted (Ctrl-C)."""
     try:
         with streams_ready(), warnings.catch_warnings():
-            warnings.simplefilter("once", RobotWarning)
-            warnings.showwarning = _show_warning
+            warnings.simplefilter("always", RobotWarning)
+            warnings.showwarning = _shown_once()
             app()
     except KeyboardInterrupt:
         _stop("interrupted", 130)
@@ -101,10 +101,18 @@ def main() -> None:
         _stop(f"error inside robotics1, please report it: {type(error).__name__}: {error} ({where})", 2)
 
 
-def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
-    from robotics1.cli.output import PlainConsole
+def _shown_once() -> Callable[..., None]:
+    """Return what shows a warning, unless it has shown the same one before."""
+    shown: set[str] = set()
 
-    PlainConsole(stderr=True).say(printable(f"warning: {message}"), style="yellow")
+    def show(message: Warning | str, *_: object, **__: object) -> None:
+        from robotics1.cli.output import PlainConsole
+
+        if str(message) not in shown:
+            shown.add(str(message))
+            PlainConsole(stderr=True).say(printable(f"warning: {message}"), style="yellow")
+
+    return show
 
 
 def _stop(message: str, code: int) -> NoReturn:

@@ -115,7 +115,7 @@ def ik(
         wanted = answers.read_targets(targets, what, degrees)
         done = answers.many_solutions(arm, what, wanted, start, options, degrees=degrees, json=json)
     else:
-        goal = answers.parse_target(what, target or "", degrees)
+        goal = answers.parse_target(what, target or "", degrees, by_default=task is None)
         if question == ITERATE:
             start = arguments.configuration(arm, None, degrees) if start is None else start
             options["method"] = method

@@ -31,14 +31,28 @@ OF_A_FAMILY = 16  # solutions that are printed, where there are infinitely many
 IN_COLUMNS = 4  # joints, up to which the table has a column for the posture
 OF_A_FILE = 20  # targets that are printed; JSON has all
 
+POSITIONS = {(3, 2): ("planar pose x,y,φ", "position:xy"), (6, 3): ("pose", "position")}  # rows, numbers of a target
 
-def parse_target(task: FrameTask, text: str, degrees: bool) -> Any:
+
+def parse_target(task: FrameTask, text: str, degrees: bool, *, by_default: bool = False) -> Any:
     """Return the target as the task takes it: a vector, or a matrix typed row by row.
 
+    Args:
+        task: r = f(q).
+        text: as typed.
+        degrees: whether its angles are in degrees.
+        by_default: whether no task was typed.
+
     Raises:
-        InputError: the wrong number of values.
+        InputError: the wrong number of values; or they are a position, and the task is a pose that nobody typed.
     """
     values = parse_vector(text, degrees)
+    if by_default and (task.rows, values.size) in POSITIONS:
+        kind, option = POSITIONS[task.rows, values.size]
+        raise InputError(
+            f"{values.size} numbers are a position, and this robot's task is the {kind}, {task.rows} numbers; "
+            f"for a position add --task {option}"
+        )
     value = task.g(np.zeros(3), np.eye(3))
     shape = np.shape(getattr(value, "homogeneous", value))
     if len(shape) == 2:

@@ -37,7 +37,10 @@ Packages = Annotated[
 Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
 Frame = Annotated[str | None, typer.Option(help="The link that is asked about; by default the tool.")]
 Q = Annotated[
-    str | None, typer.Option("--q", help="Joint values, as in 0.5,pi/2,-0.7pi; or a posture's name; by default zero.")
+    str | None,
+    typer.Option(
+        "--q", "-q", help="Joint values, as in 0.5,pi/2,-0.7pi or q1=0.5,q2=1; or a posture's name; by default zero."
+    ),
 ]
 TaskName = Annotated[
     str | None, typer.Option("--task", help=f"The task: {', '.join(TASKS)}; by default by the kind of robot.")
@@ -46,4 +49,5 @@ Degrees = Annotated[
     bool,
     typer.Option("--degrees", help="Angles are read and printed in degrees; JSON stays in radians."),
 ]
+TypedDegrees = Annotated[bool, typer.Option("--degrees", help="The angles of the other options are in degrees.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,12 +11,10 @@ from robotics1.cli import arguments
 from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
 from robotics1.cli.uncompiled import run_without_compiler
 from robotics1.cli.workers import Scheduler, Workers, opened_executor
-from robotics1.errors import InputError
 
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from robotics1.robot.model import Robot
     from robotics1.singularities.reduction import Measure
     from robotics1.singularities.scan_result import SingularityScan
 
@@ -69,7 +65,7 @@ def scan(
         method=method,
         seed=seed,
         refine=refine,
-        box=_parse_box(arm, box or [], degrees),
+        box=arguments.parse_box(arm, box, degrees),
         length=arm.reach if length == "reach" else arguments.parse_number(length),
         checkpoint=checkpoint,
     )
@@ -77,25 +73,6 @@ def scan(
         write_json(_as_json(done))
     else:
         _print(done, degrees)
-
-
-def _parse_box(robot: Robot, texts: Sequence[str], degrees: bool) -> dict[str, tuple[float, float]]:
-    """Return joint → (lower, upper), each typed as q1=-1:pi/2; of revolute joints in degrees where asked.
-
-    Raises:
-        InputError: one of them is not name=lower:upper.
-    """
-    box = {}
-    for text in texts:
-        name, _, interval = text.partition("=")
-        typed = interval.split(":") if interval else []
-        ends = [arguments.parse_number(arguments.without_pi(end) if degrees else end) for end in typed]
-        if len(ends) != 2:
-            raise InputError(f"{text!r} is not an interval; write it like q1=-1:pi/2")
-        turns = degrees and name in robot.joint_names and robot.revolute[robot.joint_names.index(name)]
-        lower, upper = (radians(end) if turns else end for end in ends)
-        box[name] = (lower, upper)
-    return box
 
 
 def _run(by: tuple[int | None, str | None], *asked: Any, **options: Any) -> SingularityScan:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool, TypedDegrees
 from robotics1.errors import FormulaError, InputError
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ def singularities(
     tool: Tool = None,
     packages: Packages = None,
     lock: Locked = None,
+    degrees: TypedDegrees = False,
     json: AsJson = False,
 ) -> None:
     """All singular configurations of a task: where, what is lost there, and what does not move the tool."""
@@ -42,7 +43,7 @@ def singularities(
         raise InputError("choose one of --latex and --python")
     if intersections and (latex or python):
         raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
-    arm, out = arguments.parse_robot(robot, param, tool, packages, lock), PlainConsole()
+    arm, out = arguments.parse_robot(robot, param, tool, packages, lock, degrees), PlainConsole()
     with PlainConsole(stderr=True).status("searching"):
         found = find_singularities(
             arm, arguments.task_for(arm, task, frame), method=cast(Any, method), time_limit=time_limit

@@ -4,18 +4,22 @@ from typing import Any
 
 from typer.core import TyperCommand, TyperGroup
 
+from robotics1.errors import nearest_names
+
 MEANT = {"--q": "the values of the joints", "--target": "a target", "--force": "a force"}
 
 
 class CommandGroup(TyperGroup):
-    """The commands; the beginning of a name is answered with the whole name."""
+    """The commands; what is none is answered with those that begin so or are near."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         """Return the command that is named first."""
         try:
             return super().resolve_command(ctx, args)
         except Exception as error:
-            whole = [name for name in self.commands if name.startswith(args[0])]
+            whole = [name for name in self.commands if name.startswith(args[0].lower())] or nearest_names(
+                args[0], self.commands
+            )
             if whole and "Did you mean" not in getattr(error, "message", "Did you mean"):
                 error.message = f"{error.message.rstrip('.')}. Did you mean {', '.join(map(repr, whole))}?"  # type: ignore[attr-defined]
             raise

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, Tool
+from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, Tool, TypedDegrees
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
@@ -19,7 +19,8 @@ EXAMPLES = ("workspace planar_2r", "workspace planar_2r --box q1=-1:1 --box q2=0
 Boxes = Annotated[
     list[str] | None,
     typer.Option(
-        "--box", help="A joint and its range [rad or m], as in q2=0.2:1.5; needed for a slide without limits."
+        "--box",
+        help="A joint and its range [rad, m, or --degrees], as q2=0.2:1.5; needed for a slide without limits.",
     ),
 ]
 TaskName = Annotated[
@@ -60,6 +61,7 @@ def workspace(
     circle: Circle = False,
     dexterous: Dexterous = False,
     formulas: Symbolic = False,
+    degrees: TypedDegrees = False,
     figure: Figure = None,
     json: AsJson = False,
 ) -> None:
@@ -68,7 +70,8 @@ def workspace(
     from robotics1.terminal_tables import table
     from robotics1.workspaces.find import workspace as found_workspace
 
-    arm, ranges = arguments.parse_robot(robot, param, tool, packages, lock), _ranges(box)
+    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
+    ranges = arguments.parse_box(arm, box, degrees) or None
     asked = arguments.parse_task(task, frame) if task is not None else _own_task(arm, frame)
     ws = found_workspace(arm, asked, box=ranges)
     if figure is not None:
@@ -144,22 +147,6 @@ def _answer_as_json(answer: Any) -> dict[str, Any]:
     plain.pop("outlines", None)
     plain = {name: str(value) if hasattr(value, "free_symbols") else value for name, value in plain.items()}
     return plain | {"explanation": answer.explain()}
-
-
-def _ranges(texts: Sequence[str] | None) -> dict[str, tuple[float, float]] | None:
-    """Return ranges of joints typed as q2=0.2:1.5.
-
-    Raises:
-        InputError: one is not of this form.
-    """
-    ranges = {}
-    for text in texts or ():
-        name, _, ends = text.partition("=")
-        low, colon, high = ends.partition(":")
-        if not colon:
-            raise InputError(f"{text[:100]!r} is not a range of a joint; write it like q2=0.2:1.5")
-        ranges[name.strip()] = (arguments.parse_number(low), arguments.parse_number(high))
-    return ranges or None
 
 
 def _as_json(ws: "Workspace") -> dict[str, Any]:

@@ -6,6 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from robotics1.angles import angles_of_an_iteration
 from robotics1.errors import TaskError
 from robotics1.ik.iteration_error import Bounds, ErrorKind, error_and_jacobian, tolerances
 from robotics1.ik.result import IKStatus
@@ -159,18 +160,19 @@ def iterate_ik(
     error_at = error_and_jacobian(robot, task, target, error)
     table: list[IKIterate] = []
     too_far = _too_far(robot, task, q, target)
-    while True:
-        e, J = error_at(q)
-        table.append(_row(len(table), q, task.value(robot, q), e, J))
-        status = _status(J, e, method, bounds, len(table) > limit)
-        if status is None:
-            with np.errstate(over="ignore", invalid="ignore"):
-                ahead = q + step(J, e)
-            if not np.all(np.abs(ahead) < too_far):  # also when it is not a number
-                status = IKStatus.DIVERGED
-        if status is not None:
-            return IKIteration(status, q, tuple(table), robot.within_limits(q), method, bounds.rows)
-        q = ahead
+    with angles_of_an_iteration():
+        while True:
+            e, J = error_at(q)
+            table.append(_row(len(table), q, task.value(robot, q), e, J))
+            status = _status(J, e, method, bounds, len(table) > limit)
+            if status is None:
+                with np.errstate(over="ignore", invalid="ignore"):
+                    ahead = q + step(J, e)
+                if not np.all(np.abs(ahead) < too_far):  # also when it is not a number
+                    status = IKStatus.DIVERGED
+            if status is not None:
+                return IKIteration(status, q, tuple(table), robot.within_limits(q), method, bounds.rows)
+            q = ahead
 
 
 def _too_far(robot: Robot, task: Task, q0: Array, target: Any) -> Array:

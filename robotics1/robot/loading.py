@@ -1,6 +1,5 @@
 """From a file to a `Robot`: the text is expanded, checked, and becomes joints and Pinocchio's model."""
 
-import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -14,7 +13,7 @@ from robotics1.errors import (
     MissingExtraError,
     RobotFileError,
     Robotics1Error,
-    RobotWarning,
+    warn,
 )
 from robotics1.inputs import by_name
 from robotics1.robot.building import build_model
@@ -94,7 +93,7 @@ def load_robot(
     odd = [str(finding) for finding in report.warnings if finding.message.startswith("joint ")]
     if odd:
         more = f"; and {len(odd) - SHOWN} more in robot.warnings" if len(odd) > SHOWN else ""
-        warnings.warn(f"robot {robot.name!r}: {'; '.join(odd[:SHOWN])}{more}", RobotWarning, stacklevel=2)
+        warn(f"robot {robot.name!r}: {'; '.join(odd[:SHOWN])}{more}")
     return robot
 
 

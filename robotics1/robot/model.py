@@ -210,7 +210,7 @@ class Robot(DescribedRobot):
             UnknownNameError: there is no joint or posture of that name.
 
         Warns:
-            RobotWarning: an angle is a whole or half number from 10 to 720, or was typed far outside its
+            RobotWarning: an angle of 10 to 720 is a whole or half number, or is more than a turn outside its
                 limits, as if in degrees.
         """
         if isinstance(q, str | Mapping):

@@ -1,7 +1,6 @@
 """What there is to draw of a robot: the visuals of its links, as plain records."""
 
 import math
-import warnings
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -9,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from robotics1.errors import RobotWarning
+from robotics1.errors import warn
 from robotics1.results import Frozen
 from robotics1.robot.frames import frame_number
 from robotics1.robot.joints import Triple
@@ -106,7 +105,7 @@ def _visuals(robot: Robot) -> Iterator[Visual]:
             try:
                 shape, T = _shape(part), _placement(part)
             except ValueError as error:
-                warnings.warn(f"a visual of link {name!r} {error}, so it is not drawn", RobotWarning, stacklevel=4)
+                warn(f"a visual of link {name!r} {error}, so it is not drawn")
                 continue
             yield Visual(name, int(frame.parentJoint), frame.placement * T, shape, _color(part))
 

@@ -16,7 +16,7 @@ from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tasks.given import TaskLike, task_from
 from robotics1.trajectories.target_motion import TargetMotion
-from robotics1.viewer.arm_data import arm_data, is_planar
+from robotics1.viewer.arm_data import arm_data, is_planar, stand_in
 from robotics1.viewer.page import Page, page_of
 from robotics1.viewer.samples import recorded, samples_of, target_samples
 from robotics1.viewer.shapes import Shapes
@@ -57,7 +57,8 @@ def animate(
         file: the file to write.
         times, q: recorded instants (k,) [s] and configurations (k, n), in the place of a motion.
         target: a moving point p(t) with two (x, y) or three coordinates [m].
-        task: the task whose Jacobian the page shows; by default the position or the pose of the tool.
+        task: the task whose Jacobian the page shows; by default the position or the pose of the tool. In the place of
+            a task whose rows S in ṙ = S V are not constant, the page shows the default one, and says so.
         names: one for each of several motions; by default the robots' names.
         title: by default the robot's name.
         caption: lines under the title.
@@ -112,7 +113,8 @@ def view(
         q: (nq,) where it is at first; by default the first of the solutions, or zero, or what is next to it inside the
             limits.
         file: the file to write.
-        task: the task whose Jacobian the page shows; by default the position or the pose of the tool.
+        task: the task whose Jacobian the page shows; by default the position or the pose of the tool. In the place of
+            a task whose rows S in ṙ = S V are not constant, the page shows the default one, and says so.
         solutions: what `ik_solutions` has found, or configurations (n,), to leaf through; or label → configuration.
         reach: a map of a grid that `reachability_map` returns, in the axes of the world: the cells that are reached are
             drawn as boxes, with a colour scale, and a slider that cuts them open.
@@ -176,6 +178,7 @@ def _arm(robot: Robot, q: Array, task: TaskLike | None, shapes: Shapes, label: s
     """Return an arm of the page with its shapes."""
     if task is not None:
         task = task_from(task)
+        shapes.note(stand_in(robot, task))
     return {**arm_data(robot, q, task), "label": label, "shapes": shapes.of(robot)}
 
 

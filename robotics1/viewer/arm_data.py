@@ -21,6 +21,18 @@ SAMPLES = 16  # random configurations, at which the usual σ₁ and the rank are
 FLAT = 1e-9  # of a rate out of the plane z = 0 that is rounding
 
 
+def stand_in(robot: Robot, task: Task) -> str:
+    """Return the sentence for a page that shows another task in the place of `task`; "" where it shows this one."""
+    if constant_rows(with_frame_at_point(robot, task)[1]) is not None:
+        return ""
+    shown = default_task(robot)
+    instead = "nothing is shown of it"
+    if shown is not None:
+        instead = f"σ_min and the arrows are those of {type(shown).__name__} ({', '.join(shown.row_names)})"
+    asked = f"{type(task).__name__} ({', '.join(task.row_names)})"
+    return f"The page computes with tasks of one frame and constant rows; {asked} is none: {instead}."
+
+
 def arm_data(robot: Robot, q: Array, task: Task | None) -> dict[str, Any]:
     """Return what the page needs to move an arm.
 

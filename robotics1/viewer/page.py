@@ -4,6 +4,7 @@ import html
 import json
 from dataclasses import dataclass, field
 from importlib.resources import files
+from importlib.util import find_spec
 from pathlib import Path
 from string import Template
 from typing import Any
@@ -73,11 +74,11 @@ def page_of(data: dict[str, Any], *, title: str, caption: str, notes: str, file:
 
 
 def _meshcat() -> str:
-    try:
-        import meshcat
-    except ImportError as error:
-        raise MissingExtraError("meshcat", "viewer") from error
-    return (Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js").read_text(encoding="utf-8")
+    """Return Meshcat's script: the file is read without an import, which would start ZeroMQ and Tornado."""
+    package = find_spec("meshcat")
+    if package is None or package.origin is None:
+        raise MissingExtraError("meshcat", "viewer")
+    return (Path(package.origin).parent / "viewer" / "dist" / "main.min.js").read_text(encoding="utf-8")
 
 
 def _json(data: dict[str, Any]) -> str:

@@ -1,14 +1,13 @@
 """The shapes to draw, as the page wants them: plain shapes by their sizes, meshes packed."""
 
 import base64
-import warnings
 import zlib
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from robotics1.errors import InputError, RobotWarning
+from robotics1.errors import InputError, warn
 from robotics1.robot.model import Robot
 from robotics1.robot.visuals import Box, Capsule, Cylinder, MeshFile, Sphere, Visual, read_visuals
 from robotics1.viewer.arm_data import placement
@@ -29,7 +28,7 @@ class Shapes:
 
     Attributes:
         meshes: the packed meshes.
-        notes: what is not drawn, in sentences.
+        notes: what the page does not show, in sentences.
     """
 
     meshes: list[dict[str, Any]] = field(default_factory=list)
@@ -50,7 +49,7 @@ class Shapes:
             more = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
             self._warn(f"{missing[0]}{more}. {HOW_TO_FIND} {INSTEAD}")
         elif not shapes and not unread:
-            self._note(NO_SHAPES)
+            self.note(NO_SHAPES)
         return [*shapes, *skeleton(robot)] if missing or unread or not shapes else shapes
 
     def _drawn(self, visual: Visual) -> list[dict[str, Any]]:
@@ -79,11 +78,12 @@ class Shapes:
         return self._known[mesh.path]
 
     def _warn(self, sentence: str) -> None:
-        warnings.warn(sentence, RobotWarning, stacklevel=7)
-        self._note(f"{sentence[0].upper()}{sentence[1:]}")
+        warn(sentence)
+        self.note(f"{sentence[0].upper()}{sentence[1:]}")
 
-    def _note(self, sentence: str) -> None:
-        if sentence not in self.notes:
+    def note(self, sentence: str) -> None:
+        """Keep a sentence that the page shows, once."""
+        if sentence and sentence not in self.notes:
             self.notes.append(sentence)
 
 
