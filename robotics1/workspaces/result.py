@@ -22,6 +22,9 @@ class PlacedSection(Protocol):
     def distance(self, p: npt.ArrayLike) -> float:
         """Return the distance of a point (m,) from the boundary [m]."""
 
+    def clearance(self, p: npt.ArrayLike) -> float:
+        """Return a length [m] that the distance is not below, in less time."""
+
     def configurations(self, p: npt.ArrayLike) -> Array:
         """Return configurations (k, nq) that reach a point (m,), some if there are infinitely many."""
 
@@ -196,8 +199,6 @@ class Workspace(Frozen):
 
         Raises:
             InputError: p has another shape or is not finite.
-            TaskError: the first joint moves a section with traced curves between limits; the distance from the ends is
-                not known.
         """
         return self.section.distance(p)
 
