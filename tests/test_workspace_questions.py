@@ -342,6 +342,9 @@ def test_a_shell_with_a_tool_is_sampled_to_its_resolution(with_tool):
     assert ws.volume_error < 0.1 * ws.volume
     assert ws.r_max == pytest.approx(1.7, abs=1e-8)
     assert ws.r_min == 0
+    assert ws.r_bounds[0] == 0
+    assert 0 <= ws.r_bounds[1] - ws.r_max < 1e-5
+    assert f"none farther than {ws.r_bounds[1]:.9g} m: that is proven" in ws.explain()
     assert len(ws.regions) == 1
     assert [void.area for void in ws.voids] == [pytest.approx(pi * 0.1**2 / 2, rel=0.3)]
     assert "not proven" in ws.explain()
