@@ -11,7 +11,7 @@ if __name__ == "__main__":
 import argparse
 import sys
 from collections.abc import Iterator
-from time import process_time
+from time import monotonic, process_time
 
 import numpy as np
 import pinocchio as pin
@@ -26,6 +26,7 @@ from robotics1.workspaces import PoseStatus, ReachabilityMap, extreme_reach, rea
 SEED = 20250116
 STEP = 0.05  # [m], of the grids
 DRAWN = 5000  # configurations at once
+BUDGET, QUICK_BUDGET = 30.0, 3.0  # seconds of wall clock that each peer gets for each arm in each table
 POSITIONS, ORIENTATIONS = 24, 6
 IK_PEERS = ("TRAC-IK (pytracik), 50 ms", "Pinocchio, damped least squares in Python")
 REACH_STARTS = 20_000
@@ -42,24 +43,25 @@ LIMITED = """<robot name="3R"><link name="base"/>
 VOLUMES = """\
 The volume that the tool reaches, whatever its orientation. *Exact* is `workspace`, where the boundary is known. A map
 asks the centre of each cell of a grid of {step:g} m. Sampling draws configurations uniform in the limits, in the same
-processor time as the map and in ten times as much, and counts the cells that the tool falls into: too few where
-configurations are rare, and too many along the boundary, where a cell counts whose centre is out of reach. The share
-is of the cells of our map; *not in our map* are cells that were met although the map leaves them out, whose centres are
-thus out of reach: they are along the boundary."""
+processor time as the map and in ten times as much, but {budget:g} s of wall clock at most, and counts the cells that
+the tool falls into: too few where configurations are rare, and too many along the boundary, where a cell counts whose
+centre is out of reach. The share is of the cells of our map; *not in our map* are cells that were met although the map
+leaves them out, whose centres are thus out of reach: they are along the boundary."""
 SHARES = """\
 {positions} positions uniform in a cube of half the arm's reach to each side, each with the same {orientations}
 orientations: of each orientation the share of positions at which it is reached. A peer is right where Pinocchio
 verifies its answer inside the limits. *Wrongly out of reach* counts poses that we call proven out of reach and the peer
-reaches; *not found by us* those it reaches and we do not find; *given up* those that we reach and the peer does not."""
+reaches; *not found by us* those it reaches and we do not find; *given up* those that we reach and the peer does not.
+Each peer has {budget:g} s of wall clock for each arm; *asked* is how many of the poses it came to."""
 REACHES = """\
 How far the tool gets from the base, as certified by `extreme_reach` in {seconds:g} s of wall clock at most, beside the
 farthest of {starts:,} random configurations."""
 
 
-def volumes(arm: Arm, step: float) -> list[list[str]]:
+def volumes(arm: Arm, step: float, budget: float) -> list[list[str]]:
     """Return the rows of one arm: its exact workspace, our map, and sampling."""
     rows, task = [], PositionTask()
-    reachability_map(arm.robot, task, {"x": [0.3], "y": [0.2], "z": [0.4]})  # compiles
+    reachability_map(arm.robot, task, step)  # compiles what as many poses need
     begin = process_time()
     known = reachability_map(arm.robot, task, step)
     seconds = process_time() - begin
@@ -75,58 +77,64 @@ def volumes(arm: Arm, step: float) -> list[list[str]]:
         if isinstance(sampler, str):
             rows.append([arm.name, name, f"**{sampler}**", "–", "–", "–"])
             continue
-        for took, met in sampled(arm, sampler, inside, low, step, (seconds, 10 * seconds)):
+        for took, met in sampled(arm, sampler, inside.shape, low, step, (seconds, 10 * seconds), budget):
             found = f"{100 * (met & inside).sum() / inside.sum():.1f} %"
             rows.append([arm.name, name, took, f"{met.sum() * step**3:.4f}", found, str((met & ~inside).sum())])
     return rows
 
 
 def sampled(
-    arm: Arm, sampler: Sampler, inside: Array, low: Array, step: float, ends: tuple[float, ...]
+    arm: Arm, sampler: Sampler, shape: tuple[int, ...], low: Array, step: float, ends: tuple[float, ...], budget: float
 ) -> Iterator[tuple[str, Array]]:
-    """Yield the seconds, and which cells the tool was in until then."""
-    met, rng = np.zeros(inside.shape, dtype=bool), np.random.default_rng(SEED)
+    """Yield the seconds, and which cells the tool was in until then; the budget is wall clock."""
+    met, rng = np.zeros(shape, dtype=bool), np.random.default_rng(SEED)
     sampler(rng.uniform(arm.robot.lower, arm.robot.upper, (2, arm.robot.nq)))
-    begin = process_time()
+    begin, stop = process_time(), monotonic() + budget
     for end in ends:
-        while process_time() - begin < end:
+        while process_time() - begin < end and monotonic() < stop:
             q = rng.uniform(arm.robot.lower, arm.robot.upper, (DRAWN, arm.robot.nq))
             met[tuple(((sampler(q) - low) / step).astype(int).T)] = True
-        yield f"{process_time() - begin:.2f}", met.copy()
+        took = process_time() - begin
+        yield f"{took:.2f}" + (" (budget)" if took < end else ""), met.copy()
 
 
-def shares(arm: Arm, positions: int) -> tuple[list[list[str]], int]:
+def shares(arm: Arm, positions: int, budget: float) -> tuple[list[list[str]], int]:
     """Return the shares of the positions that are reached with each orientation, ours and those of peers, and how many
     poses were called out of reach wrongly.
     """
     rng = np.random.default_rng(SEED)
     places = rng.uniform(-0.5, 0.5, (positions, 3)) * arm.robot.reach
     known = reachability_map(arm.robot, PoseTask(), places, ORIENTATIONS)
-    rows = [[arm.name, "robotics1 `reachability_map`", *_percent(known.reached), "–", "–", "–"]]
+    rows = [[arm.name, "robotics1 `reachability_map`", *_percent(known.reached), str(known.status.size), "–", "–", "–"]]
     wrong = 0
     for name in IK_PEERS:
         solver = make_solver(name, arm)
         if isinstance(solver, str):
-            rows.append([arm.name, name, *["–"] * ORIENTATIONS, f"**{solver}**", "–", "–"])
+            rows.append([arm.name, name, *["–"] * ORIENTATIONS, "–", f"**{solver}**", "–", "–"])
             continue
-        reached = by_peer(arm, solver, known)
+        reached, asked = by_peer(arm, solver, known, budget)
         never = int((reached & (known.status == PoseStatus.UNREACHABLE)).sum())
         unseen = int((reached & (known.status == PoseStatus.NOT_FOUND)).sum())
-        given_up = int((known.reached & ~reached).sum())
-        rows.append([arm.name, name, *_percent(reached), str(never), str(unseen), str(given_up)])
+        given_up = int((known.reached & asked & ~reached).sum())
+        rows.append(
+            [arm.name, name, *_percent(reached, asked), str(asked.sum()), str(never), str(unseen), str(given_up)]
+        )
         wrong += never
     return rows, wrong
 
 
-def by_peer(arm: Arm, solver: Solver, known: ReachabilityMap) -> Array:
-    """Return which poses (k, o) of a map a peer reaches."""
-    middle = 0.5 * (arm.robot.lower + arm.robot.upper)
-    reached = np.zeros(known.status.shape, dtype=bool)
+def by_peer(arm: Arm, solver: Solver, known: ReachabilityMap, budget: float) -> tuple[Array, Array]:
+    """Return which poses (k, o) of a map a peer reaches, and which it was asked within its budget of wall clock."""
+    middle, stop = 0.5 * (arm.robot.lower + arm.robot.upper), monotonic() + budget
+    reached, asked = np.zeros((2, *known.status.shape), dtype=bool)
     for i, o in np.ndindex(reached.shape):
+        if monotonic() > stop:
+            break
         T = pin.SE3(known.orientations[o], known.positions[i])
         q = solver.solve(solver.convert(T), middle)
+        asked[i, o] = True
         reached[i, o] = q is not None and arm.meets(np.asarray(q), T) and arm.inside(np.asarray(q))
-    return reached
+    return reached, asked
 
 
 def reaches(arm: Arm, seconds: float) -> list[str]:
@@ -139,8 +147,9 @@ def reaches(arm: Arm, seconds: float) -> list[str]:
     return [arm.name, f"{found.value:.6f}", f"{found.bound:.6f}", f"{found.gap:.1e}", f"{took:.2f}", f"{far:.6f}"]
 
 
-def _percent(reached: Array) -> list[str]:
-    return [f"{100 * share:.0f} %" for share in reached.mean(axis=0)]
+def _percent(reached: Array, asked: Array | None = None) -> list[str]:
+    counts = np.full(reached.shape[1], len(reached)) if asked is None else np.maximum(asked.sum(axis=0), 1)
+    return [f"{100 * share:.0f} %" for share in reached.sum(axis=0) / counts]
 
 
 def main() -> None:
@@ -148,23 +157,23 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="coarser grids, fewer poses; write nothing")
     quick = parser.parse_args().quick
-    step, positions, seconds = (3 * STEP, 3, 0.5) if quick else (STEP, POSITIONS, 20.0)
+    step, positions, seconds, budget = (3 * STEP, 3, 0.5, QUICK_BUDGET) if quick else (STEP, POSITIONS, 20.0, BUDGET)
     arms = (arm_of_text(KNOWN, LIMITED, "base", "tip"), ur5(), panda())
-    volume_rows = [row for arm in arms for row in volumes(arm, step)]
+    volume_rows = [row for arm in arms for row in volumes(arm, step, budget)]
     share_rows, wrong = [], 0
     for arm in arms[1:]:
-        rows, more = shares(arm, positions)
+        rows, more = shares(arm, positions, budget)
         share_rows, wrong = share_rows + rows, wrong + more
     targets: list[Target] = [at_most("poses wrongly called out of reach", 0, float(wrong), "")]
     numbers = [f"{i + 1}" for i in range(ORIENTATIONS)]
-    columns = ["arm", "way", *numbers, "wrongly out of reach", "not found by us", "given up"]
+    columns = ["arm", "way", *numbers, "asked", "wrongly out of reach", "not found by us", "given up"]
     parts = [
         "# Workspaces",
         conditions("python -m benchmarks.workspaces", SEED),
         f"## Targets\n\n{target_table(targets)}",
-        "## Volumes\n\n" + VOLUMES.format(step=step),
+        "## Volumes\n\n" + VOLUMES.format(step=step, budget=budget),
         table(["arm", "way", "s", "m³", "of our cells", "not in our map"], volume_rows),
-        "## Shares by orientation\n\n" + SHARES.format(positions=positions, orientations=ORIENTATIONS),
+        "## Shares by orientation\n\n" + SHARES.format(positions=positions, orientations=ORIENTATIONS, budget=budget),
         table(columns, share_rows),
         "## Reach\n\n" + REACHES.format(seconds=seconds, starts=REACH_STARTS),
         table(["arm", "value m", "bound m", "gap m", "s", "of random ones m"], [reaches(arm, seconds) for arm in arms]),

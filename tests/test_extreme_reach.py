@@ -87,18 +87,33 @@ def test_the_reach_of_a_ur5_is_proven():
     assert max(np.linalg.norm(XYZ.value(arm, q)) for q in drawn) < found.value
 
 
-@pytest.mark.sweep
-@pytest.mark.parametrize("smallest", [False, True])
-def test_many_starts_of_a_panda_find_nothing_beyond_the_bound(smallest):
+def test_the_reach_of_a_panda_is_that_of_its_shoulder_and_of_what_is_after_it():
+    """Axes 1 to 3 meet 0.333 above the base: z = 0.333 + D, |p| = 0.333 + D, x = D with D = max |p − shoulder|."""
     arm = r1.load_robot("panda", tool="panda_link8")
-    found = extreme_reach(arm, XYZ, smallest=smallest, direction=[1, 0, 0], time_limit=20)
-    assert found.gap < 0.02  # by the support function; boxes alone leave some decimetres
+    shoulder = {"origin": [0, 0, 0.333], "time_limit": 60}
+    D = extreme_reach(arm, XYZ, **shoulder)
+    for found, value in (
+        (extreme_reach(arm, XYZ, direction=[0, 0, 1], time_limit=60), 0.333 + D.value),
+        (extreme_reach(arm, XYZ, time_limit=60), 0.333 + D.value),
+        (extreme_reach(arm, XYZ, direction=[1, 0, 0], smallest=True, time_limit=60), -D.value),
+    ):
+        assert_proven(found, value)
+        assert found.bounded_by == "pivots"
+        assert "triangle inequality" in found.explain()
     rng = np.random.default_rng(1)
-    x = np.array([XYZ.value(arm, q)[0] for q in rng.uniform(arm.lower, arm.upper, (20_000, arm.nq))])
-    if smallest:
-        assert found.bound <= found.value <= x.min()
-    else:
-        assert found.bound >= found.value >= x.max()
+    drawn = [XYZ.value(arm, q) for q in rng.uniform(arm.lower, arm.upper, (3000, arm.nq))]
+    assert np.linalg.norm(np.array(drawn) - [0, 0, 0.333], axis=1).max() < D.value < D.bound < D.value + 2e-6
+
+
+@pytest.mark.parametrize("wrist", [0.0, 0.05])
+def test_a_tool_beyond_a_wrist_reaches_by_its_length_farther(wrist):
+    """A shoulder 0.4 above the base, 0.5 and 0.3 to the wrist, a tool of 0.2: 0.5 + 0.3 + 0.2 from the shoulder."""
+    rows = [("R", 0, pi / 2, 0.4, 0), ("R", 0.5, 0, 0, 0), ("R", 0, pi / 2, 0, 0), ("R", 0, -pi / 2, 0.3, 0)]
+    arm = r1.robot_from_dh([*rows, ("R", 0, pi / 2, 0, 0), ("R", 0.2, 0, wrist, 0)])
+    tool = hypot(0.2, wrist)
+    assert_proven(extreme_reach(arm, XYZ, time_limit=60), 0.4 + 0.8 + tool)
+    assert_proven(extreme_reach(arm, XYZ, direction=[0, 3, 4], time_limit=60), 0.8 + tool + 0.8 * 0.4)
+    assert_proven(extreme_reach(arm, XYZ, origin=[3, 0, 0.4], smallest=True, time_limit=60), 3 - 0.8 - tool)
 
 
 def test_a_search_that_is_cut_short_says_so_and_its_bound_holds():

@@ -4,9 +4,10 @@ from math import cos, hypot, pi, sin
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import assume, given, settings, strategies as st
 from planar_chains import XYZ
 from scipy.optimize import minimize
+from spatial_arms import drawn_arm
 
 import robotics1 as r1
 from robotics1.workspaces import crossings, workspace
@@ -95,8 +96,51 @@ def test_crossings_of_a_turn_with_limits_are_found_by_steps_as_long_as_the_dista
     assert found.resolution < 1e-4
 
 
-def test_where_three_joints_with_offsets_turn_between_limits_the_distance_is_refused():
-    rows = [("R", 0.3, pi / 2, 0.5, 0), ("R", 1.0, 0, 0.2, 0), ("R", 0.7, 0, 0, 0)]
-    ws = workspace(r1.robot_from_dh(rows, lower=[-1, -1, 0.1], upper=[1, 1, 1]), XYZ)
-    with pytest.raises(r1.TaskError, match="full turn"):
-        ws.distance([1, 0, 0])
+@settings(max_examples=5)
+@given(st.integers(0, 300))
+def test_with_offsets_too_it_is_the_distance_of_the_nearest_configuration(seed):
+    arm, rng = drawn_arm(seed), np.random.default_rng(seed)
+    ws = _workspace(arm)
+    p = _where(ws, rng, reached=False)
+    assert ws.distance(p) == pytest.approx(nearest_of_all(arm, p, rng), abs=1e-6)
+
+
+@settings(max_examples=5)
+@given(st.integers(0, 300))
+def test_with_offsets_too_a_ball_of_this_radius_is_reached_and_touches_what_is_not(seed):
+    """The nearest point of the boundary is p − d ∇d: some points around it are not reached."""
+    arm, rng = drawn_arm(seed), np.random.default_rng(seed)
+    ws = _workspace(arm)
+    around = rng.normal(size=(300, 3))
+    around /= np.linalg.norm(around, axis=1)[:, None]
+    p = _where(ws, rng, reached=True)
+    d, step = ws.distance(p), 1e-6
+    assert ws.section.contains_each(p + 0.999 * d * around).all()
+    slope = np.array([ws.distance(p + step * e) - ws.distance(p - step * e) for e in np.eye(3)]) / (2 * step)
+    assert np.linalg.norm(slope) == pytest.approx(1.0, abs=1e-3)
+    assert not ws.section.contains_each(p - d * slope + 1e-2 * d * around).all()
+
+
+def _workspace(arm):
+    try:
+        return workspace(arm, XYZ)
+    except r1.TaskError:
+        assume(False)
+
+
+def _where(ws, rng, *, reached):
+    for p in rng.uniform(-1.0, 1.0, (200, 3)) * max(1.0, ws.r_max):
+        if ws.contains(p) == reached:
+            return p
+    assume(False)
+
+
+def test_a_slide_before_a_curved_section_has_walls_at_both_ends():
+    """A point on the torus of two turns, moved along z from 0 to 2: near the ends the nearest point is of an end."""
+    rows = [("P", 0, 0, 0, 0), ("R", 1, pi / 2, 0, 0), ("R", 0.3, 0, 0, 0)]
+    arm = r1.robot_from_dh(rows, lower=[0, -pi, -pi], upper=[2, pi, pi])
+    ws = workspace(arm, XYZ)
+    assert ws.distance([1, 0, 1]) == pytest.approx(0.3, abs=1e-9)  # the cylinder around the ring
+    assert ws.distance([1, 0, 2.2]) == pytest.approx(0.1, abs=1e-9)  # the torus at the upper end
+    assert ws.distance([0, 0, 1]) == pytest.approx(0.7, abs=1e-9)
+    assert ws.distance([1.6, 0, 2.4]) == pytest.approx(hypot(0.6, 0.4) - 0.3, abs=1e-9)

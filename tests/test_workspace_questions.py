@@ -193,12 +193,13 @@ def test_crossings_of_an_arm_with_offsets_are_on_its_boundary():
         assert r1.ik_solutions(arm, XYZ, p).singular.any() or len(r1.ik_solutions(arm, XYZ, p)) == 0
 
 
-def test_crossings_where_the_distance_is_not_known_are_sought_in_even_steps():
+def test_crossings_of_an_arm_with_offsets_and_limits_are_on_its_boundary():
     rows = [("R", 0, pi / 2, 0, 0), ("R", 1, 0, 0.2, 0), ("R", 1, 0, 0, 0)]
     ws = workspace(r1.robot_from_dh(rows, lower=[-1, -3, 0], upper=[1, 3, 3]), XYZ)
     found = crossings(ws, [[1, -3, 0.1], [1, 3, 0.1]])
     assert len(found.times) == 2
-    assert found.resolution == pytest.approx(6 / 400)
+    assert found.resolution < 1e-4
+    assert [ws.distance(p) for p in found.points] == pytest.approx([0, 0], abs=1e-7)  # `contains` takes in 1e-9 / |D|
 
 
 @pytest.mark.parametrize("wrong", [{"motion": [[0, 0, 0], [1, 1, 1]]}, {"motion": 3}, {"end": -1}, {"ws": None}])
@@ -341,6 +342,9 @@ def test_a_shell_with_a_tool_is_sampled_to_its_resolution(with_tool):
     assert ws.volume_error < 0.1 * ws.volume
     assert ws.r_max == pytest.approx(1.7, abs=1e-8)
     assert ws.r_min == 0
+    assert ws.r_bounds[0] == 0
+    assert 0 <= ws.r_bounds[1] - ws.r_max < 1e-5
+    assert f"none farther than {ws.r_bounds[1]:.9g} m: that is proven" in ws.explain()
     assert len(ws.regions) == 1
     assert [void.area for void in ws.voids] == [pytest.approx(pi * 0.1**2 / 2, rel=0.3)]
     assert "not proven" in ws.explain()
@@ -372,8 +376,13 @@ def test_a_first_joint_with_limits_takes_its_share_of_a_sampled_volume():
     share = np.mean([ws.contains(p) for p in rng.uniform(low, high, (150, 3))])
     assert ws.volume == pytest.approx(share * np.prod(high - low), rel=0.3)
     assert np.mean([ws.contains(p) for p in reached[:100]]) > 0.99
-    with pytest.raises(r1.TaskError, match="full turn"):
-        ws.distance([1, 0, 0])
+    side = float(np.ptp(reached, axis=0).max()) / 48
+    away = reached[np.argmax(reached[:, 0])] + np.array([0.5, 0, 0])
+    nearest = np.linalg.norm(reached - away, axis=1).min()
+    assert nearest - 2 * side < ws.distance(away) < nearest + side
+    assert ws.distance(reached[0]) < np.linalg.norm(reached[0] - away)
+    found = crossings(ws, [away, reached.mean(axis=0)])
+    assert found.entering.tolist() == [True]
 
 
 def test_a_spatial_arm_seen_in_two_coordinates_is_its_shadow():

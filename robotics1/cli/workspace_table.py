@@ -160,6 +160,7 @@ def _as_json(ws: "Workspace") -> dict[str, Any]:
         "volume": ws.volume,
         "r_min": ws.r_min,
         "r_max": ws.r_max,
+        "r_bounds": ws.r_bounds,
         "redundant": ws.redundant,
     }
     numbers |= {"volume_error": ws.volume_error, "resolution": ws.resolution, "cusps": ws.cusps, "nodes": ws.nodes}

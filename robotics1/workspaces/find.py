@@ -96,6 +96,7 @@ def flat_workspace(robot: Robot, arm: ReadArm) -> Workspace:
         volume=_volume(arm, plane, reached),
         r_min=r_min,
         r_max=r_max,
+        r_bounds=(r_min, r_max),
         nearest=nearest,
         farthest=farthest,
         boundary=tuple(boundary_curve(robot, arm, divider.piece.curve) for divider in edges),

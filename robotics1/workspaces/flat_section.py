@@ -89,6 +89,10 @@ class FlatSection:
             return min(flat, -beyond) if beyond < 0 else beyond
         return float(np.hypot(flat, max(beyond, 0.0)))
 
+    def clearance(self, p: npt.ArrayLike) -> float:
+        """Return the distance of a point (m,) from the boundary [m]."""
+        return self.distance(p)
+
     def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
         """Return which points (k, m) are reached."""
         return np.array([self.contains(p) for p in points], dtype=bool)

@@ -22,6 +22,9 @@ class PlacedSection(Protocol):
     def distance(self, p: npt.ArrayLike) -> float:
         """Return the distance of a point (m,) from the boundary [m]."""
 
+    def clearance(self, p: npt.ArrayLike) -> float:
+        """Return a length [m] that the distance is not below, in less time."""
+
     def configurations(self, p: npt.ArrayLike) -> Array:
         """Return configurations (k, nq) that reach a point (m,), some if there are infinitely many."""
 
@@ -129,7 +132,9 @@ class Workspace(Frozen):
             has limits and several solutions reach a point.
         resolution: the side of the cells [m] where the workspace is sampled; 0 where it is exact. A cell is reached if
             a configuration was found that reaches its middle; that there is none is not proven. Then `boundary` is
-            empty, and `nearest` and `farthest` are one configuration each, found by optimization.
+            empty, and `nearest` and `farthest` are one configuration each, found by optimization; see `r_bounds`.
+        r_bounds: what no point is nearer, and none is farther than [m]: r_min and r_max, or where these were found by
+            optimization, what is proven of them.
         redundant: whether more joints move the point than it has coordinates, so that solutions are not counted.
     """
 
@@ -150,6 +155,7 @@ class Workspace(Frozen):
     section: PlacedSection = field(repr=False)
     volume_error: float = 0.0
     resolution: float = 0.0
+    r_bounds: tuple[float, float] = field(default=(0.0, float("inf")), repr=False)
 
     def __repr__(self) -> str:
         size = f"area={self.area:.6g}" + ("" if self.volume is None else f", volume={self.volume:.6g}")
@@ -196,8 +202,6 @@ class Workspace(Frozen):
 
         Raises:
             InputError: p has another shape or is not finite.
-            TaskError: the first joint moves a section with traced curves between limits; the distance from the ends is
-                not known.
         """
         return self.section.distance(p)
 
@@ -220,6 +224,9 @@ class Workspace(Frozen):
             f"Its distances from the first joint's axis, or from the world's origin if that joint slides, go from "
             f"{self.r_min:.9g} m to {self.r_max:.9g} m."
         )
+        if self.resolution:
+            least, most = self.r_bounds
+            lines.append(f"No point is nearer than {least:.9g} m, and none farther than {most:.9g} m: that is proven.")
         for region in self.regions:
             many = "reached" if self.redundant else f"{region.solutions} solution{'s' * (region.solutions != 1)}"
             lines.append(f"A region of area {region.area:.6g} m²: {many}.")

@@ -8,12 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
-from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.axes import Axis
+from robotics1.workspaces.curved.base_range import BaseRange
 from robotics1.workspaces.curved.boundary_parts import BoundaryPart
 from robotics1.workspaces.curved.domain import Domain
 from robotics1.workspaces.curved.image_curves import TURNED
+from robotics1.workspaces.curved.limited_boundary import LimitedBoundary
 from robotics1.workspaces.curved.plane_map import PlaneMap
 from robotics1.workspaces.curved.strips import Strips
 from robotics1.workspaces.extents import corners_of_box
@@ -88,10 +89,10 @@ class CurvedSection:
 
     def _newton(self, q: Array, z: Array) -> Array:
         """Return the values to which Newton's method leads from q (k, 2), where it ends at the point and inside."""
-        ends = self._newton_at(q, np.broadcast_to(z, q.shape))
+        ends = self.newton_at(q, np.broadcast_to(z, q.shape))
         return np.asarray(ends[np.linalg.norm(z - self.mapped.image(ends), axis=1) < ON_BOUNDARY])
 
-    def _newton_at(self, q: Array, z: Array) -> Array:
+    def newton_at(self, q: Array, z: Array) -> Array:
         """Return where Newton's method, kept inside the limits, ends from q (k, 2) for points (k, 2)."""
         limited = ~np.array(self.domain.circular)
         q, left = q.copy(), np.arange(len(q))
@@ -169,16 +170,23 @@ class CurvedSection:
         return values
 
     def distance(self, p: npt.ArrayLike) -> float:
-        """Return the distance of a point from the boundary [m].
+        """Return the distance of a point from the boundary [m]."""
+        z, local = self.place(p)
+        limited = self._limited
+        return self.size * (self.distance_in_section(z) if limited is None else limited.distance(local))
 
-        Raises:
-            TaskError: the first joint has limits; the distance from the ends of its range is not known.
-        """
-        if self.base is not None and not self.base.circular:
-            raise TaskError(
-                f"the distance is known for a full turn of joint {self.base.name!r}, and its range has limits"
-            )
-        return self.size * self.distance_in_section(self.place(p)[0])
+    def clearance(self, p: npt.ArrayLike) -> float:
+        """Return a length [m] that the distance is not below: the distance itself, or what a grid tells of it."""
+        limited = self._limited
+        return self.distance(p) if limited is None else self.size * limited.clearance(self.place(p)[1])
+
+    @cached_property
+    def _limited(self) -> LimitedBoundary | None:
+        base = self.base
+        if base is None or base.circular:
+            return None
+        unit = 1.0 if base.revolute else self.size
+        return LimitedBoundary(BaseRange(self, base.lower / unit, base.upper / unit))
 
     def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
         """Return which points (k, m) are reached; those on the boundary may be or not."""
@@ -251,7 +259,7 @@ class CurvedSection:
                 break
             near = [side[np.atleast_2d(tree.query(z[left], min(nearest, len(side)))[1])] for side, tree in trees]
             k = np.hstack([numbers.reshape(len(left), -1) for numbers in near])
-            ends = self._newton_at(starts[k.ravel()], np.repeat(z[left], k.shape[1], axis=0)).reshape(*k.shape, 2)
+            ends = self.newton_at(starts[k.ravel()], np.repeat(z[left], k.shape[1], axis=0)).reshape(*k.shape, 2)
             for i, found in zip(left, ends, strict=True):
                 solved[i] = self._distinct(found[np.linalg.norm(self.mapped.image(found) - z[i], axis=1) < ON_BOUNDARY])
             left = np.array([i for i in left if len(solved[i]) < expected[i]], dtype=int)

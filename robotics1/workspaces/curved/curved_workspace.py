@@ -57,6 +57,7 @@ def curved_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array
         volume_error=error,
         r_min=r_min,
         r_max=r_max,
+        r_bounds=(r_min, r_max),
         nearest=nearest,
         farthest=farthest,
         boundary=tuple(_boundary_curve(robot, section, part) for part in parts),

@@ -2,10 +2,9 @@
 
 from dataclasses import dataclass
 
-import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError, TaskError
+from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.results import Frozen
 from robotics1.workspaces.result import Workspace
@@ -18,7 +17,7 @@ class Membership(Frozen):
     Attributes:
         inside: whether it is.
         q: (k, nq) configurations that reach it [rad or m]; of a redundant arm some, or none.
-        distance: from the boundary [m]; NaN where it is not known.
+        distance: from the boundary [m].
         proven: whether the answer is: inside by a configuration or by the number of solutions, outside by that number.
             A sampled workspace proves nothing outside.
     """
@@ -30,7 +29,7 @@ class Membership(Frozen):
 
     def explain(self) -> str:
         """Return the answer and its proof, in sentences."""
-        far = "" if np.isnan(self.distance) else f" It is {self.distance:.6g} m from the boundary."
+        far = f" It is {self.distance:.6g} m from the boundary."
         if not self.inside:
             why = "No configuration was found that reaches it; that there is none is not proven."
             if self.proven:
@@ -56,8 +55,4 @@ def is_reached(ws: Workspace, p: npt.ArrayLike) -> Membership:
         raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
     inside = ws.contains(p)
     q = ws.configurations(p)
-    try:
-        distance = ws.distance(p)
-    except TaskError:
-        distance = float("nan")
-    return Membership(inside, q if inside else q[:0], distance, bool(len(q)) or not ws.resolution)
+    return Membership(inside, q if inside else q[:0], ws.distance(p), bool(len(q)) or not ws.resolution)

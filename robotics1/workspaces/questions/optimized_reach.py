@@ -1,8 +1,7 @@
 """How far any arm reaches: the largest and smallest distance from a point, or along a direction, between two bounds."""
 
-import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from time import monotonic
 
 import numpy as np
@@ -15,19 +14,17 @@ from robotics1.robot.given import RobotLike
 from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.axes import require_moving
-from robotics1.workspaces.certified.branch_and_bound import Enclosure, enclosed
-from robotics1.workspaces.certified.driven_chain import DrivenChain, driven_chain
-from robotics1.workspaces.certified.idle import free_coordinates
+from robotics1.workspaces.certified.driven_chain import driven_chain
 from robotics1.workspaces.certified.objective import Objective
-from robotics1.workspaces.certified.support_function import farthest_of, support_function
+from robotics1.workspaces.certified.search import Search
 from robotics1.workspaces.reading import position_rows
 from robotics1.workspaces.sampled.extremes import Measure, extremes_of
 
 STARTS = 32
-FINENESS = (16, 32, 64, 128)  # cells of the support function along a side: each takes four times as long
 HOW = {
     "lengths": "the lengths of the links",
     "boxes": "bounds in boxes of configurations",
+    "pivots": "the triangle inequality at points of the axes",
     "support function": "the support function of what is reached",
 }
 SAME = 1e-7  # of values that are one, by the arm's size
@@ -47,8 +44,8 @@ class ExtremeReach(Frozen):
         smallest: whether it is the smallest value, or else the largest.
         starts: the number of configurations from which it was sought.
         agreeing: the number of these that ended at this value.
-        bounded_by: whence the bound is: the "lengths" of the links, "boxes" of configurations, or the "support
-            function" of what is reached.
+        bounded_by: whence the bound is: the "lengths" of the links, "pivots" (the triangle inequality at points of
+            axes), "boxes" of configurations, or the "support function" of what is reached.
         boxes: how many boxes of configurations were looked at.
         robot_name: the robot's name.
     """
@@ -110,10 +107,12 @@ def extreme_reach(
     The value is found: from each start, a random configuration, L-BFGS-B climbs with the exact gradient Jᵀ (p − p₀) and
     the limits as bounds. The bound is proven: the joint ranges are cut into boxes |qᵢ − mᵢ| ≤ wᵢ. In each box |∂p/∂qᵢ|
     is at most ρᵢ, the largest distance from the axis of joint i; with that, Taylor's formula tells how far p can be at
-    most. Boxes that can have a better value are halved. A joint that mimics another one moves with it. Where half of
-    the time is not enough, a largest value, and any along a direction, is bounded by the support function too, to some
-    1e-4 to 1e-3 of the arm's reach however many joints there are. Numbers are rounded as usual, not outwards; for that
-    the bound is moved by 1e-10 of the reach.
+    most. Boxes that can have a better value are halved. A joint that mimics another one moves with it. If more than
+    three joints count, the triangle inequality at a point o of an axis gives a bound too, |p − p₀| ≤
+    max |o − p₀| + max |p − o|: the right one if the arm can be stretched through o, as through a spherical shoulder or
+    wrist. Where half of the time is not enough, a largest value, and any along a direction, is bounded by the support
+    function as well, to some 1e-4 to 1e-3 of the arm's reach however many joints there are. Numbers are rounded as
+    usual, not outwards; for that the bound is moved by 1e-10 of the reach.
 
     Args:
         robot: the arm.
@@ -144,7 +143,8 @@ def extreme_reach(
     objective = Objective(chain, Measure(rows.T @ rows, centre, n), -1.0 if smallest else 1.0)
     values, found = extremes_of(chain, objective.measure, STARTS, largest=not smallest)
     best = int(np.argmin(values) if smallest else np.argmax(values))
-    sure, bounded_by = _enclosed(objective, float(values[best]), found[best], tolerance, seconds)
+    search = Search(objective, tolerance, monotonic() + seconds)
+    sure, bounded_by = search.run(float(values[best]), found[best])
     q = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
     q[chain.numbers] = sure.q
     point = chain.point(sure.q[None])
@@ -174,57 +174,3 @@ def _unit(direction: npt.ArrayLike | None) -> Array | None:
     if length == 0:
         raise InputError("direction must not be zero; for the distance from a point leave it out")
     return np.asarray(n / length)
-
-
-def _enclosed(objective: Objective, value: float, q: Array, tolerance: float, seconds: float) -> tuple[Enclosure, str]:
-    """Return bounds on the objective, and whence they are: lengths, if they are near enough, or else the best."""
-    chain, measure = objective.chain, objective.measure
-    limit = np.inf
-    if measure.direction is None:
-        limit = _longest(chain, measure.centre) if objective.sign > 0 else 0.0
-    if abs(limit - value) <= tolerance:
-        return Enclosure(objective.wanted(limit), float(objective.value(q[None])[0]), q, 0), "lengths"
-
-    def enough(F: float) -> float:
-        return objective.wanted(objective.meant(F) + objective.sign * tolerance)
-
-    free = free_coordinates(chain, measure)
-    in_every_direction = measure.direction is not None or objective.sign > 0
-    found = enclosed(objective, free, q, enough, seconds / 2 if in_every_direction else seconds)
-    bounds = {"boxes": found.bound}
-    if in_every_direction and found.bound > enough(found.value):
-        bounds["support function"] = _by_support(
-            objective, int(np.argmax(chain.A @ free != 0)), enough(found.value), seconds / 2
-        )
-        bounds["lengths"] = objective.wanted(limit) if measure.direction is None else np.inf
-    least = min(bounds, key=lambda name: bounds[name])
-    return replace(found, bound=max(bounds[least], found.value)), least
-
-
-def _by_support(objective: Objective, first: int, enough: float, seconds: float) -> float:
-    """Return what the objective is at most, by the support function of the joints from the first one on.
-
-    Its grid is made finer as long as there is time, and the bound is more than enough.
-    """
-    measure, end, least = objective.measure, monotonic() + seconds, np.inf
-    kept = np.linalg.svd(measure.P)
-    rows = kept.Vh[kept.S > 0.5]
-    for cells in FINENESS:
-        h = support_function(objective.chain, first, cells, end - monotonic()) if least > enough else None
-        if h is None:
-            break
-        if measure.direction is not None:
-            n = objective.sign * measure.direction
-            least = min(least, float(h(n[None])[0] - n @ measure.centre))
-        else:
-            least = min(least, objective.wanted(farthest_of(h, measure.centre, rows, cells)))
-    return least
-
-
-def _longest(chain: DrivenChain, centre: Array) -> float:
-    """Return the length of the way from a point along the joints to the tip, with all slides at their ends."""
-    axes = chain.chain.axes
-    places = [centre, *(axis.point for axis in axes if axis.revolute), chain.chain.tip]
-    most = np.abs(chain.A) @ np.maximum(np.abs(chain.lower), np.abs(chain.upper))
-    slides = sum(float(length) for length, axis in zip(most, axes, strict=True) if not axis.revolute)
-    return slides + sum(float(np.linalg.norm(b - a)) for a, b in itertools.pairwise(places))

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError, TaskError
+from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.results import Frozen
 from robotics1.workspaces.result import Workspace
 
 RESOLUTION = 1e-5  # of the workspace's largest distance: an excursion that is shorter may be missed
-EVEN_STEPS = 400  # where the distance from the boundary is not known
+NEAR = 1e-3  # of the workspace's largest distance: a clearance that asks for the distance itself
 HALVINGS = 45
 FEW_HALVINGS = 14  # where the boundary itself is sampled
 MOST_STEPS = 200_000
@@ -60,8 +60,7 @@ def crossings(ws: Workspace, motion: Any, start: float = 0.0, end: float = 1.0) 
     """Return where a moving point enters and leaves a workspace between two times.
 
     The step from p(t) is as long as the distance from the boundary: no crossing is nearer than that. Across the
-    boundary the time is found by halving. Where the distance is not known (the first joint has limits), the steps are
-    even.
+    boundary the time is found by halving.
 
     Args:
         ws: what `workspace(robot, task)` returns.
@@ -118,10 +117,11 @@ def _flips(
     for _ in range(MOST_STEPS):
         if t >= last:
             return found, least
-        try:
-            room = max(ws.distance(position(t)) - ws.resolution, least)
-        except TaskError:
-            room = least = speed * (last - first) / EVEN_STEPS
+        p = position(t)
+        room = ws.section.clearance(p)
+        if room < NEAR * ws.r_max and not ws.resolution:
+            room = ws.distance(p)
+        room = max(room, least)
         after = min(t + room / speed, last)
         here = ws.contains(position(after))
         if here != inside:

@@ -157,7 +157,7 @@ def _signs(ws: Workspace, sign: Function, grid: tuple[Array, Array], p: Array, a
         for i, j in cells:
             corners = values[[i, i + step, i, i + step], [j, j, j + step, j + step]]
             middle = np.array([(u[i] + u[i + step]) / 2, (v[j] + v[j + step]) / 2])
-            if abs(corners.sum()) == 4 and _clear(ws, p + middle @ axes, (u[i + step] - u[i]) * 0.5**0.5):
+            if abs(corners.sum()) == 4 and ws.section.clearance(p + middle @ axes) > (u[i + step] - u[i]) * 0.5**0.5:
                 block = values[i : i + step + 1, j : j + step + 1]
                 block[block == 0] = corners[0]
             elif step > 1:
@@ -175,14 +175,6 @@ def _by_halving(sign: Function, a: Array, b: Array) -> Array:
         same = (sign(middle) == start)[:, None]
         a, b = np.where(same, middle, a), np.where(same, b, middle)
     return np.asarray((a + b) / 2)
-
-
-def _clear(ws: Workspace, point: Array, radius: float) -> bool:
-    """Return whether no boundary is nearer, as far as its distance is known."""
-    try:
-        return ws.distance(point) > radius
-    except TaskError:
-        return True
 
 
 def _with_inside_left(line: Array, sign: Function, side: float) -> Array:

@@ -7,13 +7,13 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
-from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.workspaces.axes import Axis
 from robotics1.workspaces.extents import corners_of_box
 from robotics1.workspaces.sampled.chain_map import ChainMap
-from robotics1.workspaces.sampled.sampled_section import SampledSection, descend, shown
+from robotics1.workspaces.sampled.sampled_section import SampledSection, descend, sampled_section, shown
 
+CELLS_IN_SPACE = 48  # along the longest side, where the first joint has limits
 DRAWN = 40_000  # random configurations from which a point is looked for
 WIDER = 2  # cells around reached ones in which a point is looked for
 NEAREST = 12  # of them, those whose points are nearest
@@ -100,18 +100,25 @@ class SampledPlace:
         return cKDTree(self.whole.point(q)[:, : len(self.rows)]), q
 
     def distance(self, p: npt.ArrayLike) -> float:
-        """Return the distance of a point (m,) from the boundary [m], to about the side of a cell.
+        """Return the distance of a point (m,) from the boundary [m], to about the side of a cell."""
+        return self._from_boundary(p)[0]
 
-        Raises:
-            TaskError: the first joint has limits; the distance from the ends of its range is not known.
-        """
+    def clearance(self, p: npt.ArrayLike) -> float:
+        """Return a length [m] that the distance is not below: the distance without the side of a cell."""
+        far, side = self._from_boundary(p)
+        return max(far - side, 0.0)
+
+    def _from_boundary(self, p: npt.ArrayLike) -> tuple[float, float]:
+        """Return the distance of a point (m,), and the side of the cells it is told from [m]."""
+        local, inside = self.local(p), self.contains(p)
         if self.base is not None and not self.base.circular:
-            raise TaskError(
-                f"the distance is known for a full turn of joint {self.base.name!r}, and its range has limits"
-            )
-        section, local = self.section, self.local(p)
-        z = np.array([np.hypot(local[0], local[1]), local[2]]) if section.about_axis else local[:2]
-        return self._far(z, self.contains(p))
+            return _far(self._in_space, local, inside), self._in_space.side
+        return _far(self.section, shown(local[None], 2, self.section.about_axis)[0], inside), self.section.side
+
+    @cached_property
+    def _in_space(self) -> SampledSection:
+        """Cells in space, for a first joint with limits."""
+        return sampled_section(self.whole, False, CELLS_IN_SPACE, self.seed, coordinates=3)
 
     def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
         """Return at which points (k, m) a configuration was found."""
@@ -139,10 +146,16 @@ class SampledPlace:
         cell = np.floor((place - self.section.corner) / self.section.side).astype(int)
         within = (cell >= 0).all() and (cell < self.section.reached.shape).all()
         inside = bool(within and self.section.reached[tuple(cell)])
-        return self._far(place, inside) * (1 if inside else -1)
+        return _far(self.section, place, inside) * (1 if inside else -1)
 
-    def _far(self, z: Array, inside: bool) -> float:
-        """Return how far a place is from the nearest cell that is not as it is, to about half a side."""
-        other = np.argwhere(np.pad(self.section.reached, 1) != inside) - 1
-        nearest = float(np.linalg.norm(self.section.middle(other) - z, axis=1).min(initial=np.inf))
-        return max(nearest - self.section.side / 2, 0.0)
+
+def _far(section: SampledSection, z: Array, inside: bool) -> float:
+    """Return how far a place is from the nearest cell that is not as it is, to about half a side."""
+    from scipy.ndimage import maximum_filter
+
+    padded = np.pad(section.reached, 1)
+    if section.about_axis and section.corner[0] == 0:
+        padded[0] = padded[1]  # the axis is no boundary
+    other = np.argwhere(maximum_filter(padded, 3) & ~padded if inside else padded) - 1
+    nearest = float(np.linalg.norm(section.middle(other) - z, axis=1).min(initial=np.inf))
+    return max(nearest - section.side / 2, 0.0)

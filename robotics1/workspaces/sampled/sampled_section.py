@@ -13,7 +13,7 @@ import numpy.typing as npt
 from robotics1.inputs import Array
 from robotics1.workspaces.sampled.chain_map import ChainMap
 
-Cells = npt.NDArray[Any]  # (k, 2) whole numbers
+Cells = npt.NDArray[Any]  # (k, 2) whole numbers, or (k, 3) of cells in space
 FIRST = 60_000  # random configurations
 STEPS = 20
 REACHED = 1e-6  # of a cell's side
@@ -24,15 +24,15 @@ DAMPING = 1e-9  # of the square of the arm's size
 
 @dataclass(frozen=True, eq=False)
 class SampledSection:
-    """Cells of a section, and a configuration that reaches each.
+    """Cells of a section, or of space, and a configuration that reaches each.
 
     Attributes:
         chain: the joints that move the point in the section's frame; without the first one, if that moves the section.
-        about_axis: whether the section is (ρ, h), or else the first two coordinates.
-        corner: (2,) of the grid [m].
+        about_axis: whether the section is (ρ, h), or else the first two coordinates, or all three.
+        corner: (2,) or (3,) of the grid [m].
         side: of a cell [m].
-        reached: (n, m) whether a cell is.
-        q: (n, m, joints) the configurations.
+        reached: (n, m) or (n, m, l) whether a cell is.
+        q: (..., joints) the configurations.
     """
 
     chain: ChainMap
@@ -43,14 +43,14 @@ class SampledSection:
     q: Array
 
     def middle(self, cells: Cells) -> Array:
-        """Return the middles (k, 2) of cells (k, 2)."""
+        """Return the middles of cells, (k, 2) or (k, 3)."""
         return np.asarray(self.corner + (cells + 0.5) * self.side)
 
 
-def sampled_section(chain: ChainMap, about_axis: bool, cells: int, seed: int) -> SampledSection:
-    """Return the reached cells, with as many cells along the longer side."""
+def sampled_section(chain: ChainMap, about_axis: bool, cells: int, seed: int, coordinates: int = 2) -> SampledSection:
+    """Return the reached cells, with as many cells along the longest side, of a section or of space."""
     q = chain.drawn(np.random.default_rng(seed), FIRST)
-    z = shown(chain.point(q), 2, about_axis)
+    z = shown(chain.point(q), coordinates, about_axis)
     low, high = z.min(axis=0), z.max(axis=0)
     side = float((high - low).max()) / cells
     corner = low - 3 * side
@@ -58,23 +58,22 @@ def sampled_section(chain: ChainMap, about_axis: bool, cells: int, seed: int) ->
         corner[0] = max(corner[0], 0.0)
     shape = tuple(np.ceil((high + 3 * side - corner) / side).astype(int))
     known = np.zeros((*shape, q.shape[1]))
-    reached = np.zeros(shape, dtype=bool)
-    at = np.floor((z - corner) / side).astype(int)
-    known[at[:, 0], at[:, 1]] = q
+    at = tuple(np.floor((z - corner) / side).astype(int).T)
+    known[at] = q
     seen = np.zeros(shape, dtype=bool)
-    seen[at[:, 0], at[:, 1]] = True
-    section = SampledSection(chain, about_axis, corner, side, reached, known)
+    seen[at] = True
+    section = SampledSection(chain, about_axis, corner, side, np.zeros(shape, dtype=bool), known)
     _try(section, np.argwhere(seen), known[seen])
     _grow(section, np.random.default_rng(seed + 1))
     return section
 
 
 def _try(section: SampledSection, cells: Cells, q: Array) -> None:
-    """Mark the cells (k, 2) whose middles Newton's method reaches from q (k, n)."""
+    """Mark the cells whose middles Newton's method reaches from q (k, n)."""
     found, good = descend(section.chain, section.about_axis, q, section.middle(cells), section.side)
-    i, j = cells[good].T
-    section.reached[i, j] = True
-    section.q[i, j] = found[good]
+    at = tuple(cells[good].T)
+    section.reached[at] = True
+    section.q[at] = found[good]
 
 
 def _grow(section: SampledSection, rng: np.random.Generator) -> None:
@@ -90,22 +89,23 @@ def _grow(section: SampledSection, rng: np.random.Generator) -> None:
 
 
 def _step(section: SampledSection, rng: np.random.Generator, cells: Cells, tries: Cells, far: int) -> bool:
-    """Try cells (k, 2), each from a reached one at most so many cells away; return whether one was tried."""
-    wanted, starts = [], []
-    for i, j in cells:
-        low = max(i - far, 0), max(j - far, 0)
-        near = np.argwhere(section.reached[low[0] : i + far + 1, low[1] : j + far + 1])
-        if len(near):
-            wanted.append((i, j))
-            starts.append(section.q[tuple(near[rng.integers(len(near))] + low)])
-            tries[i, j] += 1
-    if wanted:
-        _try(section, np.array(wanted), np.array(starts))
-    return bool(wanted)
+    """Try cells, each from a reached one at most so many cells away; return whether one was tried."""
+    from scipy.ndimage import maximum_filter
+
+    cells = cells[maximum_filter(section.reached, 2 * far + 1, mode="constant")[tuple(cells.T)]]
+    starts = []
+    for cell in cells:
+        low = np.maximum(cell - far, 0)
+        near = np.argwhere(section.reached[tuple(map(slice, low, cell + far + 1))])
+        starts.append(section.q[tuple(near[rng.integers(len(near))] + low)])
+    if starts:
+        tries[tuple(cells.T)] += 1
+        _try(section, cells, np.array(starts))
+    return bool(starts)
 
 
 def _enclosed(section: SampledSection) -> Cells:
-    """Return the cells (k, 2) that are not reached, in small groups with reached ones all around."""
+    """Return the cells that are not reached, in small groups with reached ones all around."""
     from scipy.ndimage import label
 
     groups, _ = label(~section.reached)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import tau
+from time import monotonic
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +12,9 @@ from robotics1.inputs import Array
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import Axis
+from robotics1.workspaces.certified.driven_chain import DrivenChain
+from robotics1.workspaces.certified.objective import Objective
+from robotics1.workspaces.certified.search import Search
 from robotics1.workspaces.curved.reading_in_space import section_frame
 from robotics1.workspaces.curved.strip_regions import closed_loops
 from robotics1.workspaces.result import Workspace, WorkspaceRegion
@@ -24,6 +28,8 @@ STARTS = 12
 SMALL = 1e-9  # of the arm's reach: a distance that is none
 # the shift that brings the cell beside, and the ends of the side between, with the first cell on the left
 SIDES = (((0, 1), (0, 0), (1, 0)), ((-1, 0), (1, 0), (1, 1)), ((0, -1), (1, 1), (0, 1)), ((1, 0), (0, 1), (0, 0)))
+SECONDS, TOLERANCE = 2.0, 1e-6  # to prove the smallest and the largest distance each; the tolerance by the reach
+ROUNDING = 1e-10  # by which their bounds are moved outwards, by the reach
 POINTS = 1500  # of the section, turned at random, where the first joint has limits
 
 
@@ -47,7 +53,9 @@ def sampled_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Arra
     regions, voids = _components(section)
     area = float(section.reached.sum()) * section.side**2
     volume, error = _volume(place)
-    (r_min, nearest), (r_max, farthest) = (_extreme(robot, place, largest=largest) for largest in (False, True))
+    (r_min, nearest, least), (r_max, farthest, most) = (
+        _extreme(robot, place, largest=largest) for largest in (False, True)
+    )
     return Workspace(
         robot_name=robot.name,
         area=area,
@@ -66,6 +74,7 @@ def sampled_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Arra
         redundant=True,
         section=place,
         resolution=section.side,
+        r_bounds=(min(least, r_min), most),
     )
 
 
@@ -147,12 +156,18 @@ def _volume(place: SampledPlace) -> tuple[float | None, float]:
     return around * full * share, around * (doubt * share + full * sampled)
 
 
-def _extreme(robot: Robot, place: SampledPlace, *, largest: bool) -> tuple[float, Array]:
-    """Return the largest or smallest distance from the first joint's axis, and a configuration (1, nq)."""
-    across = np.diag([1.0, 1.0, 0.0])
-    values, found = extremes_of(place.whole, Measure(across, np.zeros(3)), STARTS, largest=largest)
-    best = int(np.argmax(values) if largest else np.argmin(values))
+def _extreme(robot: Robot, place: SampledPlace, *, largest: bool) -> tuple[float, Array, float]:
+    """Return the largest or smallest distance from the first joint's axis, a configuration (1, nq), and its bound."""
+    sign, whole = 1.0 if largest else -1.0, place.whole
+    count = len(whole.axes)
+    chain = DrivenChain(whole, np.eye(count), np.arange(count), whole.lower, whole.upper, whole.circular)
+    objective = Objective(chain, Measure(np.diag([1.0, 1.0, 0.0]), np.zeros(3)), sign)
+    values, found = extremes_of(whole, objective.measure, STARTS, largest=largest)
+    best = int(np.argmax(sign * values))
+    search = Search(objective, TOLERANCE * robot.reach, monotonic() + SECONDS)
+    sure, _ = search.run(float(values[best]), found[best])
     q = place.neutral.copy()
-    q[[axis.number for axis in place.whole.axes]] = found[best]
-    value = float(values[best])
-    return value if value > SMALL * robot.reach else 0.0, q[None]
+    q[[axis.number for axis in whole.axes]] = sure.q
+    value, bound = (objective.meant(F) for F in (sure.value, sure.bound))
+    bound = max(bound + sign * ROUNDING * robot.reach, 0.0)
+    return value if value > SMALL * robot.reach else 0.0, q[None], bound

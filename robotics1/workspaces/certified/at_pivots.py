@@ -1,0 +1,139 @@
+"""A bound by the triangle inequality at a point o of an axis: |p − c| ≤ max |o − c| + max |p − o|.
+
+The joint itself, and those after it whose axes go through o too, do not change |p − o|; so fewer joints count in each
+of the two. Where the arm can be stretched through o, the bound is attained: so it is at a spherical shoulder or wrist.
+Along a direction it is n · (p − c) ≤ max n · (o − c) + max |p − o|, and a smallest distance is at least the difference.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from robotics1.inputs import Array
+from robotics1.workspaces.axes import Axis, distance_to
+from robotics1.workspaces.certified.driven_chain import ALIKE, DrivenChain
+from robotics1.workspaces.certified.objective import Objective
+from robotics1.workspaces.sampled.chain_map import chain_map
+from robotics1.workspaces.sampled.extremes import Measure, extremes_of
+
+STARTS = 8
+TRIED = 3  # pivots whose bound is proven
+
+Bound = Callable[[Objective, float, Array], float]  # of an objective, with a good value and its configuration
+
+
+class _Part(NamedTuple):
+    """An objective over some of the joints, its best value found, and where; of no joints, its value alone."""
+
+    objective: Objective | None
+    value: float
+    q: Array
+
+    def bound(self, prove: Bound) -> float:
+        """Return what is proven of it."""
+        return self.value if self.objective is None else prove(self.objective, self.value, self.q)
+
+
+@dataclass(frozen=True)
+class Pivot:
+    """Two parts of an arm, before and after a point of an axis, whose extremes make a bound.
+
+    Attributes:
+        parts: what is before, and what is after.
+        signs: how they are added: (1, 1), or with a minus for what is taken off.
+    """
+
+    parts: tuple[_Part, _Part]
+    signs: tuple[float, float]
+
+    @property
+    def hoped(self) -> float:
+        """What the bound is if the values found are the extremes."""
+        return sum(sign * part.value for sign, part in zip(self.signs, self.parts, strict=True))
+
+    def bound(self, prove: Bound) -> float:
+        """Return the bound."""
+        return sum(sign * part.bound(prove) for sign, part in zip(self.signs, self.parts, strict=True))
+
+
+def best_pivots(objective: Objective) -> list[Pivot]:
+    """Return some pivots, the one with the best bound first."""
+    found = [pivot for k, o in _points(objective) for pivot in _pivots_at(objective, k, o)]
+    return sorted(found, key=lambda pivot: objective.sign * pivot.hoped)[:TRIED]
+
+
+def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
+    """Yield joints that turn, by number, and points of their axes that are next to other axes, to c or to the tip."""
+    chain = objective.chain.chain
+    near = _rounding(objective.chain)
+    for k, axis in enumerate(chain.axes):
+        if not axis.revolute:
+            continue
+        beside = [other for other in chain.axes[max(k - 1, 0) : k + 2] if other is not axis and other.revolute]
+        points = [_nearest_to(axis, other) for other in beside]
+        points += [axis.point + axis.direction * (axis.direction @ (p - axis.point)) for p in _ends(objective)]
+        kept: list[Array] = []
+        for o in points:
+            if all(np.linalg.norm(o - other) > near for other in kept):
+                kept.append(o)
+                yield k, o
+
+
+def _rounding(chain: DrivenChain) -> float:
+    """Return a distance that is none, by the arm's size."""
+    return ALIKE * max(float(np.linalg.norm(axis.point - chain.chain.tip)) for axis in chain.chain.axes)
+
+
+def _ends(objective: Objective) -> tuple[Array, Array]:
+    return objective.measure.centre, objective.chain.chain.tip
+
+
+def _nearest_to(axis: Axis, other: Axis) -> Array:
+    """Return the point of an axis that is nearest to another axis; of parallel ones, to the point of the other."""
+    a, b, between = axis.direction, other.direction, other.point - axis.point
+    c = a @ b
+    if 1 - c * c < ALIKE:
+        return np.asarray(axis.point + a * (a @ between))
+    return np.asarray(axis.point + a * ((a @ between - c * (b @ between)) / (1 - c * c)))
+
+
+def _pivots_at(objective: Objective, k: int, o: Array) -> Iterator[Pivot]:
+    """Yield the bounds that a point of the axis of joint k gives."""
+    measure, largest = objective.measure, objective.sign > 0
+    before = _some_joints(objective.chain, slice(0, k), o)
+    after = _some_joints(objective.chain, slice(k + 1, None), objective.chain.chain.tip)
+    length = Measure(np.eye(3), o)
+    if largest or measure.direction is not None:
+        yield Pivot((_part(before, measure, objective.sign), _part(after, length, 1.0)), (1.0, objective.sign))
+        return
+    yield Pivot((_part(before, measure, -1.0), _part(after, length, 1.0)), (1.0, -1.0))
+    if np.allclose(measure.P, np.eye(3), rtol=0, atol=ALIKE):
+        yield Pivot((_part(before, measure, 1.0), _part(after, length, -1.0)), (-1.0, 1.0))
+
+
+def _some_joints(chain: DrivenChain, some: slice, tip: Array) -> DrivenChain:
+    """Return some of the joints, as if no others drove their coordinates; without the last ones that turn about o."""
+    axes, A = list(chain.chain.axes[some]), chain.A[some]
+    while axes and axes[-1].revolute and distance_to(axes[-1], tip) < _rounding(chain):
+        axes.pop()
+    A = A[: len(axes)]
+    kept = np.flatnonzero(A.any(axis=0))
+    return replace(
+        chain,
+        chain=chain_map(axes, tip),
+        A=A[:, kept],
+        numbers=chain.numbers[kept],
+        lower=chain.lower[kept],
+        upper=chain.upper[kept],
+        circular=chain.circular[kept],
+    )
+
+
+def _part(chain: DrivenChain, measure: Measure, sign: float) -> _Part:
+    if not chain.chain.axes:
+        return _Part(None, float(measure.value(chain.chain.tip[None])[0]), np.zeros(0))
+    values, q = extremes_of(chain, measure, STARTS, largest=sign > 0)
+    best = int(np.argmax(sign * values))
+    return _Part(Objective(chain, measure, sign), float(values[best]), q[best])
