@@ -150,6 +150,8 @@ class IKFormulas(Frozen):
     def at(self, target: Any) -> Array:
         """Return the solutions of a target in numbers, (k, nq), the joints of `free_joints` at zero.
 
+        There are none of a target in which one of `constraints` is more than 1e-5 from zero.
+
         Raises:
             InputError: the target has the wrong form.
         """
