@@ -86,8 +86,8 @@ def c_source(formulas: "IKFormulas", name: str) -> str:
         "{",
         f"{INDENT}int found = 0;",
     ]
-    for e in formulas.constraints:
-        lines.append(f"{INDENT}if (!(fabs({write(e)}) <= {CONSISTENT})) return 0; /* no joints have such a target */")
+    tests = (f"if (!(fabs({write(e)}) <= {CONSISTENT})) return 0;" for e in formulas.constraints)
+    lines += [f"{INDENT}{text} /* no joints have such a target */" for text in tests]
     depth, body = _loops(
         formulas,
         write,
@@ -129,8 +129,8 @@ def matlab_source(formulas: "IKFormulas", name: str) -> str:
     for i, (word, value) in enumerate(values, len(target) + 1):
         lines.append(f"{INDENT}if nargin < {i}, {word} = {value!r}; end")
     lines.append(f"{INDENT}solutions = zeros(0, {len(joints)});")
-    for e in formulas.constraints:  # no joints have such a target
-        lines.append(f"{INDENT}if ~(abs({write(e)}) <= {CONSISTENT}), return; end")
+    tests = (f"if ~(abs({write(e)}) <= {CONSISTENT}), return; end" for e in formulas.constraints)
+    lines += [INDENT + text for text in tests]  # no joints have such a target
     depth, body = _loops(
         formulas, write, 1, lambda q, both: f"for {q} = [{', '.join(both)}]", lambda q, e: f"{q} = {e};"
     )
