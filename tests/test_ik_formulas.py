@@ -308,6 +308,8 @@ def from_matlab(source):
         elif short := re.fullmatch(r"if (.*), (\w+) = (.*); end", text):
             where = f"{short[2]} is None" if short[1].startswith("nargin") else short[1]
             lines.append(f"    if {where}: {short[2]} = {short[3]}")
+        elif short := re.fullmatch(r"if ~\((.*)\), return; end", text):
+            lines.append(f"    if not ({short[1]}): return {answer}")
         elif text == "end":
             depth -= 1
             lines += [f"    return {answer}"] if depth == 0 else []

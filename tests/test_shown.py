@@ -8,14 +8,15 @@ from math import pi
 import numpy as np
 import pytest
 import sympy
+from hypothesis import assume, example, given, strategies as st
 from public_objects import INSTANCES
 from sweeps import core_first
 
 import robotics1 as r1
-from robotics1.robot.joints import lengths_of
 from robotics1.symbolic.tasks.shown_formulas import in_characters
-from robotics1.symbolic.writing.decimals import in_decimals
+from robotics1.symbolic.writing.decimals import in_decimals, lengths_in
 from robotics1.symbolic.writing.readable import readable
+from robotics1.tasks.given import robot_and_task
 
 LONG = {"Intersections", "FollowedTrajectory", "PathTiming"}
 EVIL = "<script>alert(1)</script>"
@@ -139,11 +140,35 @@ def test_other_coefficients_are_relative_to_the_largest():
 
     q1, q2, a = sympy.symbols("q1 q2 a", real=True)
     e = 3000 * sympy.cos(q1) - 12000 * sympy.sin(q1 + q2)
-    assert in_decimals(e, []) == "sin(q1 + q2) − 0.25·cos(q1)"
-    assert in_decimals(e, [0.3, 1.2]) == "1.2·sin(q1 + q2) − 0.3·cos(q1)"
-    assert in_decimals(sympy.Matrix([e, 600]), [0.06, 0.3, 1.2]) == "(−1.2·sin(q1 + q2) + 0.3·cos(q1), 0.06)"
-    assert in_decimals(3 * sympy.cos(q1) + 2, []) is None
-    assert in_decimals(500 * a * sympy.cos(q1), []) is None
+    links = {0.3: {1}, 1.2: {2}}
+    assert in_decimals(e, {}) == "sin(q1 + q2) − 0.25·cos(q1)"
+    assert in_decimals(e, links) == "1.2·sin(q1 + q2) − 0.3·cos(q1)"
+    assert in_decimals(sympy.Matrix([e, 600]), links | {0.06: {0}}) == "(−1.2·sin(q1 + q2) + 0.3·cos(q1), 0.06)"
+    assert in_decimals(3 * sympy.cos(q1) + 2, {}) is None
+    assert in_decimals(500 * a * sympy.cos(q1), {}) is None
+
+
+TENTHS = st.integers(1, 15)  # of a metre
+
+
+@given(a1=st.integers(0, 4), a2=TENTHS, a3=TENTHS, height=TENTHS, offset=st.integers(0, 3))
+@example(a1=0, a2=8, a3=7, height=4, offset=0)
+@example(a1=0, a2=6, a3=3, height=2, offset=1)  # 0.2 and 0.1 have the same ratio, but other joints carry them
+def test_small_whole_coefficients_are_the_lengths_that_the_joints_carry(a1, a2, a3, height, offset):
+    rows = [("R", a1 / 10, pi / 2, height / 10, 0), ("R", a2 / 10, 0, offset / 10, 0), ("R", a3 / 10, 0, 0, 0)]
+    assume(a2 != a3)
+    sizes = [(a2, "·cos(q2)"), (a3, "·cos(q2 + q3)"), *([(a1, "")] if a1 else [])]
+    found = r1.find_singularities(r1.robot_from_dh(rows), "position").explain()
+    (equation,) = re.findall(r"^\d\. (.*cos\(q2 \+ q3\).*) = 0", found, re.MULTILINE)
+    said = {term if term[0].isdigit() else f"1·{term}" for term in re.split(r" \+ (?!q3)", equation)}
+    assert said == {f"{size / 10:g}{wave}" for size, wave in sizes}
+
+
+def test_coefficients_of_angles_alone_are_no_lengths():
+    wrist = [("R", 0, pi / 2, 0.2, 0), ("R", 0.1, pi / 2, 0, 0), ("R", 0, 0, 0, 0)]
+    robot, task = robot_and_task(r1.robot_from_dh(wrist), "orientation")
+    assert lengths_in(robot, task) == {}
+    assert in_decimals(2 * sympy.cos(sympy.Symbol("q2", real=True)) + 1, {}) is None
 
 
 def test_one_of_several_directions_is_meant_with_or():
@@ -188,7 +213,7 @@ def known_arm(name):
 def test_a_determinant_has_the_lengths_of_the_file_and_common_factors_out(name):
     found = r1.formulas(known_arm(name), "planar-pose" if name == "prr" else "pose")
     assert str(found).endswith(f"det J =\n{DETERMINANTS[name]}")
-    shown = readable(found.determinant, lengths_of(found.robot.joints))
+    shown = found.readable(found.determinant)
     if name != "prr":
         q = dict(zip(found.q, np.linspace(0.4, 1.9, 6), strict=True))
         assert float(shown.subs(q)) == pytest.approx(float(found.determinant.subs(q)), rel=1e-4)  # its five digits
@@ -210,7 +235,7 @@ def test_long_factors_of_an_expression_get_names():
     q = sympy.symbols("q1:9", real=True)
     long = sympy.Add(*(sympy.Rational(k + 2, 10) * sympy.cos(x) for k, x in enumerate(q)))
     other = long.subs(q[0], 2 * q[0])
-    text = in_characters("det J", readable(long * other * sympy.sin(q[1])))
+    text = in_characters("det J", readable(long * other * sympy.sin(q[1]), {}))
     assert sorted(text.splitlines()[0].removeprefix("det J = ").split("·")) == ["f1", "f2", "sin(q2)"]
     assert sum(line.startswith("  where f") for line in text.splitlines()) == 2
 

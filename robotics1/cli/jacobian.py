@@ -165,8 +165,8 @@ def singularity_as_json(found: RoundedConfiguration) -> dict[str, Any] | None:
 def _print_formulas(found: Formulas, *, latex: bool, python: bool, json: bool) -> None:
     """Print the value, the Jacobian, and its determinant or minors; as LaTeX or JSON where asked; or a function."""
     from robotics1.cli.output import PlainConsole, write_json
-    from robotics1.robot.joints import lengths_of
     from robotics1.symbolic.tasks.shown_formulas import in_characters
+    from robotics1.symbolic.writing.decimals import lengths_in
     from robotics1.symbolic.writing.printing import latex_text
     from robotics1.symbolic.writing.readable import readable
 
@@ -185,7 +185,7 @@ def _print_formulas(found: Formulas, *, latex: bool, python: bool, json: bool) -
         named = {name: form(minor) for name, minor in minors}
         write_json({"value": [form(entry) for entry in found.value], "jacobian": rows, "minors": named})
         return
-    lengths = lengths_of(found.robot.joints)
+    lengths = lengths_in(found.robot, found.task)
     for name, formula in (("r", found.value), ("J", found.jacobian), *minors):
         read = readable(formula, lengths)
         out.print(f"{name} =\n{latex_text(read)}" if latex else in_characters(name, read), soft_wrap=True)

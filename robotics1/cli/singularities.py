@@ -69,11 +69,11 @@ def _in_latex(found: "SingularSet") -> str:
     Raises:
         FormulaError: a branch was found by numbers.
     """
-    from robotics1.robot.joints import lengths_of
+    from robotics1.symbolic.writing.decimals import lengths_in
     from robotics1.symbolic.writing.printing import latex_text
     from robotics1.symbolic.writing.readable import readable, readable_vector
 
-    lengths, blocks = lengths_of(found.robot.joints), []
+    lengths, blocks = lengths_in(found.robot, found.task), []
     for branch in found.branches:
         formulas = branch.require_formulas()
         where = r",\quad ".join(latex_text(readable(condition, lengths)) for condition in formulas.conditions)

@@ -4,12 +4,12 @@ from robotics1.data_sheet.asked import Answer, Asked
 from robotics1.data_sheet.markup import equation, folded, note, paragraphs, sentences, table
 from robotics1.kinematics import forward_kinematics
 from robotics1.notation import enumeration, number, vector
-from robotics1.robot.joints import lengths_of
 from robotics1.singularities.explain import place
 from robotics1.singularities.find import find_singularities
 from robotics1.singularities.result import SingularSet
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.symbolic.tasks.task_formulas import Formulas
+from robotics1.symbolic.writing.decimals import lengths_in
 from robotics1.symbolic.writing.printing import line_text
 from robotics1.symbolic.writing.readable import readable
 from robotics1.tasks.pose import PoseTask
@@ -84,7 +84,7 @@ def determinant(asked: Asked) -> Answer:
     n = len(moving)
     if m == n:
         det = found.minors[tuple(i for i in range(len(found.q)) if i not in moving)]
-        det = readable(det, lengths_of(asked.robot.joints))
+        det = readable(det, lengths_in(asked.robot, asked.require_task()))
         if not det.free_symbols & set(found.q):
             return Answer(
                 equation("det J", det) + paragraphs("It is the same everywhere."), f"det J = {line_text(det)}"

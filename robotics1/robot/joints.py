@@ -81,8 +81,3 @@ def tips(links: Iterable[str], joints: Sequence[Joint]) -> tuple[str, ...]:
     """Return the links that carry no other link."""
     parents = {joint.parent for joint in joints}
     return tuple(link for link in links if link not in parents)
-
-
-def lengths_of(joints: Iterable[Joint]) -> list[float]:
-    """Return the lengths of a file: the coordinates of its joints' origins [m]."""
-    return [abs(length) for joint in joints for length in joint.xyz]

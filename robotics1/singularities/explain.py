@@ -8,7 +8,6 @@ import numpy as np
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.notation import enumeration, joint_value, vector
-from robotics1.robot.joints import lengths_of
 from robotics1.singularities.spaces import echelon
 from robotics1.tasks.task import turns_of
 
@@ -84,9 +83,7 @@ def _almost_everywhere(found: "SingularSet") -> list[str]:
     """Say what is lost, and what does not move the task, where nothing is singular."""
     if found.generic_bases is None:
         return []
-    lost, still = (
-        _written(found.generic_bases, name, lengths_of(found.robot.joints)) for name in ("left_null", "null")
-    )
+    lost, still = (_written(found.generic_bases, name, found) for name in ("left_null", "null"))
     lines = [*_lost(", ".join(found.task.row_names), lost), *_still(still)]
     return ["Almost everywhere", *lines[:-1], lines[-1][:-1] + "."] if lines else []
 
@@ -175,13 +172,13 @@ def place(branch: "SingularBranch") -> str:
 
 
 def _equation(branch: "SingularBranch", condition: Any) -> str:
-    """Return an equation; one whose coefficients are large numbers in metres, or with 1 for the largest."""
-    from robotics1.symbolic.writing.decimals import in_decimals
+    """Return an equation; one whose coefficients are lengths in metres, one with other large ones with 1 for them."""
+    from robotics1.symbolic.writing.decimals import in_decimals, lengths_in
     from robotics1.symbolic.writing.printing import line_text
 
     if condition.lhs.is_Symbol and condition.rhs.is_number:
         return f"{condition.lhs} = {_value(condition.rhs)}"
-    text = in_decimals(condition.lhs, lengths_of(branch.robot.joints)) if condition.rhs == 0 else None
+    text = in_decimals(condition.lhs, lengths_in(branch.robot, branch.task)) if condition.rhs == 0 else None
     return line_text(condition) if text is None else f"{text} = 0"
 
 
@@ -231,8 +228,7 @@ def _body(branch: "SingularBranch", there: str) -> list[str]:
         return _nothing_moves(rows, there)
     lines = []
     lost, still = (
-        None if branch.formulas is None else _written(branch.formulas, name, lengths_of(branch.robot.joints))
-        for name in ("left_null", "null")
+        None if branch.formulas is None else _written(branch.formulas, name, branch) for name in ("left_null", "null")
     )
     in_symbols = [*_lost(rows, lost), *_still(still)]
     in_numbers = [] if lost is not None else _lost(rows, directions(branch.left_null))
@@ -267,7 +263,7 @@ def _still(along: str | None) -> list[str]:
     return [f"   - joint velocities along {along} do not move the task;"] if along else []
 
 
-def _written(formulas: "BranchFormulas", name: str, lengths: Sequence[float]) -> str | None:
+def _written(formulas: "BranchFormulas", name: str, found: "SingularSet | SingularBranch") -> str | None:
     """Return a basis in symbols, or None where there is none, or it is too long to be read."""
     if not formulas.is_short(name):
         return None
@@ -277,9 +273,10 @@ def _written(formulas: "BranchFormulas", name: str, lengths: Sequence[float]) ->
         return None
     if sum(entry.count_ops() for entry in basis) > LONGEST * max(basis.cols, 1):
         return None
-    from robotics1.symbolic.writing.decimals import in_decimals
+    from robotics1.symbolic.writing.decimals import in_decimals, lengths_in
     from robotics1.symbolic.writing.printing import line_text
 
+    lengths = lengths_in(found.robot, found.task)
     columns = [basis.col(i) for i in range(basis.cols)]
     return " or ".join(in_decimals(column, lengths) or line_text(column) for column in columns)
 

@@ -14,7 +14,6 @@ from robotics1.names import printable
 from robotics1.notation import pi_fraction
 from robotics1.results import Frozen, require
 from robotics1.robot.box import JointBox
-from robotics1.robot.joints import lengths_of
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces_of_rank
 from robotics1.tasks.task import Task
@@ -220,10 +219,11 @@ class SingularSet(Frozen):
         """Return the conditions of the branches, and the rank on each; None of a set that was found by numbers."""
         if not self.branches or any(branch.formulas is None for branch in self.branches):
             return None
+        from robotics1.symbolic.writing.decimals import lengths_in
         from robotics1.symbolic.writing.printing import aligned, latex_text
         from robotics1.symbolic.writing.readable import readable
 
-        lengths = lengths_of(self.robot.joints)
+        lengths = lengths_in(self.robot, self.task)
         rows = [
             ", ".join(latex_text(readable(condition, lengths)) for condition in branch.conditions)
             + rf" &\Rightarrow \mathrm{{rank}}\,J = {branch.rank}"

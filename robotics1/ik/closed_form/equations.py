@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from robotics1.ik.closed_form.links import Links, Step
-from robotics1.symbolic.kinematics.chain import Chain
+from robotics1.symbolic.kinematics.chain import Chain, cross
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 
 SIDES = ((0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (0, 2))  # joints that are moved to the side of the target
@@ -102,6 +102,8 @@ class PartOfChain:
         if self.i + a < self.j:
             step = self.links.steps[self.i + a]
             yield (step.R @ step.axis) @ e
+            if not step.turns:  # what is normal to a slide's axis does not change
+                yield from cross(step.R @ step.axis, e)
 
     def _distances(self, a: int, b: int, L: tuple[Matrix, Matrix], M: Matrix) -> Iterator[TrigPolynomial]:
         """Return the equations with squares and products, with RᵀR = 1 used."""

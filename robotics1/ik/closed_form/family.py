@@ -9,6 +9,7 @@ import numpy as np
 import sympy
 
 from robotics1.caching import cached_property
+from robotics1.ik.closed_form.in_the_target import InTheTarget
 from robotics1.ik.closed_form.peeling import JointFormula
 from robotics1.ik.closed_form.source import c_source, latex_source, matlab_source, python_source
 from robotics1.inputs import Array
@@ -65,8 +66,14 @@ class IKBranch(Frozen):
 
     def in_the_target(self, e: Any) -> Any:
         """Return an expression or a condition with the formulas for the joints in it."""
-        with sympy.evaluate(len(self.symbols) <= SHORT):
+        if len(self.symbols) <= SHORT:
+            return self._in_the_target(e)
+        with sympy.evaluate(False):
             return e.xreplace(self._values)
+
+    @cached_property
+    def _in_the_target(self) -> InTheTarget:
+        return InTheTarget(dict(zip(self.symbols, self.steps, strict=True)))
 
     @cached_property
     def _values(self) -> dict[sympy.Symbol, sympy.Expr]:
@@ -150,6 +157,8 @@ class IKFormulas(Frozen):
     def at(self, target: Any) -> Array:
         """Return the solutions of a target in numbers, (k, nq), the joints of `free_joints` at zero.
 
+        There are none of a target in which one of `constraints` is more than 1e-5 from zero.
+
         Raises:
             InputError: the target has the wrong form.
         """
@@ -222,10 +231,13 @@ class IKFormulas(Frozen):
 
 
 def _short(condition: Any) -> Any:
-    """Return a condition e = 0 expanded, where it is short, so that cos² + sin² and roots are gone."""
+    """Return a condition e = 0 without powers and numbers in front; expanded where that is no longer."""
+    if isinstance(condition, sympy.And):
+        return sympy.And(*map(_short, condition.args))
     if not isinstance(condition, sympy.Eq) or condition.rhs != 0 or condition.count_ops() > LONG:
         return condition
-    _, e = sympy.factor_terms(sympy.expand(condition.lhs)).as_coeff_Mul()
+    expanded = sympy.factor_terms(sympy.expand(condition.lhs))
+    _, e = min(expanded, condition.lhs, key=sympy.count_ops).as_coeff_Mul()
     while e.is_Pow and e.exp.is_positive:
         _, e = e.base.as_coeff_Mul()
     return sympy.Eq(e, 0)

@@ -1,5 +1,6 @@
 """From a robot and a task to the formulas of all solutions."""
 
+import numpy as np
 import sympy
 
 from robotics1.errors import FormulaError, TaskError
@@ -21,6 +22,8 @@ from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import FrameMap, Task
 
+PLACES = 3  # random q at which the rank of J is taken
+VANISHES = 1e-9  # a singular value of J [m or 1]
 LITTLE = 5.0  # s: for the arms of six joints that probably have no formulas
 
 
@@ -76,7 +79,7 @@ def _found(robot: Robot, task: Task, form: FrameMap, *, thorough: bool) -> IKFor
     links = links_of(chain, _axes(robot, chain, form))
     target = symbolic_target(chain, task, form, links.pose)
     moving = _moving(chain, links, target)
-    _check_number(robot, task, moving)
+    _check_number(robot, task, [n for n, q in enumerate(chain.q) if q in moving])
     peeling = _peeling(chain, links, target, moving, thorough=thorough)
     constraints = peeling.constraints() if len(moving) < task.rows else ()
     joints = peeling.solve()
@@ -116,13 +119,22 @@ def _moving(chain: TargetChain, links: Links, target: Target) -> set[sympy.Symbo
     return {symbol for f in given for symbol in f.symbols} & set(chain.q)
 
 
-def _check_number(robot: Robot, task: Task, moving: set[sympy.Symbol]) -> None:
+def _check_number(robot: Robot, task: Task, moving: list[int]) -> None:
+    """Refuse an arm whose targets have infinitely many solutions, or none but by chance."""
     if not moving:
         raise TaskError(f"no joint of robot {robot.name!r} moves the task, so that there is nothing to solve for")
     if len(moving) > task.rows:
         raise TaskError(
             f"{len(moving)} joints of robot {robot.name!r} move a task of {task.rows} rows, so that a target has "
             f"infinitely many solutions; load the robot with some joints locked, or add rows to the task"
+        )
+    rng = np.random.default_rng(0)
+    trials = [rng.uniform(-1, 1, robot.nq) * np.where(robot.revolute, np.pi, robot.reach) for _ in range(PLACES)]
+    rank = max(np.linalg.matrix_rank(task.jacobian(robot, q)[:, moving], tol=VANISHES) for q in trials)
+    if rank < len(moving):
+        raise TaskError(
+            f"{len(moving)} joints of robot {robot.name!r} move the task, but the rank of its Jacobian is {rank} at "
+            f"most, so that a target has infinitely many solutions or none; load the robot with some joints locked"
         )
 
 

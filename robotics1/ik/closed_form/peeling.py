@@ -15,7 +15,7 @@ import sympy
 
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
 from robotics1.ik.closed_form.one_polynomial import NoEquation, least_polynomial, shortest_two
-from robotics1.ik.closed_form.one_unknown import OneUnknown, Solved, read, solve_one, solve_pair, turned
+from robotics1.ik.closed_form.one_unknown import ROUNDING, OneUnknown, Solved, read, solve_one, solve_pair, turned
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
 from robotics1.ik.closed_form.trial_point import TrialPoint
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
@@ -89,9 +89,16 @@ class Peeling:
 
     def constraints(self) -> tuple[sympy.Expr, ...]:
         """Return what must vanish of the target alone, of a task with more rows than joints."""
-        found = {self._defined(self.write(f)) for f in self.part.equations(0, 0) if self._says_something(f)}
+        found = self._without_unknowns()
+        if not found:  # joints that do not move the task may stand before the first axis that does
+            self._peel()
+            found = self._without_unknowns()
         distinct = {min(e, -e, key=lambda f: (len(str(f)), str(f))) for e in found if not e.is_number}
         return tuple(sorted(distinct, key=str))
+
+    def _without_unknowns(self) -> set[sympy.Expr]:
+        equations = (f.without_rounding(ROUNDING * f.largest) for f in self.part.equations(0, 0))
+        return {self._defined(self.write(f)) for f in equations if self._says_something(f)}
 
     def write(self, f: TrigPolynomial) -> sympy.Expr:
         """Return a polynomial as an expression, with the symbols of the pose."""
@@ -220,7 +227,10 @@ class Peeling:
         part, links = self.part, self.part.links
         while part.i < part.j and not self._moves_unknown(part.i):
             step = links.steps[part.i]
-            R, p = self._named(step.direction_behind(part.R), step.point_behind(part.p))
+            turned, moved = step.direction_behind(part.R), step.point_behind(part.p)
+            if self._known(np.column_stack([turned, moved])) < self._known(np.column_stack([part.R, part.p])):
+                break  # less would be left of a point of which not all coordinates are given
+            R, p = self._named(turned, moved)
             part = replace(part, i=part.i + 1, R=R, p=p)
         while part.i < part.j and not self._moves_unknown(part.j - 1):
             step = links.steps[part.j - 1]

@@ -23,6 +23,7 @@ C_WORDS = {
     *("isfinite", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "fabs", "pow", "exp", "log"),
     *("y0", "y1", "yn", "j0", "j1", "jn", "gamma", "found"),
 }
+CONSISTENT = "1e-05"  # [m or 1]: how far a target may be from one that a task with more rows than joints can have
 REAL_ONLY = {"sqrt": "real_sqrt", "acos": "real_acos", "asin": "real_asin"}
 
 
@@ -48,6 +49,9 @@ def python_source(formulas: "IKFormulas", name: str) -> str:
         f"{INDENT}solutions = []",
         f'{INDENT}with np.errstate(all="ignore"):',
     ]
+    for e in formulas.constraints:
+        lines.append(f"{2 * INDENT}if not abs({write(e)}) <= {CONSISTENT}:  # no joints have such a target")
+        lines.append(f"{3 * INDENT}return np.empty((0, {len(joints)}))")
     depth, body = _loops(
         formulas, write, 2, lambda q, both: f"for {q} in ({', '.join(both)}):", lambda q, e: f"{q} = {e}"
     )
@@ -82,6 +86,8 @@ def c_source(formulas: "IKFormulas", name: str) -> str:
         "{",
         f"{INDENT}int found = 0;",
     ]
+    tests = (f"if (!(fabs({write(e)}) <= {CONSISTENT})) return 0;" for e in formulas.constraints)
+    lines += [f"{INDENT}{text} /* no joints have such a target */" for text in tests]
     depth, body = _loops(
         formulas,
         write,
@@ -123,6 +129,8 @@ def matlab_source(formulas: "IKFormulas", name: str) -> str:
     for i, (word, value) in enumerate(values, len(target) + 1):
         lines.append(f"{INDENT}if nargin < {i}, {word} = {value!r}; end")
     lines.append(f"{INDENT}solutions = zeros(0, {len(joints)});")
+    tests = (f"if ~(abs({write(e)}) <= {CONSISTENT}), return; end" for e in formulas.constraints)
+    lines += [INDENT + text for text in tests]  # no joints have such a target
     depth, body = _loops(
         formulas, write, 1, lambda q, both: f"for {q} = [{', '.join(both)}]", lambda q, e: f"{q} = {e};"
     )

@@ -5,6 +5,7 @@ known. Any other is a symbol of its own, and an equation in which one is left sa
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -15,11 +16,12 @@ from sympy.polys.rings import PolyRing
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.symbolic.kinematics.chain import Chain, Pose
-from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, Matrix, TrigPolynomial, TrigRing
+from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, Matrix, TrigPolynomial, TrigRing, gaussian, polynomial
 from robotics1.symbolic.tasks.task_map import task_map
 from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import FrameMap, Task
 
+ROUNDING = 1e-15
 MOST_ANGLES = 3  # that a target has
 Definitions = dict[sympy.Symbol, sympy.Expr | None]  # of the symbols of a pose; None where nothing is known
 
@@ -171,10 +173,14 @@ def _set_angle(
     F = chain.trig_ring
     (sine, cosine), i = places, F.constant(F.ring(QQ_I(0, 1)))
     w: TrigPolynomial = M[cosine] + i * M[sine]
-    if len(w.terms) != 1 or set((w * w.conjugate).terms) != {F.zero}:
+    square = w * w.conjugate
+    if len(w.terms) != 1 or set(square.terms) != {F.zero} or square.symbols:
         raise FormulaError(f"the frame does not turn in a plane, so {phi.name} gives no entry of its rotation")
     [(k, kappa)] = w.terms.items()
-    turn = F.exponential({phi: 1}) * TrigPolynomial(F, {F.zero: kappa}).conjugate  # exp(i k·q)
+    turn = F.exponential({phi: 1}) * TrigPolynomial(F, {F.zero: kappa}).conjugate  # |κ| exp(i k·q)
+    length = float(polynomial(square.terms[F.zero])) ** 0.5  # of the x axis in the plane
+    if abs(length - 1) > ROUNDING:
+        turn = turn * F.constant(F.ring(gaussian(Fraction(1 / length))))
     for place in np.ndindex(3, 3):
         known = F.constant(0)
         entry: Any = M[place]

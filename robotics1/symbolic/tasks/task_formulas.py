@@ -12,7 +12,6 @@ from robotics1.caching import cached_property
 from robotics1.differentiation import Estimate, derivative
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
-from robotics1.robot.joints import lengths_of
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
@@ -30,6 +29,7 @@ from robotics1.symbolic.tasks.verification import (
     rounded,
 )
 from robotics1.symbolic.tasks.written_formulas import WrittenFormulas
+from robotics1.symbolic.writing.decimals import lengths_in
 from robotics1.symbolic.writing.readable import readable
 from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import Task
@@ -71,8 +71,18 @@ class Formulas(WrittenFormulas):
     def _readable(self) -> dict[str, Any]:
         """Return r, J and det J by their names, in decimals and lengths."""
         named = {"r": self.value, "J": self.jacobian, **self._determinant()}
-        lengths = lengths_of(self.robot.joints)
-        return {name: readable(formula, lengths) for name, formula in named.items()}
+        return {name: self.readable(formula) for name, formula in named.items()}
+
+    def readable(self, formula: Any) -> Any:
+        """Return a formula of this arm with five digits, and with lengths of its file for coefficients.
+
+        −26673 (8500 cos q2 + 7845 cos(q2 + q3)) sin q3 / 3200000000 is read as
+        −0.16671 (0.425 cos q2 + 0.39225 cos(q2 + q3)) sin q3. To compute, take the formula itself.
+
+        Args:
+            formula: an expression, a matrix, or an equation; one with 0 on the right loses its constant factor.
+        """
+        return readable(formula, lengths_in(self.robot, self.task))
 
     def _determinant(self) -> dict[str, sympy.Expr]:
         """Return the determinant by its name, where J is square and it is found."""

@@ -4,36 +4,34 @@ SymPy multiplies fractions out: −26673 (8500 cos q2 + 7845 cos(q2 + q3)) sin q
 −0.16671 (0.425 cos q2 + 0.39225 cos(q2 + q3)) sin q3. It is the same to five digits; to compute, take the formula.
 """
 
-from collections.abc import Iterable
 from typing import Any
 
 import sympy
 
-from robotics1.symbolic.writing.decimals import SAME, scale_to_lengths
+from robotics1.symbolic.writing.decimals import SAME, Lengths, scale_to_lengths
 from robotics1.symbolic.writing.printing import with_decimals
 
 
-def readable(formula: Any, lengths: Iterable[float] = ()) -> Any:
+def readable(formula: Any, lengths: Lengths) -> Any:
     """Return a formula with decimals for long fractions, and factors whose coefficients are lengths.
 
     Args:
         formula: an expression, a matrix, or an equation; one with 0 on the right loses its constant factor.
-        lengths: those of the arm [m].
+        lengths: those of the arm.
     """
-    known = tuple(lengths)
     if isinstance(formula, sympy.MatrixBase):
-        return formula.applyfunc(lambda entry: readable(entry, known))
+        return formula.applyfunc(lambda entry: readable(entry, lengths))
     if isinstance(formula, sympy.Equality):
-        left = _parts(formula.lhs, known)[1] if formula.rhs == 0 else [readable(formula.lhs, known)]
-        return sympy.Eq(sympy.Mul(*left), readable(formula.rhs, known), evaluate=False)
+        left = _parts(formula.lhs, lengths)[1] if formula.rhs == 0 else [readable(formula.lhs, lengths)]
+        return sympy.Eq(sympy.Mul(*left), readable(formula.rhs, lengths), evaluate=False)
     if not isinstance(formula, sympy.Expr) or formula.is_Add:
         return _whole(with_decimals(formula))
-    constant, factors = _parts(formula, known)
+    constant, factors = _parts(formula, lengths)
     # SymPy would multiply a whole number into the only sum
     return _whole(sympy.Mul(constant, *factors, evaluate=len(factors) != 1 or constant == 1))
 
 
-def _parts(e: sympy.Expr, lengths: tuple[float, ...]) -> tuple[sympy.Expr, list[sympy.Expr]]:
+def _parts(e: sympy.Expr, lengths: Lengths) -> tuple[sympy.Expr, list[sympy.Expr]]:
     """Return a constant and the other factors of an expression, whose sums have lengths for coefficients."""
     constant, factors = sympy.S.One, []
     for factor in sympy.Mul.make_args(e):
@@ -55,7 +53,7 @@ def _whole(formula: Any) -> Any:
     return formula.xreplace({x: sympy.Integer(round(x)) for x in floats}) if floats else formula
 
 
-def _with_lengths(total: sympy.Add, lengths: tuple[float, ...]) -> tuple[sympy.Expr, sympy.Expr]:
+def _with_lengths(total: sympy.Add, lengths: Lengths) -> tuple[sympy.Expr, sympy.Expr]:
     """Return k, and k times a sum with large whole coefficients, which are lengths then; else 1 and the sum."""
     k = scale_to_lengths([total], lengths)
     if k is None:
@@ -65,7 +63,7 @@ def _with_lengths(total: sympy.Add, lengths: tuple[float, ...]) -> tuple[sympy.E
     return k, sympy.Add(*(with_decimals(k * term) for term in total.args))
 
 
-def readable_vector(column: sympy.Matrix, lengths: Iterable[float] = ()) -> sympy.Matrix:
+def readable_vector(column: sympy.Matrix, lengths: Lengths) -> sympy.Matrix:
     """Return a vector of a basis, whose length is free, with lengths for large whole coefficients."""
     expanded = column.applyfunc(sympy.expand)
     k = scale_to_lengths(list(expanded), lengths)
