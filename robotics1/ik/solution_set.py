@@ -44,8 +44,8 @@ class IKSolutions(Frozen):
             where that is less than 1e-6; else ∞. Of the two that meet one may be outside the limits.
         families: of each curve of solutions that was followed, equations that hold along it, such as
             ("q5 = 0", "q4 + q6 = 0.7").
-        tangents: (k, nq) the unit tangent of the curve at each solution, zero of one that stands alone; empty where no
-            curve was followed.
+        tangents: (k, nq) the unit tangent of the curve at each solution, zero of one that stands alone, or where J of
+            a redundant arm loses rank; empty where there are no curves.
         hits: (k,) how many starts of a search have led to each solution; empty where no search has found single ones.
         unseen: the estimated share of starts that lead to solutions not seen yet; 0 by formula.
         robot, task: whose solutions they are.
