@@ -54,7 +54,7 @@ def test_a_stretched_arm_is_at_the_boundary_and_says_how_far(case):
     assert [len(found) for found in (at, beyond, far)] == [1, 1, 0]
     factor = np.sqrt(2) if case == "function" else 1.0
     assert [at.boundary_distance, beyond.boundary_distance] == pytest.approx([0, 5e-7 * factor], abs=1e-9)
-    assert at.singular.all() and not at.complete
+    assert (at.singular.all(), at.complete) == (True, False)
     assert far.status in (IKStatus.UNREACHABLE, IKStatus.NOT_FOUND)
 
 

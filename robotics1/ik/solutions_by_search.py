@@ -7,15 +7,18 @@ import numpy as np
 
 from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance, distance_of_singular
 from robotics1.ik.descent import REACHED
+from robotics1.ik.families import Families
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_search import FLAT, NEARLY_SINGULAR, SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
+from robotics1.ik.surfaces import surfaces
 from robotics1.inputs import Array
 from robotics1.singularities.points import SingularPoints, singular_points
 
 FEWEST, MOST = 100, 1000  # starts
+SAMPLES = 12  # of a set, that tell what stays the same on it
 MANY = 0.25  # solutions a start: so many that they may be no single ones
 
 
@@ -56,7 +59,8 @@ def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) ->
     roots = [Root(q, points.relative_sigma(q), flag) for q, flag in zip(found, singular, strict=True)]
     if dimension:
         near = distance_of_singular(roots, search, points)
-        return replace(answer, boundary_distance=near, tangents=_tangents(found, search, dimension))
+        tangents, families = _tangents(found, search, dimension), _equations(found, search)
+        return replace(answer, boundary_distance=near, tangents=tangents, families=families)
     near = boundary_distance(roots, (), search, points)
     status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
     return replace(answer, status=status, boundary_distance=near, hits=np.array(hits), unseen=unseen_share(hits))
@@ -72,8 +76,14 @@ def _tangents(found: list[Array], search: SolutionSearch, dimension: int) -> Arr
         _, sigma, Vt = np.linalg.svd(search.jacobian(q)[:, moving])
         if np.count_nonzero(sigma > FLAT * sigma[0]) == len(Vt) - 1:
             tangent[moving] = search.problem.box.unit[moving] * Vt[-1]
-            tangent /= np.linalg.norm(tangent)
+    tangents /= np.maximum(np.linalg.norm(tangents, axis=1, keepdims=True), 1e-300)
     return tangents
+
+
+def _equations(found: list[Array], search: SolutionSearch) -> tuple[tuple[str, ...], ...]:
+    """Return what stays the same on each set of solutions, as sums of joints."""
+    families = Families(search.problem, search, lambda q: search.descend(search.problem.box.nearest(q))[0], lambda q: q)
+    return tuple(surface.equations for surface in surfaces(families, found, SAMPLES) if surface.equations)
 
 
 def _at_the_boundary(missed: IKSolutions, points: SingularPoints) -> IKSolutions | None:
