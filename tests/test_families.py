@@ -10,6 +10,9 @@ from test_all_solutions import ANTHROPOMORPHIC, CYLINDRICAL, POSE, PUMA, STANFOR
 
 from robotics1 import ik_solutions, robot_from_dh
 from robotics1.ik import IKStatus, SolutionSolver
+from robotics1.ik.families import Families
+from robotics1.ik.prepared import prepare
+from robotics1.ik.solution_search import SolutionSearch
 
 UPPER, FOREARM = 0.5, 0.4
 ELBOW = [R(0, H, 0.3), R(UPPER, 0, 0), R(0, H, 0), R(0, -H, FOREARM), R(0, H, 0), R(0, 0, 0.1)]
@@ -70,6 +73,22 @@ def test_where_two_families_cross_both_are_followed():
     assert len(equations) == 4
     assert sum("q5 = 0" in text and "q4 + q6" in text for text in equations) == 2
     assert sum("q1" not in text for text in equations) == 2
+
+
+def test_both_curves_that_cross_where_a_four_bar_is_flat_have_the_tangents_of_the_second_order():
+    """With four parallel axes in one plane the rates φ of the links between them are Σ l φ = 0 and Σ l φ² = 0."""
+    for l1, l2, l3 in np.random.default_rng(1).uniform([0.3, 0.3, 0.1], [0.6, 0.6, 0.25], (8, 3)):
+        robot = robot_of([R(0, H, 0.3), R(l1, 0, 0), R(l2, 0, 0), R(0, H, 0.1), R(0, -H, l3), R(0, 0, 0.1)])
+        q = np.array([0.3, -0.7, 0, -H, 0, 0.2])  # the third link points back
+        problem = prepare(robot, POSE).problem
+        families = Families(problem, SolutionSearch(problem, POSE.value(robot, q)), lambda p: p, lambda p: p)
+        Vt = np.linalg.svd(problem.jacobian(q))[2]
+        angles = np.array(families._tangents(q))[:, None]
+        phi = np.cumsum((np.cos(angles) * Vt[-1] + np.sin(angles) * Vt[-2])[:, 1:4], axis=1)
+        found = phi[:, 1] / phi[:, 0]
+        expected = np.roots([l2 - l2**2 / l3, -2 * l1 * l2 / l3, l1 - l1**2 / l3])
+        assert np.isreal(expected).all()
+        assert all(np.abs(found - ratio).min() < 1e-5 for ratio in expected)
 
 
 @pytest.mark.parametrize("case", ["wrist", "wrist behind a slide"])

@@ -33,11 +33,7 @@ PARALLEL = 1e-9  # sine of the angle between axes
 def way_to_all_solutions(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: Array) -> ClosedForm | None:
     """Return the way to all solutions of a task with as many rows as joints that move it, or more; None if unknown.
 
-    Args:
-        robot: the robot.
-        task: on one frame.
-        moving: (nq,) which joints move the task.
-        still: (nq,) where the others stand [rad or m].
+    `moving` and `still` are those of `fixed_chain`.
     """
     form = task.frame_map()
     if form is None or form.pose_error is None or form.pose_error.axis.any() or not moving.any():

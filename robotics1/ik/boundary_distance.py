@@ -55,6 +55,14 @@ def boundary_distance(
     return near if near < BOUNDARY else np.inf
 
 
+def distance_of_singular(roots: Sequence[Root], search: SolutionSearch, points: SingularPoints) -> float:
+    """Return how far the target is from the value at a singular configuration near one of infinitely many solutions."""
+    short = shortness(search.problem)
+    some = [root.q for root in roots if not root.singular and root.sigma < NEARLY_SINGULAR * np.sqrt(short)]
+    near = min((_to_the_singular_set(q, search, points) for q in some), default=np.inf)
+    return near if near < BOUNDARY else np.inf
+
+
 def _to_the_singular_set(q: Array, search: SolutionSearch, points: SingularPoints) -> float:
     """Return how far the target is from the nearest value of the singular configurations near q; ∞ if there are none.
 
@@ -88,5 +96,6 @@ def distance_of_meeting(p: Array, q: Array, search: SolutionSearch) -> float:
     """
     problem = search.problem
     halfway = q + 0.5 * problem.shortest_difference(p, q) * problem.box.unit
-    u = np.linalg.svd(problem.task.jacobian(problem.robot, halfway)[:, problem.moving])[0][:, -1]
+    U, sigma, _ = np.linalg.svd(problem.task.jacobian(problem.robot, halfway)[:, problem.moving])
+    u = U[:, len(sigma) - 1]
     return float(abs(u @ problem.turns.wrapped(search.task_error(halfway))))

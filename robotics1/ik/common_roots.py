@@ -80,8 +80,8 @@ def common_roots(F: Complex, G: Complex, prismatic: Sequence[bool]) -> CommonRoo
         None if the resultants vanish: the equations have a common factor, or they are nearly dependent.
     """
     sizes = np.abs(F).max(), np.abs(G).max()
-    if min(sizes) < ZERO * max(*sizes, 1e-300):
-        return None
+    if min(sizes) < ZERO * max(*sizes, 1.0):
+        return None  # an equation of lengths and sines of about 1 that is rounding tells nothing
     F, G = F / sizes[0], G / sizes[1]
     for order in ((0, 1), (1, 0)):
         A, B = F.transpose(order), G.transpose(order)

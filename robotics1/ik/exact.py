@@ -17,6 +17,7 @@ from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_search import SAME, SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.structure import ClosedForm
+from robotics1.ik.surfaces import with_surfaces
 from robotics1.inputs import Array
 from robotics1.robot.box import nearest_turn
 from robotics1.singularities.points import SingularPoints, singular_points
@@ -79,7 +80,8 @@ class ExactSolver:
         families = Families(self.problem, search, lambda q: self._polished(q[None], goal)[0][0], self._within)
         dimensions = [self._dimension(root, families) for root in every]
         if max(dimensions, default=0) > 1:
-            return otherwise(None)
+            starts = [root.q for root, dimension in zip(every, dimensions, strict=True) if dimension]
+            return with_surfaces(otherwise(None), starts, max(dimensions), families)
         if any(dimensions):
             answer = self._with_families(every, dimensions, families, proven=proven)
             if answer is not None:
@@ -187,7 +189,8 @@ class ExactSolver:
         """Return the dimension of the solutions around one of them."""
         if not root.singular:
             return 0
-        return families.search.dimension(root.q) if self._within(root.q) is not None else families.dimension(root.q)
+        found = families.search.dimension(root.q) if self._within(root.q) is not None else families.dimension(root.q)
+        return families.dimension_around(root.q) if found else 0
 
     def _with_families(
         self, roots: list[Root], dimensions: list[int], families: Families, *, proven: bool
@@ -217,7 +220,7 @@ class ExactSolver:
         proven = proven and self._is_whole(alone, curves)
         listed = [root for root, _ in found]
         answer = self._answer(listed, outside, IKStatus.INFINITE, families.search, dimension=1, proven=proven, near=0.0)
-        relations = tuple(joint_relations(curve.q, robot.joint_names, robot.revolute) for curve in curves)
+        relations = tuple(joint_relations(curve.q, self.problem) for curve in curves)
         return replace(answer, families=relations, tangents=np.array([t for _, t in found]))
 
     def _is_whole(self, alone: list[Root], curves: list[FamilyCurve]) -> bool:
@@ -251,7 +254,7 @@ class ExactSolver:
             return self._answer([root], outside, IKStatus.BOUNDARY, search, proven=proven, near=distance)
         searched = otherwise(NEAREST if proven else None)
         if len(searched) or not proven:
-            return searched
+            return otherwise(None) if proven else searched
         return replace(
             searched,
             status=IKStatus.UNREACHABLE,

@@ -14,6 +14,8 @@ from robotics1.inputs import Array
 STEP, STEPS = 0.25, 60  # along a curve, to each side
 LISTED = 0.6 * STEP  # from a sample of a curve, of a solution that is on it
 DIFFERENCE = 1e-4  # in units, of a quotient
+PLACES, SPREAD = 2, 0.2  # near a solution, where steps are made, and of these beside one that counts
+MOST = 24  # curves that cross each other
 DIRECTIONS = 24  # in which curves may leave a crossing
 CHANGES = 0.999  # of the second smallest σ, from one sample to the next, where there may be a crossing between
 CROSSING = 1e-3  # σ beside σ₁ of a second direction that may be the tangent of another curve
@@ -53,6 +55,22 @@ class Families:
         sigma, Vt = self._spectrum(q)
         return sum(all(self._goes_on(q, tangent, step) for step in ASIDE) for tangent in Vt[sigma < FLAT])
 
+    def dimension_around(self, q: Array) -> int:
+        """Return the dimension of a family, at least 1, from steps at solutions near one of its own.
+
+        At the solution itself curves may cross, whose tangents span a plane although there is no surface.
+        """
+        rng, largest = np.random.default_rng(0), 1
+        for _ in range(PLACES):
+            p = self.step(q, rng, STEP)
+            p = p if self.search.relative_error(p) <= REACHED else q
+            steps = 3 * int(np.count_nonzero(self._spectrum(p)[0] < FLAT))
+            ahead = [self.step(p, rng, ASIDE[0]) for _ in range(steps if steps > 3 else 0)]
+            moves = [self._way(a, p) / ASIDE[0] for a in ahead if self.search.relative_error(a) <= REACHED]
+            lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
+            largest = max(largest, int(np.count_nonzero(lengths > SPREAD * np.sqrt(len(moves)))))
+        return largest
+
     def _goes_on(self, q: Array, tangent: Array, step: float) -> bool:
         p = self._ahead(q, tangent, step)
         way = float(np.linalg.norm(self.problem.shortest_difference(p, q)))
@@ -66,7 +84,7 @@ class Families:
         waiting: list[tuple[Array, Array | None]] = [(q, None)]
         if self._second(q) < FLAT:  # the tangent is somewhere in a plane
             waiting = [(q, p) for p in self._ways_from(q)]
-        while waiting:
+        while waiting and len(found) < MOST:
             start, ahead = waiting.pop()
             if ahead is not None and self.is_listed(ahead):
                 continue
@@ -81,6 +99,13 @@ class Families:
     def is_listed(self, q: Array) -> bool:
         """Return whether a singular solution is on one of the curves so far."""
         return any(np.linalg.norm(self.problem.shortest_difference(p, q)) < LISTED for p in self.seen)
+
+    def step(self, q: Array, rng: np.random.Generator, length: float) -> Array:
+        """Return the solution next to a step from one along a random direction of N(J)."""
+        sigma, Vt = self._spectrum(q)
+        null = Vt[np.count_nonzero(sigma >= FLAT) :]
+        way = rng.standard_normal(len(null)) @ null
+        return self._ahead(q, way / max(float(np.linalg.norm(way)), 1e-300), length)
 
     def _spectrum(self, q: Array) -> tuple[Array, Array]:
         """Return σ(J), beside the largest, and the right singular vectors as rows."""

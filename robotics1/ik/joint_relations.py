@@ -6,6 +6,7 @@ from itertools import combinations, product
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
 from robotics1.notation import joint_value
 
@@ -14,19 +15,22 @@ TERMS = 4  # of a sum, at most
 MOST = 10  # joints of one kind that change: of more no sums are looked for
 
 
-def joint_relations(q: Array, names: Sequence[str], revolute: npt.NDArray[np.bool_]) -> tuple[str, ...]:
+def joint_relations(q: Array, problem: ScaledTask, same: float = SAME) -> tuple[str, ...]:
     """Return the equations, such as "q5 = 0" and "q4 + q6 = 0.7", that all configurations q (k, nq) of a curve satisfy.
 
-    They are linear with the coefficients 1 and −1, and have four terms at most. Angles count modulo 2π.
+    They are linear with the coefficients 1 and −1, and have four terms at most. Angles count modulo 2π. What is
+    constant may change by `same` [rad, m]. Joints that do not move the task are free, and have no equation.
     """
-    changing = [j for j in range(len(names)) if np.ptp(_from_the_first(q[:, j], turns=bool(revolute[j]))) > SAME]
-    found = [_equation(q, names, revolute, (j,), (1,)) for j in range(len(names)) if j not in changing]
+    names, revolute = problem.robot.joint_names, problem.robot.revolute
+    bound = [j for j, name in enumerate(names) if name not in problem.free_joints]
+    changing = [j for j in bound if np.ptp(_from_the_first(q[:, j], turns=bool(revolute[j]))) > same]
+    found = [_equation(q, names, revolute, (j,), (1,)) for j in bound if j not in changing]
     known = np.zeros((0, len(names)))
     for joints, signs in _sums(changing, revolute):
         coefficients = np.zeros(len(names))
         coefficients[list(joints)] = signs
         turns = bool(revolute[joints[0]])
-        if np.ptp(_from_the_first(q @ coefficients, turns=turns)) > SAME:
+        if np.ptp(_from_the_first(q @ coefficients, turns=turns)) > same:
             continue
         if np.linalg.matrix_rank([*known, coefficients]) > len(known):
             known = np.vstack([known, coefficients])

@@ -14,6 +14,7 @@ NEARLY_SINGULAR = 1e-3  # σ_ρ, beside the usual σ₁, below which a solution 
 ASIDE = 0.05, 0.007
 SMALL = 1e-5  # a step of Newton's method, after which the slopes of J are still good for another
 SETTLED = 1e-13  # a step of Newton's method, after which no other is needed
+INSIDE = 1e-7  # of a limit, in units
 FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a family
 
 
@@ -46,8 +47,15 @@ class SolutionSearch(TaskDescent):
         return self.points is not None and self.points.relative_sigma(q) <= ON_THE_SET
 
     def dimension(self, q: Array) -> int:
-        """Return in how many independent directions a step along the null space of J leads to other solutions."""
+        """Return the dimension of the solutions around one of them.
+
+        Where J has the rank ρ that it has almost everywhere, n joints leave n − ρ dimensions: the rank is the same all
+        around (constant rank theorem). Elsewhere, and at a limit, it is in how many independent directions a step along
+        the null space of J leads to other solutions.
+        """
         moving, units = self.problem.moving, self.problem.box.unit
+        if self.points is not None and self._is_inside(q) and self.points.relative_sigma(q) > FLAT:
+            return int(np.count_nonzero(moving)) - self.points.rank
         J = self.jacobian(q)[:, moving]
         _, sigma, Vt = np.linalg.svd(J)
         flat = np.ones(len(Vt), dtype=bool)
@@ -61,6 +69,12 @@ class SolutionSearch(TaskDescent):
                 moves.append(ways[0][0] / ASIDE[0])
         lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
         return int(np.count_nonzero(lengths > 0.1))
+
+    def _is_inside(self, q: Array) -> bool:
+        """Whether no joint that moves the task is at its limit."""
+        box, margin = self.problem.box, INSIDE * self.problem.box.unit
+        free = box.circular | ~self.problem.moving
+        return bool(np.all(free | ((q > box.lower + margin) & (q < box.upper - margin))))
 
     def _neighbours(self, q: Array, direction: Array, step: float) -> list[Array]:
         """Return the way to a solution that is about one step along a direction, or against it, if there is one."""

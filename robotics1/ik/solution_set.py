@@ -42,10 +42,10 @@ class IKSolutions(Frozen):
         outside_limits: (j, nq) the solutions outside the limits, where the method finds these too.
         boundary_distance: how far the target is from the nearest one with a double solution that was seen [m, rad],
             where that is less than 1e-6; else ∞. Of the two that meet one may be outside the limits.
-        families: of each curve of solutions that was followed, equations that hold along it, such as
-            ("q5 = 0", "q4 + q6 = 0.7").
-        tangents: (k, nq) the unit tangent of the curve at each solution, zero of one that stands alone; empty where no
-            curve was followed.
+        families: of each curve or set of solutions, equations that hold along it, such as ("q5 = 0", "q4 + q6 = 0.7").
+            Sets of a search with the same equations, or none, are one.
+        tangents: (k, nq) the unit tangent of the curve at each solution, zero of one that stands alone, or where J of
+            a redundant arm loses rank; empty where there are no curves.
         hits: (k,) how many starts of a search have led to each solution; empty where no search has found single ones.
         unseen: the estimated share of starts that lead to solutions not seen yet; 0 by formula.
         robot, task: whose solutions they are.
@@ -131,7 +131,8 @@ class IKSolutions(Frozen):
             rest += f": {led}; the next leads to another with an estimated chance of {self.unseen:.2g}"
         found = f"{len(self)} found by {self.method}, {rest}"
         free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
-        curves = "".join(f"; along a curve {', '.join(equations)}" for equations in self.families if equations)
+        where = "along a curve" if self.dimension == 1 else "on a set with"
+        curves = "".join(f"; {where} {', '.join(equations)}" for equations in self.families if equations)
         return f"{self.status.value}{self._kind}: {found}{free}{curves}{self._edge}"
 
     @property

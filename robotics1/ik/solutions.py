@@ -43,7 +43,9 @@ def ik_solutions(
     or nearly do: `boundary_distance` says how far the target is from there.
 
     Otherwise a search runs damped least squares from random starts and keeps what differs. It can miss a solution, so
-    that `complete` is False where it has found some. UNREACHABLE is proven; a search that finds nothing is NOT_FOUND.
+    that `complete` is False where it has found some. It tells BOUNDARY as well. Of a redundant arm `dimension` is
+    n − ρ, the joints that move the task less the rank of J, where J has this rank. UNREACHABLE is proven; a search that
+    finds nothing is NOT_FOUND.
 
     A row of a `FunctionTask` with the unit "rad" is taken modulo 2π. Without units a row that counts turns, as q1 + q3
     does, has its own value: joints are turned as far as their limits allow until it is the target's. A row that is

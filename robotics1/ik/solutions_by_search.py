@@ -5,16 +5,20 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance, distance_of_singular
 from robotics1.ik.descent import REACHED
+from robotics1.ik.families import Families
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
-from robotics1.ik.solution_search import SolutionSearch
+from robotics1.ik.solution_search import FLAT, NEARLY_SINGULAR, SolutionSearch
 from robotics1.ik.solution_set import IKSolutions
+from robotics1.ik.surfaces import surfaces
 from robotics1.inputs import Array
-from robotics1.singularities.points import singular_points
+from robotics1.singularities.points import SingularPoints, singular_points
 
 FEWEST, MOST = 100, 1000  # starts
+SAMPLES = 12  # of a set, that tell what stays the same on it
 MANY = 0.25  # solutions a start: so many that they may be no single ones
 
 
@@ -30,11 +34,13 @@ def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) ->
     rng = np.random.default_rng(seed)
     if not problem.moving.any():
         return _of_a_task_that_nothing_moves(problem, target, problem.box.random(rng, starts or FEWEST))
-    search = SolutionSearch(problem, target, points=singular_points(robot, task, problem.box, rng))
+    points = singular_points(robot, task, problem.box, rng)
+    search = SolutionSearch(problem, target, points=points)
     ends = [search.descend(q) for q in problem.random(rng, starts or FEWEST)]
     found, hits = search.distinct(ends)
+    redundant = np.count_nonzero(problem.moving) > points.rank
     while starts is None and len(ends) < MOST and _more_are_expected(hits):
-        if len(found) > MANY * len(ends) and _dimension(search, found):
+        if (redundant or len(found) > MANY * len(ends)) and _dimension(search, found):
             break
         ends += [search.descend(q) for q in problem.random(rng, FEWEST)]
         found, hits = search.distinct(ends)
@@ -46,10 +52,56 @@ def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) ->
         status, closest = IKStatus.INFINITE if dimension else IKStatus.FINITE, found[0]
     else:
         status = IKStatus.UNREACHABLE if is_out_of_reach(problem, target) else IKStatus.NOT_FOUND
-    answer = _answer(problem, target, found, status, closest, dimension, [search.singular(q) for q in found])
-    if dimension or not found:
-        return answer
-    return replace(answer, hits=np.array(hits), unseen=unseen_share(hits))
+    singular = [search.singular(q) for q in found]
+    answer = _answer(problem, target, found, status, closest, dimension, singular)
+    if not found:
+        return _at_the_boundary(answer, points) or answer
+    roots = [Root(q, points.relative_sigma(q), flag) for q, flag in zip(found, singular, strict=True)]
+    if dimension:
+        near = distance_of_singular(roots, search, points)
+        tangents, families = _tangents(found, search, dimension), _equations(found, search)
+        return replace(answer, boundary_distance=near, tangents=tangents, families=families)
+    near = boundary_distance(roots, (), search, points)
+    status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
+    return replace(answer, status=status, boundary_distance=near, hits=np.array(hits), unseen=unseen_share(hits))
+
+
+def _tangents(found: list[Array], search: SolutionSearch, dimension: int) -> Array:
+    """Return the unit tangents of the curves through solutions, (k, nq): N(J); zero where J loses rank more often."""
+    n, moving = len(found[0]), search.problem.moving
+    if dimension != 1:
+        return np.zeros((0, n))
+    tangents = np.zeros((len(found), n))
+    for tangent, q in zip(tangents, found, strict=True):
+        _, sigma, Vt = np.linalg.svd(search.jacobian(q)[:, moving])
+        if np.count_nonzero(sigma > FLAT * sigma[0]) == len(Vt) - 1:
+            tangent[moving] = search.problem.box.unit[moving] * Vt[-1]
+    tangents /= np.maximum(np.linalg.norm(tangents, axis=1, keepdims=True), 1e-300)
+    return tangents
+
+
+def _equations(found: list[Array], search: SolutionSearch) -> tuple[tuple[str, ...], ...]:
+    """Return what stays the same on each set of solutions, as sums of joints."""
+    families = Families(search.problem, search, lambda q: search.descend(search.problem.box.nearest(q))[0], lambda q: q)
+    return tuple(surface.equations for surface in surfaces(families, found, SAMPLES) if surface.equations)
+
+
+def _at_the_boundary(missed: IKSolutions, points: SingularPoints) -> IKSolutions | None:
+    """Return the double solution that the target is next to, less than 1e-6 beyond the boundary; None if there is none.
+
+    There J loses rank; where a joint alone is at its limit it does not.
+    """
+    if missed.error_norm >= BOUNDARY or points.relative_sigma(missed.closest) > NEARLY_SINGULAR:
+        return None
+    return replace(
+        missed,
+        q=missed.closest[None],
+        singular=np.array([True]),
+        status=IKStatus.BOUNDARY,
+        complete=False,
+        within_limits=np.array([True]),
+        boundary_distance=missed.error_norm,
+    )
 
 
 def _more_are_expected(hits: list[int]) -> bool:
