@@ -5,6 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.kernels.chain import ChainArrays, Indices, chain_arrays
 from robotics1.kernels.compilation import is_ready
