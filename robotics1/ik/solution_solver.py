@@ -189,6 +189,8 @@ class SolutionSolver:
 
     def _goals(self, targets: list[Any]) -> Array:
         """Return the poses (k, 4, 4) of targets, as `_goal_of` does."""
+        if self._takes_poses and all(type(target) is SE3 for target in targets):
+            return np.concatenate([target.homogeneous for target in targets]).reshape(-1, 4, 4)
         goals = np.empty((len(targets), 4, 4))
         unchecked = SE3 if self._takes_poses else None
         for i, target in enumerate(targets):

@@ -56,7 +56,7 @@ def constant_rows(robot: Robot, task: Task) -> Array | None:
 
 
 def _order_of_chain(robot: Robot, frame: str | None) -> list[int] | None:
-    """Return the columns of the joints that carry a frame, from the base; None if one shares a column or has several."""
+    """Return the columns of the joints that carry a frame, from the base; None if one shares its own or has several."""
     model = robot.own_model
     carrying = list(model.supports[model.frames[robot.frame_id(frame)].parentJoint])[1:]  # the first is the world
     joints = [model.joints[number] for number in carrying]
