@@ -33,9 +33,8 @@ def _on_the_stack(of: str) -> Callable[..., Any]:
 
     number = getattr(types, of)
 
-    @intrinsic(prefer_literal=True)
     def room(context: Any, shape: Any) -> Any:
-        sizes = [size.literal_value for size in (shape if isinstance(shape, types.BaseTuple) else [shape])]
+        sizes = [size.literal_value for size in getattr(shape, "types", [shape])]
         kind = types.Array(number, len(sizes), "C")
 
         def code(target: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -51,7 +50,8 @@ def _on_the_stack(of: str) -> Callable[..., Any]:
 
         return kind(shape), code
 
-    return room
+    stack: Callable[..., Any] = intrinsic(prefer_literal=True)(room)
+    return stack
 
 
 if COMPILED:
