@@ -33,7 +33,7 @@ def spatial_pose(target):
 INPUT, UNKNOWN, FILE, TASK = r1.InputError, r1.UnknownNameError, r1.RobotFileError, r1.TaskError
 MISTAKES = {
     # loading
-    "a name in capitals": (lambda: r1.load_robot("PRR"), UNKNOWN, r"did you mean 'prr'\?"),
+    "a name in capitals": (lambda: r1.load_robot("PRR"), UNKNOWN, r"did you mean 'prr'\?$"),
     "a name with a slip": (lambda: r1.load_robot("prrr"), UNKNOWN, "did you mean 'prr'"),
     "a file that is not there": (lambda: r1.load_robot("arm.urdf"), FILE, "there is no such file"),
     "a file at home": (lambda: r1.load_robot("~/arm.urdf"), FILE, r"write Path\('~/...'\).expanduser\(\)"),

@@ -52,6 +52,8 @@ class Families:
 
     def dimension(self, q: Array) -> int:
         """Return in how many independent directions solutions go on from one, with no regard to limits."""
+        if self.search.stands_alone(q):
+            return 0
         sigma, Vt = self._spectrum(q)
         return sum(all(self._goes_on(q, tangent, step) for step in ASIDE) for tangent in Vt[sigma < FLAT])
 

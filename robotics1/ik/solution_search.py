@@ -16,6 +16,8 @@ SMALL = 1e-5  # a step of Newton's method, after which the slopes of J are still
 SETTLED = 1e-13  # a step of Newton's method, after which no other is needed
 INSIDE = 1e-7  # of a limit, in units
 FLAT = 1e-6  # σ beside σ₁ of a direction that may be the tangent of a family
+STEEP = 1e-3  # σ beside σ₁ of a direction across all families
+CURVED = 1e-3  # of uᵀ (dJ/dv) v, without units: solutions do not go on along v
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +58,8 @@ class SolutionSearch(TaskDescent):
         moving, units = self.problem.moving, self.problem.box.unit
         if self.points is not None and self._is_inside(q) and self.points.relative_sigma(q) > FLAT:
             return int(np.count_nonzero(moving)) - self.points.rank
+        if self.stands_alone(q):
+            return 0
         J = self.jacobian(q)[:, moving]
         _, sigma, Vt = np.linalg.svd(J)
         flat = np.ones(len(Vt), dtype=bool)
@@ -64,9 +68,9 @@ class SolutionSearch(TaskDescent):
         for tangent in Vt[flat]:
             direction = np.zeros(len(q))
             direction[moving] = tangent
-            ways = [self._neighbours(q, direction * units, step) for step in ASIDE]
-            if all(ways):
-                moves.append(ways[0][0] / ASIDE[0])
+            far = self._neighbours(q, direction * units, ASIDE[0])
+            if far and self._neighbours(q, direction * units, ASIDE[1]):
+                moves.append(far[0] / ASIDE[0])
         lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
         return int(np.count_nonzero(lengths > 0.1))
 
@@ -75,6 +79,22 @@ class SolutionSearch(TaskDescent):
         box, margin = self.problem.box, INSIDE * self.problem.box.unit
         free = box.circular | ~self.problem.moving
         return bool(np.all(free | ((q > box.lower + margin) & (q < box.upper - margin))))
+
+    def stands_alone(self, q: Array) -> bool:
+        """Whether a double solution is seen to be on no curve of solutions: a fold, as of a stretched arm.
+
+        With J v = 0 and uᵀ J = 0 a curve q + t v + O(t²) of solutions needs uᵀ (dJ/dv) v = 0.
+        """
+        if self.points is None:
+            return False
+        problem, moving = self.problem, self.problem.moving
+        J = self.jacobian(q)[:, moving]
+        U, sigma, Vt = np.linalg.svd(J)
+        if J.shape[0] != J.shape[1] or len(sigma) < 2 or sigma[-2] < STEEP * sigma[0]:
+            return False
+        units = problem.rows[:, None] * problem.box.unit / self.points.units
+        slopes = (units[..., None] * self.points.slopes(q))[:, moving][..., moving]
+        return bool(abs(np.einsum("i,ijk,j,k", U[:, -1], slopes, Vt[-1], Vt[-1])) > CURVED)
 
     def _neighbours(self, q: Array, direction: Array, step: float) -> list[Array]:
         """Return the way to a solution that is about one step along a direction, or against it, if there is one."""

@@ -189,6 +189,8 @@ class SolutionSolver:
 
     def _goals(self, targets: list[Any]) -> Array:
         """Return the poses (k, 4, 4) of targets, as `_goal_of` does."""
+        if self._takes_poses and all(type(target) is SE3 for target in targets):
+            return np.concatenate([target.homogeneous for target in targets]).reshape(-1, 4, 4)
         goals = np.empty((len(targets), 4, 4))
         unchecked = SE3 if self._takes_poses else None
         for i, target in enumerate(targets):
@@ -221,15 +223,15 @@ class SolutionSolver:
         q = q[:, : counts.max(initial=0)]
         place, outside = np.arange(q.shape[1]), counts - inside
         first = place < inside[:, None]
-        rows, rest = q[first], q[(place < counts[:, None]) & ~first]
+        rows, rest = q[first], q[first != (place < counts[:, None])]
         status = np.full(len(inside), IKStatus.FINITE)
         if later is not None:
             status[later.missed] = IKStatus.UNREACHABLE
         complete = np.ones(len(inside), dtype=bool)
-        at, rest_at = (np.cumsum(inside), np.cumsum(outside)) if careful else (inside, outside)
-        for i in sorted(careful, reverse=True):
-            found = careful[i]
-            rows, rest = (np.insert(rows, at[i], found.q, axis=0), np.insert(rest, rest_at[i], found.outside_limits, 0))
+        if careful:
+            rows = _between(rows, np.cumsum(inside), {i: found.q for i, found in careful.items()})
+            rest = _between(rest, np.cumsum(outside), {i: found.outside_limits for i, found in careful.items()})
+        for i, found in careful.items():
             inside[i], outside[i] = len(found), len(found.outside_limits)
             status[i], complete[i], errors[i] = found.status, found.complete, found.error_norm
         facts = {} if self._compiled is None else self._compiled.facts
@@ -247,3 +249,12 @@ class SolutionSolver:
             robot=self.robot,
             task=self.task,
         )
+
+
+def _between(rows: Array, ends: Indices, others: dict[int, Array]) -> Array:
+    """Return the rows of many targets, those of target i ending at ends[i], with the rows of others at their places."""
+    parts, begin = [], 0
+    for i in sorted(others):
+        parts += [rows[begin : ends[i]], others[i]]
+        begin = ends[i]
+    return np.concatenate([*parts, rows[begin:]])

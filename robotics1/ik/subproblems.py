@@ -9,11 +9,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from robotics1.ik.common_roots import coefficients, common_roots, real_roots, samples
+from robotics1.ik.common_roots import MISS, coefficients, common_roots, real_roots, samples
 from robotics1.inputs import Array
 
 Z = np.array([0.0, 0.0, 1.0])
 ON_AXIS = 1e-9  # distance from a joint axis at which its angle is arbitrary
+NEAR_AXIS = 1e-3  # distance from a joint axis at which its angle may be arbitrary
 DEPENDENT = 1e-6  # 1/condition of the directions of three slides that may be dependent
 
 
@@ -134,9 +135,11 @@ def planar_loop(B: Sequence[Array], prismatic: Sequence[bool], n: Array) -> Arra
     for i in range(last + 1):  # n before the joint that is first now
         n = B[i][:3, :3].T @ n
     slides, (B0, B1, B2) = [prismatic[i] for i in order[:2]], [B[i] for i in order]
-    rows = np.linalg.svd(n[None])[2][1:]
     back = inverse(B2)
-    found = two_rows(B0, slides, B1[:3, 3], rows, rows @ back[:3, 3])
+    found = _two_in_a_plane(B0, slides, B1[:3, 3], back[:3, 3], n)
+    if found is None:
+        rows = np.linalg.svd(n[None])[2][1:]
+        found = two_rows(B0, slides, B1[:3, 3], rows, rows @ back[:3, 3])
     if found is None:
         return None
     x = np.zeros((len(found), 3))
@@ -144,6 +147,33 @@ def planar_loop(B: Sequence[Array], prismatic: Sequence[bool], n: Array) -> Arra
         Z2 = inverse(motion(slides[0], x0) @ B0 @ motion(slides[1], x1) @ B1) @ back
         x[k, order] = x0, x1, np.arctan2(Z2[1, 0], Z2[0, 0])
     return x
+
+
+def _two_in_a_plane(A: Array, prismatic: Sequence[bool], c: Array, t: Array, n: Array) -> Array | None:
+    """Return the (k, 2) coordinates with Z₀ A Z₁ c = t but for moves along n; None where that is not clear.
+
+    A joint 0 that turns leaves the distance of A Z₁ c from its axis alone, one that slides its place across.
+    """
+
+    def misses(p: Array) -> Array:
+        if prismatic[0]:
+            return np.asarray((p - t) @ np.cross(Z, n))
+        return np.asarray((p[..., :2] ** 2).sum(axis=-1) - t[:2] @ t[:2])
+
+    if not prismatic[0] and np.hypot(*t[:2]) < NEAR_AXIS:
+        return None
+    left = misses(placed(A, moved(prismatic[1], samples(prismatic[1]), c)))
+    if np.ptp(left) < NEAR_AXIS * max(1.0, float(np.abs(left).max())):
+        return None
+    roots = real_roots(coefficients(left, prismatic[1:]), prismatic[1])
+    if roots is None:
+        return None
+    second = np.unique(np.round(roots, 13))
+    ends = placed(A, moved(prismatic[1], second, c))
+    hits = np.abs(misses(ends)) < MISS * np.abs(left).max()
+    return np.array(
+        [[first_coordinate(prismatic[0], p, t), x] for p, x in zip(ends[hits], second[hits], strict=True)]
+    ).reshape(-1, 2)
 
 
 def orientation(A: Sequence[Array], R: Array) -> Array | None:

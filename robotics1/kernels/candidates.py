@@ -1,7 +1,5 @@
 """Candidates for all solutions of six joints with a spherical wrist or three joints of a plane, and of one to three."""
 
-import numpy as np
-
 from robotics1.inputs import Array
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
@@ -9,6 +7,7 @@ from robotics1.kernels.equation_pairs import common_roots, function_of_samples, 
 from robotics1.kernels.loops import orientation, planar_loop, point
 from robotics1.kernels.placements import after_joint, invert, place, set_to, turn_back
 from robotics1.kernels.real_roots import roots_of_one
+from robotics1.kernels.scratch import scratch, scratch_indices
 
 ROWS, TURNS, PLANE = 0, 1, 2  # kinds of formulas of one to three joints
 HERE, THERE, NORMAL, LENGTH, LEAST = 0, 1, 2, 5, 6  # the entries of `numbers`, in metres; NORMAL takes three
@@ -17,7 +16,7 @@ HERE, THERE, NORMAL, LENGTH, LEAST = 0, 1, 2, 5, 6  # the entries of `numbers`, 
 @compiled(inner=True)
 def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> int:
     """Solve row · Z(x) p = value; found is (MANY, 1)."""
-    moved, values, x = np.empty(3), np.empty(3), np.empty(2)
+    moved, values, x = scratch(3), scratch(3), scratch(2)
     for k in range(3):
         sample(slides, k, p, moved)
         values[k] = row[0] * moved[0] + row[1] * moved[1] + row[2] * moved[2] - value
@@ -31,7 +30,7 @@ def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> in
 @compiled(inner=True)
 def two_rows(A: Array, slides: Indices, c: Array, rows: Array, values: Array, found: Array) -> int:
     """Solve rows · Z₀ A Z₁ c = values; rows are (2, 3), found is (MANY, 2)."""
-    F, G, p, moved = np.empty((3, 3)), np.empty((3, 3)), np.empty(3), np.empty(3)
+    F, G, p, moved = scratch((3, 3)), scratch((3, 3)), scratch(3), scratch(3)
     for k in range(3):
         sample(slides[1], k, c, moved)
         place(A, moved, p)
@@ -55,7 +54,7 @@ def placement(links: Array, i: int, A: Array) -> None:
 @compiled(contract=True, inner=True)
 def closing_placement(links: Array, goal: Array, A: Array) -> None:
     """Write P_n T⁻¹ P₀, which closes the loop of the joints, to A, (3, 4)."""
-    T, P = np.empty((3, 4)), np.empty((3, 4))
+    T, P = scratch((3, 4)), scratch((3, 4))
     placement(links, len(links) - 1, A)
     invert(goal, T)
     after_joint(A, 1, 0.0, T)
@@ -99,15 +98,15 @@ def in_order_of_joints(count: int, found: Array, joint_of: Indices, side: float,
 def few_joints(links: Array, goal: Array, kind: int, rows: Indices, numbers: Array, x: Array) -> int:
     """Write candidates for one to three joints to x, (MANY, n), and return how many there are."""
     n = len(links) - 1
-    slides, P, A, B = np.empty(3, dtype=np.int64), np.empty((3, 4)), np.empty((3, 4)), np.empty((3, 4))
-    c, t, d, S = np.empty(3), np.empty(3), np.empty(3), np.empty((2, 3))
+    slides, P, A, B = scratch_indices(3), scratch((3, 4)), scratch((3, 4)), scratch((3, 4))
+    c, t, d, S = scratch(3), scratch(3), scratch(3), scratch((2, 3))
     for k in range(n):
         slides[k] = int(links[k, PRISMATIC])
     placement(links, 0, P)
     placement(links, 1, A)
     placement(links, min(2, n), B)
     if kind == TURNS:
-        C, R = np.empty((3, 4)), np.empty((3, 4))
+        C, R = scratch((3, 4)), scratch((3, 4))
         placement(links, 3, C)
         set_to(C, R)
         for i in range(3):  # R = P₀ᵀ R_d P₃ᵀ
@@ -116,12 +115,12 @@ def few_joints(links: Array, goal: Array, kind: int, rows: Indices, numbers: Arr
                 for k in range(3):
                     for m in range(3):
                         R[i, j] += P[k, i] * goal[k, m] * C[j, m]
-        return orientation(A, B, R, np.empty((3, 4)), np.empty(2), x)
+        return orientation(A, B, R, scratch((3, 4)), scratch(2), x)
     if kind == PLANE:
-        C = np.empty((3, 4))
+        C = scratch((3, 4))
         closing_placement(links, goal, C)
         turn_back(P, numbers[NORMAL : NORMAL + 3], c)
-        return planar_loop(A, B, C, slides, c, np.empty((3, 4)), np.empty(2), x)
+        return planar_loop(A, B, C, slides, c, scratch((3, 4)), scratch(2), x)
     for i in range(3):
         c[i], d[i] = links[n, 4 * i + 3], goal[i, 3] - P[i, 3]
     if n == 3:

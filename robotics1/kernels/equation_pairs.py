@@ -7,11 +7,10 @@ three values determine it. In t = tan(θ/2) the first is (f₀ + f₁) + 2 f₂ 
 
 import math
 
-import numpy as np
-
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.real_roots import ABSENT, MANY, UNKNOWN, VANISHES, roots_of_one, roots_of_polynomial
+from robotics1.kernels.scratch import scratch
 
 ROUNDED = 1e-9  # of coefficients that are the digits of a file
 ARBITRARY = 1e-5  # of all coefficients in the second coordinate: any value may solve them
@@ -19,6 +18,7 @@ PLAUSIBLE, MISS = 0.02, 1e-4  # residual with which Newton's method begins, and 
 CLEAR = 1e-2  # of a coefficient of an equation of about 1 that is not about to vanish
 QUADRATIC = 1e-11  # a step of Newton's method behind which the error is rounding
 SAME = 1e-8  # distance of two roots that are one
+TWICE = 2 * MANY
 
 
 @compiled(inline=True, inner=True)
@@ -132,7 +132,7 @@ def common_roots(F: Array, G: Array, first: int, second: int, pairs: Array) -> i
         transpose(F)
         transpose(G)
         first, second = second, first
-    work, resultant = np.zeros((4, 16)), np.empty(9)
+    work, resultant = scratch((4, 16)), scratch(9)
     for flipped in range(2):
         if resultant_of(F, G, first, second, resultant):
             return both_at_once(F, G, first, second, flipped, resultant, work, pairs)
@@ -145,7 +145,7 @@ def common_roots(F: Array, G: Array, first: int, second: int, pairs: Array) -> i
 @compiled(inner=True)
 def one_after_the_other(F: Array, G: Array, first: int, second: int, flipped: int, pairs: Array) -> int:
     """Do what `common_roots` does where G lacks the second coordinate."""
-    b, x, y = np.empty(3), np.empty(2), np.empty(2)
+    b, x, y = scratch(3), scratch(2), scratch(2)
     count = 0
     many = roots_of_one(first, G[0, 0], G[1, 0], G[2, 0], x)
     if many == UNKNOWN:
@@ -191,11 +191,13 @@ def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) 
 
     (a₀b₂ − a₂b₀)² − (a₀b₁ − a₁b₀)(a₁b₂ − a₂b₁) of two quadratics; return whether it is above rounding.
     """
-    a, b, minors = np.empty((3, 3)), np.empty((3, 3)), np.zeros((3, 5))
+    a, b, minors = scratch((3, 3)), scratch((3, 3)), scratch((3, 5))
     in_half_tangents(F, first, second, a)
     in_half_tangents(G, first, second, b)
     for k in range(3):
         i, j = (0 if k < 2 else 1), (2 if k != 1 else 1)  # (0, 2), (0, 1), (1, 2)
+        for m in range(5):
+            minors[k, m] = 0.0
         for m in range(3):
             for n in range(3):
                 minors[k, m + n] += a[i, m] * b[j, n] - a[j, m] * b[i, n]
@@ -222,7 +224,7 @@ def both_at_once(
 
     It solves F; G is asked as well where F hardly depends on it, or its roots lead to no common one.
     """
-    xs, y, b, pair = np.empty(2 * MANY), np.empty(2), np.empty(3), np.empty(2)
+    xs, y, b, pair = scratch(TWICE), scratch(2), scratch(3), scratch(2)
     count = 0
     for k in range(roots_of_polynomial(first, resultant, work, xs)):
         basis(first, xs[k], b)

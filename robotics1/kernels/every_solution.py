@@ -28,6 +28,7 @@ from robotics1.kernels.loops import beside_a_plane, spherical
 from robotics1.kernels.newton import REACHED, distance_of_meeting, near_singular, norm, verified
 from robotics1.kernels.real_roots import MANY, UNKNOWN
 from robotics1.kernels.scaling import scaled_links, unit_of
+from robotics1.kernels.scratch import scratch, scratch_indices
 
 LOWER, UPPER, MIDDLE, UNIT, ENTRY, SLIDES = 0, 1, 2, 3, 4, 5  # the columns of `joints`
 INSIDE, COUNT, ERROR, EDGE = 0, 1, 2, 3  # the columns of `answers`
@@ -51,7 +52,7 @@ def apart(links: Array, x: Array, a: int, b: int, far: float, way: Array) -> flo
     for j in range(x.shape[1]):
         way[j] = x[b, j] - x[a, j]
         if links[j, PRISMATIC] == 0.0:
-            way[j] -= TURN * math.floor(way[j] / TURN + 0.5)
+            way[j] -= TURN * np.rint(way[j] / TURN)
         if not abs(way[j]) < far:
             return np.inf
         largest = max(largest, abs(way[j]))
@@ -83,8 +84,8 @@ def each_once(
     target is from one where they do.
     """
     n = len(rows)
-    T, axes, J, e = np.empty((3, 4)), np.empty((n, 6)), np.empty((6, n)), np.empty(n)
-    M, swaps, step, trig = np.empty((6, 6)), np.empty(6, dtype=np.int64), np.empty(n), np.empty((3, TOGETHER))
+    T, axes, J, e = scratch((3, 4)), scratch((6, 6)), scratch((6, 6)), scratch(6)
+    M, swaps, step, trig = scratch((6, 6)), scratch_indices(6), scratch(6), scratch((3, TOGETHER))
     trigonometry(count, x, trig)
     kept, close = 0, CLOSE * math.sqrt(max(1.0, 1.0 / unit))
     for c in range(count):
@@ -131,7 +132,7 @@ def in_order(joints: Array, unit: float, count: int, x: Array, of: Array, q: Arr
     Rows of q hold the values of the other joints already.
     """
     n = len(joints)
-    outside, place = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
+    outside, place = scratch_indices(MANY), scratch_indices(MANY)
     inside = 0
     for c in range(count):
         outside[c], place[c] = 0, c
@@ -182,7 +183,7 @@ def settled(
     answer: Array,
 ) -> None:  # fmt: skip
     """Write what is found from candidates x to q and to answer, as `solutions_of_a_wrist` does."""
-    of, partner = np.empty((3, MANY)), np.empty(MANY, dtype=np.int64)
+    of, partner = scratch((3, MANY)), scratch_indices(MANY)
     answer[INSIDE], answer[COUNT], answer[ERROR], answer[EDGE] = 0.0, UNKNOWN, np.nan, np.inf
     if count > 0:
         count = each_once(links, goal, rows, unit, least, count, x, of, partner)

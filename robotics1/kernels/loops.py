@@ -6,8 +6,6 @@ of `found` and returns how many there are, or UNKNOWN where they are not finitel
 
 import math
 
-import numpy as np
-
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
@@ -15,16 +13,17 @@ from robotics1.kernels.equation_pairs import common_roots, function_of_samples, 
 from robotics1.kernels.placements import (
     ON_AXIS,
     after_joint,
-    angle_to,
     first_coordinate,
     place,
     place_back,
     set_to,
     turn,
     turn_back,
+    turn_to,
     turned_back,
 )
 from robotics1.kernels.real_roots import MANY, UNKNOWN, roots_of_one
+from robotics1.kernels.scratch import scratch
 
 PARALLEL = 1e-3  # sine of an angle between axes whose common plane is not to be trusted
 
@@ -35,8 +34,8 @@ def point(A: Array, B: Array, slides: Indices, c: Array, t: Array, found: Array)
 
     With p = A Z₁ B Z₂ c a first joint that turns leaves p_z and |p|², one that slides leaves p_x and p_y.
     """
-    F, G, pairs, T = np.empty((3, 3)), np.empty((3, 3)), np.empty((MANY, 2)), np.empty((3, 4))
-    p, moved, end = np.empty(3), np.empty(3), np.empty(3)
+    F, G, pairs, T = scratch((3, 3)), scratch((3, 3)), scratch((MANY, 2)), scratch((3, 4))
+    p, moved, end = scratch(3), scratch(3), scratch(3)
     for k in range(3):
         sample(slides[2], k, c, moved)
         place(B, moved, p)
@@ -84,16 +83,15 @@ def orientation(A: Array, B: Array, R: Array, T: Array, x: Array, found: Array) 
     for n in range(count):
         set_to(A, T)
         after_joint(T, 0, x[n], B)
-        first, determined = angle_to(T[0, 2], T[1, 2], R[0, 2], R[1, 2])
+        c, s, determined = turn_to(T[0, 2], T[1, 2], R[0, 2], R[1, 2])
         if not determined:
             return UNKNOWN
-        c, s = math.cos(first), math.sin(first)
         sine = cosine = 0.0  # of (Z₀ A Z₁ B)⁻¹ R
         for i in range(3):
             back = c * R[0, 0] + s * R[1, 0] if i == 0 else c * R[1, 0] - s * R[0, 0] if i == 1 else R[2, 0]
             cosine += T[i, 0] * back
             sine += T[i, 1] * back
-        found[n, 0], found[n, 1], found[n, 2] = first, x[n], math.atan2(sine, cosine)
+        found[n, 0], found[n, 1], found[n, 2] = math.atan2(s, c), x[n], math.atan2(sine, cosine)
     return count
 
 
@@ -140,10 +138,10 @@ def plane_behind_a_turn(
         after_joint(T, slides[j], y[m], B)
         c, s, x = 1.0, 0.0, tz - T[2, 3]
         if not slides[i]:
-            x, determined = angle_to(T[0, 3], T[1, 3], tx, ty)
+            c, s, determined = turn_to(T[0, 3], T[1, 3], tx, ty)
             if not determined:
                 return UNKNOWN
-            c, s = math.cos(x), math.sin(x)
+            x = math.atan2(s, c)
         # (Z_i A Z_j B)⁻¹ C⁻¹ x, which Z_k takes to x
         px, py = c * C[0, 0] + s * C[0, 1], c * C[0, 1] - s * C[0, 0]
         cosine = T[0, 0] * px + T[1, 0] * py + T[2, 0] * C[0, 2]
@@ -176,10 +174,10 @@ def spherical(A: Array, slides: Indices, here: float, there: float, found: Array
 
     The point is `here` on axis 0 and `there` on axis 2: A₂ Z₃ A₃ Z₄ A₄ Z₅ A₅ takes the one to the other.
     """
-    c, t, z, R = np.empty(3), np.empty(3), np.zeros(3), np.empty((3, 3))
-    rest, turns, T, x, W = np.empty((MANY, 3)), np.empty((2, 3)), np.empty((3, 4)), np.empty(2), np.empty((3, 4))
+    c, t, z, R = scratch(3), scratch(3), scratch(3), scratch((3, 3))
+    rest, turns, T, x, W = scratch((MANY, 3)), scratch((2, 3)), scratch((3, 4)), scratch(2), scratch((3, 4))
     A0, A1, A2, A3, A4, A5 = A[0], A[1], A[2], A[3], A[4], A[5]  # once, since references to views are counted
-    z[2] = here
+    z[0], z[1], z[2] = 0.0, 0.0, here
     place(A5, z, c)
     z[2] = there
     place_back(A2, z, t)
@@ -206,8 +204,8 @@ def spherical(A: Array, slides: Indices, here: float, there: float, found: Array
 @compiled(inner=True)
 def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> int:
     """Solve Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1 where joints 0 to 2 move in a plane and joint 3 turns, as `ik/loops.py` says."""
-    F, G, pairs, plane = np.empty((3, 3)), np.empty((3, 3)), np.empty((MANY, 2)), np.empty((2, 3))
-    vectors, T, rest, W, y = np.empty((7, 3)), np.empty((3, 4)), np.empty((3, 4)), np.empty((3, 4)), np.empty(2)
+    F, G, pairs, plane = scratch((3, 3)), scratch((3, 3)), scratch((MANY, 2)), scratch((2, 3))
+    vectors, T, rest, W, y = scratch((7, 3)), scratch((3, 4)), scratch((3, 4)), scratch((3, 4)), scratch(2)
     n2, wanted, m = vectors[0], vectors[1], vectors[2]
     A0, A1, A2, A3, A4, A5 = A[0], A[1], A[2], A[3], A[4], A[5]  # once, since references to views are counted
     turn_back(A0, normal, m)

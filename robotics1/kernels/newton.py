@@ -86,13 +86,28 @@ def verified(
     error = missing(T, goal, rows, e)
     if not error <= EXACT:
         return polish(links, goal, rows, x[c], T, axes, J, M, swaps, e, step)
-    geometric_jacobian(links, T, axes, J)
     n = len(rows)
-    if n < 6:
+    if n == 6:
+        transposed_jacobian(links, T, axes, M)
+    else:
+        geometric_jacobian(links, T, axes, J)
         rows_that_count(J, rows, M)
-    if is_far_from_singular(n, J if n == 6 else M, least):
+    if is_far_from_singular(n, M, least):
         return error, np.inf
     return error, inverse_jacobian(links, rows, T, axes, J, M, swaps)
+
+
+@compiled(contract=True, inline=True, inner=True)
+def transposed_jacobian(links: Array, T: Array, axes: Array, M: Array) -> None:
+    """Write Jᵀ to M, (6, 6), of six joints with a coordinate each, from what `place_solution` found."""
+    for j in range(6):
+        x, y, z = axes[j, 0], axes[j, 1], axes[j, 2]
+        if links[j, PRISMATIC] != 0.0:
+            M[j, 0], M[j, 1], M[j, 2], M[j, 3], M[j, 4], M[j, 5] = x, y, z, 0.0, 0.0, 0.0
+        else:
+            dx, dy, dz = T[0, 3] - axes[j, 3], T[1, 3] - axes[j, 4], T[2, 3] - axes[j, 5]
+            M[j, 0], M[j, 1], M[j, 2] = y * dz - z * dy, z * dx - x * dz, x * dy - y * dx
+            M[j, 3], M[j, 4], M[j, 5] = x, y, z
 
 
 @compiled(contract=True, inline=True, inner=True)

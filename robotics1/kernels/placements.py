@@ -5,6 +5,7 @@ import math
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
 
+NOTHING = 1e-300  # that is divided by, instead of zero
 ON_AXIS = 1e-7  # distance from a joint axis at which its angle is arbitrary, or nearly so
 
 
@@ -77,10 +78,12 @@ def turned_back(A: Array, x: float, y: float, z: float) -> tuple[float, float, f
 
 
 @compiled(inline=True, inner=True)
-def angle_to(px: float, py: float, tx: float, ty: float) -> tuple[float, bool]:
-    """Return the angle that turns p to t in a plane, and whether it is well determined."""
-    near = min(px * px + py * py, tx * tx + ty * ty)
-    return math.atan2(px * ty - py * tx, px * tx + py * ty), near > ON_AXIS * ON_AXIS
+def turn_to(px: float, py: float, tx: float, ty: float) -> tuple[float, float, bool]:
+    """Return the cosine and the sine of the angle that turns p to t in a plane, and whether it is well determined."""
+    from_p, from_t = px * px + py * py, tx * tx + ty * ty
+    factor = 1.0 / math.sqrt(max(from_p * from_t, NOTHING))
+    cosine, sine = factor * (px * tx + py * ty), factor * (px * ty - py * tx)
+    return cosine, sine, min(from_p, from_t) > ON_AXIS * ON_AXIS
 
 
 @compiled(inline=True, inner=True)
@@ -88,4 +91,5 @@ def first_coordinate(slides: int, p: Array, t: Array) -> tuple[float, bool]:
     """Return x with Z(x) p = t, and whether it is well determined."""
     if slides:
         return t[2] - p[2], True
-    return angle_to(p[0], p[1], t[0], t[1])
+    c, s, determined = turn_to(p[0], p[1], t[0], t[1])
+    return math.atan2(s, c), determined

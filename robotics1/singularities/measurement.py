@@ -18,6 +18,7 @@ from robotics1.kernels.singularity_measures import (
 )
 from robotics1.kinematics import reference_axes
 from robotics1.robot.model import Robot
+from robotics1.singularities.jacobian_slopes import constant_rows
 from robotics1.tasks.task import FrameMap, Task
 
 MOST_UNCOMPILED = 16_000_000  # entries of Jacobians: NumPy takes four seconds for them, the compiler eight
@@ -116,7 +117,7 @@ def measurement_of(robot: Robot, task: Task, rank: int, length: float, count: in
     if robot.nv == 0:
         return WithoutJoints()
     form = task.frame_map()
-    S = None if form is None else _constant_rows(robot, task, form)
+    S = constant_rows(robot, task)
     if form is not None and S is not None:
         by_kernel = _kernel_measurement(robot, form, S, rank, length)
         return by_kernel if count is None else by_kernel.worth_compiling(count)
@@ -140,14 +141,3 @@ def named(found: SingularityMeasures, names: tuple[str, ...]) -> dict[str, Array
         with np.errstate(divide="ignore", invalid="ignore"):
             answer["condition"] = np.where(found.smallest > 0, found.largest / found.smallest, np.inf)
     return {name: answer[name] for name in names}
-
-
-def _constant_rows(robot: Robot, task: Task, form: FrameMap) -> Array | None:
-    """Return S, (m, 6), of a task ṙ = S V whose S is the same everywhere and whose axes stand still, else None."""
-    if form.S is None or not form.constant_rows:
-        return None
-    try:
-        task.check_integrable(robot)
-    except TaskError:
-        return None
-    return np.asarray(form.S(np.zeros(3), np.eye(3)), dtype=float)

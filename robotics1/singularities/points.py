@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.caching import cached_property
-from robotics1.differentiation import configuration_derivative
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.least_squares import numeric_rank
 from robotics1.notation import enumeration
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
+from robotics1.singularities.jacobian_slopes import jacobian_slopes
 from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
@@ -64,10 +64,6 @@ class SingularPoints:
     def units(self) -> Array:
         """(m, n) factors that take the units out of J."""
         return unitless_factors(self.robot, self.task)
-
-    def _in_time(self, q: Array) -> Array:
-        check_time()  # J of an arm of many joints is asked for hundreds of times in one step
-        return self.jacobian(q)
 
     def relative_sigma(self, q: Array) -> float:
         """Return σ_ρ relative to the σ₁ that is usual for the robot; it is zero on the set, and infinite where the
@@ -194,14 +190,15 @@ class SingularPoints:
 
     def slopes(self, q: Array) -> Array:
         """Return ∂J/∂x, (m, n, n), with x in the box's units."""
-        return configuration_derivative(self._in_time, self.robot, q) * self.box.unit
+        check_time()
+        return self.units[..., None] * jacobian_slopes(self.robot, self.task, q) * self.box.unit
 
     def linearised(self, q: Array, slopes: Array | None = None) -> tuple[Array, Array]:
         """Return (A, b): near q the block that vanishes on the set is b + A dx, with dx in the box's units.
 
         Args:
             q: where.
-            slopes: of J next to q, which are good enough for a small step, and save 4 n Jacobians.
+            slopes: of J next to q, which are good enough for a small step.
         """
         return vanishing_block(self.jacobian(q), self.slopes(q) if slopes is None else slopes, self.rank - 1)
 
