@@ -28,7 +28,7 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
     Args:
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
             fifth of its time.
-        inner: only other kernels call it: the way in from Python, a seventh of the compilation, is left out.
+        inner: only other kernels call it: it has no way in from Python, and no machine code but theirs.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
     if COMPILED:
@@ -43,8 +43,9 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         if not COMPILED:
             return function
         from robotics1.kernels.machine_code import MachineCode
+        from robotics1.kernels.one_program import KernelCompiler
 
-        dispatcher = numba.njit(**options)(function)
+        dispatcher = numba.njit(pipeline_class=KernelCompiler, **options)(function)
         with suppress(RuntimeError):  # "no locator available": there is no directory to write to
             dispatcher._cache = MachineCode(function)
         return cast(Function, dispatcher)
