@@ -59,7 +59,7 @@ def closing_placement(links: Array, goal: Array, A: Array) -> None:
     placement(links, len(links) - 1, A)
     invert(goal, T)
     after_joint(A, 1.0, 0.0, T)
-    placement(links, np.int64(0), P)  # a literal 0 is a type of its own to Numba, and would be compiled anew
+    placement(links, int(np.int64(0)), P)  # a literal 0 is a type of its own, and would be compiled anew
     after_joint(A, 1.0, 0.0, P)
 
 

@@ -16,6 +16,8 @@ except ImportError:  # the kernels are plain Python on NumPy arrays, so they ser
 
 COMPILED = numba is not None
 log = logging.getLogger(__name__)
+KEPT = ", once; the machine code is kept for the next time"
+NOT_KEPT = ", in each process: no directory can be written to that would keep the machine code"
 SLICES = 8  # a core gets, since some take longer than others
 
 
@@ -91,8 +93,10 @@ def _announce_the_first() -> None:
         announced = False
 
         def on_start(self, event: Any) -> None:
-            if not self.announced and event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
-                log.warning("compiling the kernels: some seconds, once; the machine code is kept for the next time")
+            dispatcher = event.data["dispatcher"]
+            if not self.announced and dispatcher.py_func.__module__.startswith("robotics1."):
+                kept = hasattr(dispatcher._cache, "holds_code")
+                log.warning("compiling the kernels: some seconds%s", KEPT if kept else NOT_KEPT)
                 self.announced = True
 
         def on_end(self, event: Any) -> None:

@@ -223,7 +223,7 @@ def both_at_once(
     It solves F; G is asked as well where F hardly depends on it, or its roots lead to no common one.
     """
     xs, y, b, pair = np.empty(2 * MANY), np.empty(2), np.empty(3), np.empty(2)
-    count = np.int64(0)  # a literal 0 is a type of its own to Numba, and `added` would be compiled anew
+    count = int(np.int64(0))  # a literal 0 is a type of its own, for which Numba would compile `added` anew
     for k in range(roots_of_polynomial(first, resultant, work, xs)):
         basis(first, xs[k], b)
         largest, led = 0.0, False

@@ -86,7 +86,7 @@ def each_once(
     T, axes, J, e = np.empty((3, 4)), np.empty((n, 6)), np.empty((6, n)), np.empty(n)
     M, swaps, step, trig = np.empty((6, 6)), np.empty(6, dtype=np.int64), np.empty(n), np.empty((3, TOGETHER))
     trigonometry(count, x, trig)
-    kept = np.int64(0)  # a literal 0 is a type of its own to Numba, and `apart` would be compiled anew
+    kept = int(np.int64(0))  # a literal 0 is a type of its own, for which Numba would compile `apart` anew
     close = CLOSE * math.sqrt(max(1.0, 1.0 / unit))
     for c in range(count):
         error, sigma = verified(links, goal, rows, least, x, c, trig, T, axes, J, M, swaps, e, step)

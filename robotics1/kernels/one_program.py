@@ -11,7 +11,7 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags
 from numba.core.compiler_machinery import PassManager
 
-# Passes for what no kernel has: closures, `with` blocks, branches on types, literal arguments, inlined overloads.
+# Passes for what no kernel has: closures, `with` blocks, branches on types, literals, array expressions.
 NOT_NEEDED = {
     "with_lifting",
     "inline_closure_likes",
@@ -24,6 +24,7 @@ NOT_NEEDED = {
     "literal_unroll",
     "literal_propagation",
     "inline_overloads",
+    "nopython_rewrites",
     "annotate_types",
     "dump_parfor_diagnostics",
 }
@@ -33,7 +34,7 @@ class KernelCompiler(CompilerBase):  # type: ignore[misc]
     """Numba's compiler without the passes that kernels do not need, and without machine code of inner functions."""
 
     def _compile_bytecode(self) -> Any:
-        self.state.flags = ComparedQuickly(self.state.flags)
+        self.state.flags = SharedFlags(self.state.flags)
         return super()._compile_bytecode()
 
     def define_pipelines(self) -> list[PassManager]:
@@ -49,14 +50,22 @@ class KernelCompiler(CompilerBase):  # type: ignore[misc]
         return [pipeline]
 
 
-class ComparedQuickly(Flags):  # type: ignore[misc]
-    """Numba's flags of a compilation: it asks tens of thousands of times whether they are those of another."""
+class SharedFlags(Flags):  # type: ignore[misc]
+    """Numba's flags of a compilation, equal if they mean the same to what a kernel calls of NumPy.
+
+    Numba asks tens of thousands of times, and compiles np.empty anew for flags that are not equal.
+    """
+
+    def __init__(self, flags: Flags) -> None:
+        super().__init__(flags)
+        own = ("forceinline", "no_cpython_wrapper")  # of the function itself
+        self.handed_on = repr(sorted((name, value) for name, value in self._values.items() if name not in own))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Flags) and bool(self._values == other._values)
+        return isinstance(other, SharedFlags) and self.handed_on == other.handed_on
 
     def __hash__(self) -> int:
-        return len(self._values)
+        return hash(self.handed_on)
 
 
 class InnerCode(JITCodeLibrary):  # type: ignore[misc]
