@@ -10,18 +10,26 @@ import pinocchio as pin
 import pytest
 from arms import ARMS, arm, span
 from closed_forms import SPATIAL_CHAIN, cylindrical_determinant, prr_pose_determinant, spatial_pose_and_jacobian
+from inner_kernels import from_python
 from sweeps import core_first
 
 from robotics1 import Robotics1Error, load_robot
-from robotics1.kernels.block_jacobian import BLOCK, LARGEST, cosines_and_sines
+from robotics1.kernels import block_jacobian, extreme_singular_values, singularity_measures as measures
+from robotics1.kernels.block_jacobian import BLOCK, LARGEST
 from robotics1.kernels.chain import chain_arrays
-from robotics1.kernels.extreme_singular_values import SWEEPS, largest_eigenvalues, smallest_eigenvalues
-from robotics1.kernels.singularity_measures import bidiagonal_squares, singularity_measures, task_jacobians
+from robotics1.kernels.extreme_singular_values import SWEEPS
+from robotics1.kernels.singularity_measures import singularity_measures, task_jacobians
 from robotics1.robot.joints import tips
 from robotics1.robot.sources import example_robots
 
 FRAME, PLANE = np.eye(6), np.eye(6)[[0, 1, 5]]
 SHAPES = [(1, 1), (1, 7), (2, 2), (2, 3), (3, 3), (3, 6), (4, 5), (5, 5), (5, 6), (6, 6), (6, 7), (6, 12)]
+
+
+cosines_and_sines = from_python(block_jacobian.cosines_and_sines)
+bidiagonal_squares = from_python(measures.bidiagonal_squares, contract=True)
+largest_eigenvalues = from_python(extreme_singular_values.largest_eigenvalues, contract=True)
+smallest_eigenvalues = from_python(extreme_singular_values.smallest_eigenvalues, contract=True)
 
 
 def singular_values(matrices):

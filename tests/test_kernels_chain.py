@@ -10,6 +10,7 @@ import pinocchio as pin
 import pytest
 from arms import ARMS, arm, random_q
 from closed_forms import SPATIAL_CHAIN, spatial_pose_and_jacobian
+from inner_kernels import from_python
 from joint_kinds import KINDS
 
 from robotics1 import InputError, Robotics1Error, forward_kinematics, frame_jacobian, load_robot
@@ -18,14 +19,16 @@ from robotics1.kernels.chain import chain_arrays
 from robotics1.robot.joints import tips
 from robotics1.robot.sources import example_robots
 
+place = from_python(pose.forward_kinematics, contract=True)
+geometric_jacobian = from_python(pose.geometric_jacobian, contract=True)
 ONE_FREEDOM = tuple(name for name, (_, nq, nv) in KINDS.items() if nq == nv)
 
 
 def pose_and_jacobian(chain, q, nv):
     """The pose (3, 4) and the Jacobian (6, nv) of a chain at q, linear rows over angular."""
     T, joint_axes, J = np.empty((3, 4)), np.empty((len(chain.coordinate), 6)), np.empty((6, nv))
-    pose.forward_kinematics(chain.links(), q, T, joint_axes)
-    pose.geometric_jacobian(chain.links(), T, joint_axes, J)
+    place(chain.links(), q, T, joint_axes)
+    geometric_jacobian(chain.links(), T, joint_axes, J)
     return T, J
 
 

@@ -10,7 +10,7 @@ def run_without_compiler() -> None:
     """Keep Numba out of this process, where it is one of the command alone and no kernel has been imported.
 
     The kernels are plain Python functions, which run uncompiled where Numba is missing: some 100 times slower, with the
-    same answers. To import Numba and compile takes ten seconds or more, and to load its machine code half of one.
+    same answers. To import Numba and compile takes four seconds or more, and to load its machine code half of one.
     """
     main = getattr(sys.modules.get("__main__"), "__file__", None)
     own = main is not None and Path(main).name in COMMANDS

@@ -21,7 +21,7 @@ TWO_BY_PI = 2 / math.pi
 HALF_PI = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
 
 
-@compiled()  # not contract: summed in another order, the three parts of π/2 would be one
+@compiled(inner=True)  # not contract: summed in another order, the three parts of π/2 would be one
 def cosines_and_sines(angle: Array, cosine: Array, sine: Array) -> None:
     """Write cos and sin of the angles (BLOCK,) [rad], to 2e-16.
 
@@ -54,7 +54,7 @@ def cosines_and_sines(angle: Array, cosine: Array, sine: Array) -> None:
             cosine[c], sine[c] = math.cos(angle[c]), math.sin(angle[c])
 
 
-@compiled()  # not contract, which would be handed on to the reduction of the angles
+@compiled(inner=True)  # not contract, which would be handed on to the reduction of the angles
 def place_block(chain: ChainArrays, q: Array, T: Array, joint_axes: Array, z: Array) -> None:
     """Write the poses to T, (3, 4, BLOCK), and of each joint its axis and a point on it to joint_axes, (k, 6, BLOCK).
 
@@ -98,7 +98,7 @@ def place_block(chain: ChainArrays, q: Array, T: Array, joint_axes: Array, z: Ar
                 T[i, 3, c] = x * P[0, 3] + y * P[1, 3] + a * P[2, 3] + p
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def jacobian_block(chain: ChainArrays, T: Array, joint_axes: Array, J: Array) -> None:
     """Write J, (6, n, BLOCK), from what `place_block` found: the columns (z × (p − o), z) and, of a prismatic joint,
     (z, 0). Joints that share a coordinate add up.
@@ -127,7 +127,7 @@ def jacobian_block(chain: ChainArrays, T: Array, joint_axes: Array, J: Array) ->
             J[5, column, c] += z
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def task_rows_block(S: Array, J: Array, A: Array) -> None:
     """Write the task's Jacobian S J, with S (m, 6) the same for all: to A, (m, n, BLOCK), or its transpose to A,
     (n, m, BLOCK), if n < m.

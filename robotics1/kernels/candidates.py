@@ -1,5 +1,7 @@
 """Candidates for all solutions of six joints with a spherical wrist or three joints of a plane, and of one to three."""
 
+import numpy as np
+
 from robotics1.inputs import Array
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
@@ -7,14 +9,14 @@ from robotics1.kernels.equation_pairs import common_roots, function_of_samples, 
 from robotics1.kernels.loops import orientation, planar_loop, point
 from robotics1.kernels.placements import after_joint, invert, place, set_to, turn_back
 from robotics1.kernels.real_roots import roots_of_one
-from robotics1.kernels.scratch import scratch, scratch_indices
+from robotics1.kernels.scratch import scratch
 
 ROWS, TURNS, PLANE = 0, 1, 2  # kinds of formulas of one to three joints
 HERE, THERE, NORMAL, LENGTH, LEAST = 0, 1, 2, 5, 6  # the entries of `numbers`, in metres; NORMAL takes three
 
 
 @compiled(inner=True)
-def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> int:
+def one_row(slides: float, p: Array, row: Array, value: float, found: Array) -> int:
     """Solve row · Z(x) p = value; found is (MANY, 1)."""
     moved, values, x = scratch(3), scratch(3), scratch(2)
     for k in range(3):
@@ -28,7 +30,7 @@ def one_row(slides: int, p: Array, row: Array, value: float, found: Array) -> in
 
 
 @compiled(inner=True)
-def two_rows(A: Array, slides: Indices, c: Array, rows: Array, values: Array, found: Array) -> int:
+def two_rows(A: Array, slides: Array, c: Array, rows: Array, values: Array, found: Array) -> int:
     """Solve rows · Z₀ A Z₁ c = values; rows are (2, 3), found is (MANY, 2)."""
     F, G, p, moved = scratch((3, 3)), scratch((3, 3)), scratch(3), scratch(3)
     for k in range(3):
@@ -57,14 +59,14 @@ def closing_placement(links: Array, goal: Array, A: Array) -> None:
     T, P = scratch((3, 4)), scratch((3, 4))
     placement(links, len(links) - 1, A)
     invert(goal, T)
-    after_joint(A, 1, 0.0, T)
-    placement(links, 0, P)
-    after_joint(A, 1, 0.0, P)
+    after_joint(A, 1.0, 0.0, T)
+    placement(links, int(np.int64(0)), P)  # a literal 0 is a type of its own, and would be compiled anew
+    after_joint(A, 1.0, 0.0, P)
 
 
 @compiled(contract=True, inner=True)
 def loop_of_six(
-    links: Array, goal: Array, link_of: Indices, joint_of: Indices, side: float, A: Array, L: Array, slides: Indices
+    links: Array, goal: Array, link_of: Indices, joint_of: Indices, side: float, A: Array, L: Array, slides: Array
 ) -> None:
     """Write the placements behind the joints of a loop to A, (6, 3, 4), and whether each joint slides to slides, (6,).
 
@@ -75,7 +77,7 @@ def loop_of_six(
         L: (3, 4) working space.
     """
     for k in range(6):
-        slides[k] = int(links[joint_of[k], PRISMATIC])
+        slides[k] = links[joint_of[k], PRISMATIC]
         if link_of[k] == 5:
             closing_placement(links, goal, L)
         else:
@@ -98,10 +100,10 @@ def in_order_of_joints(count: int, found: Array, joint_of: Indices, side: float,
 def few_joints(links: Array, goal: Array, kind: int, rows: Indices, numbers: Array, x: Array) -> int:
     """Write candidates for one to three joints to x, (MANY, n), and return how many there are."""
     n = len(links) - 1
-    slides, P, A, B = scratch_indices(3), scratch((3, 4)), scratch((3, 4)), scratch((3, 4))
+    slides, P, A, B = scratch(3), scratch((3, 4)), scratch((3, 4)), scratch((3, 4))
     c, t, d, S = scratch(3), scratch(3), scratch(3), scratch((2, 3))
     for k in range(n):
-        slides[k] = int(links[k, PRISMATIC])
+        slides[k] = links[k, PRISMATIC]
     placement(links, 0, P)
     placement(links, 1, A)
     placement(links, min(2, n), B)

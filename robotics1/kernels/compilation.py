@@ -16,6 +16,8 @@ except ImportError:  # the kernels are plain Python on NumPy arrays, so they ser
 
 COMPILED = numba is not None
 log = logging.getLogger(__name__)
+KEPT = ", once; the machine code is kept for the next time"
+NOT_KEPT = ", in each process: no directory can be written to that would keep the machine code"
 SLICES = 8  # a core gets, since some take longer than others
 
 
@@ -28,8 +30,8 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
     Args:
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
             fifth of its time.
-        inner: only other kernels call it: the way in from Python, a seventh of the compilation, is left out.
-            Unless it makes arrays, it counts no references to its arrays, which would take a sixth of the time.
+        inner: only other kernels call it: it has no way in from Python, and no machine code but theirs. Unless it makes
+            arrays, it counts no references to its arrays, which would take a sixth of the time.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
     if COMPILED:
@@ -44,10 +46,11 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         if not COMPILED:
             return function
         from robotics1.kernels.machine_code import MachineCode
+        from robotics1.kernels.one_program import KernelCompiler
 
         makes_arrays = not {"empty", "zeros"}.isdisjoint(function.__code__.co_names)
         counted = {"_nrt": makes_arrays or not inner}
-        dispatcher = numba.njit(**options, **counted)(function)
+        dispatcher = numba.njit(pipeline_class=KernelCompiler, **options, **counted)(function)
         with suppress(RuntimeError):  # "no locator available": there is no directory to write to
             dispatcher._cache = MachineCode(function)
         return cast(Function, dispatcher)
@@ -93,8 +96,10 @@ def _announce_the_first() -> None:
         announced = False
 
         def on_start(self, event: Any) -> None:
-            if not self.announced and event.data["dispatcher"].py_func.__module__.startswith("robotics1."):
-                log.warning("compiling the kernels: some seconds, once; the machine code is kept for the next time")
+            dispatcher = event.data["dispatcher"]
+            if not self.announced and dispatcher.py_func.__module__.startswith("robotics1."):
+                kept = hasattr(dispatcher._cache, "holds_code")
+                log.warning("compiling the kernels: some seconds%s", KEPT if kept else NOT_KEPT)
                 self.announced = True
 
         def on_end(self, event: Any) -> None:

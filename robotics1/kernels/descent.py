@@ -56,7 +56,7 @@ def descend(
     return least
 
 
-@compiled()
+@compiled(inner=True)
 def move(limits: Array, step: Array, x: Array) -> None:
     """Add a step to x, (n,), and put joints that it takes past a limit on the limit."""
     for j in range(len(x)):
@@ -65,7 +65,7 @@ def move(limits: Array, step: Array, x: Array) -> None:
             x[j] = min(max(x[j], limits[LOWER, j]), limits[UPPER, j])
 
 
-@compiled()
+@compiled(inner=True)
 def copy(source: Array, x: Array) -> None:
     """Write the entries of source to x: NumPy's assignment takes longer to compile than all the rest."""
     for j in range(len(x)):

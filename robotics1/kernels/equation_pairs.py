@@ -7,6 +7,8 @@ three values determine it. In t = tan(θ/2) the first is (f₀ + f₁) + 2 f₂ 
 
 import math
 
+import numpy as np
+
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.real_roots import ABSENT, MANY, UNKNOWN, VANISHES, roots_of_one, roots_of_polynomial
@@ -22,7 +24,7 @@ TWICE = 2 * MANY
 
 
 @compiled(inline=True, inner=True)
-def sample(slides: int, k: int, p: Array, moved: Array) -> None:
+def sample(slides: float, k: int, p: Array, moved: Array) -> None:
     """Write Z(x) p to moved, (3,), at the sample x number k: 0, π/2, π of a joint that turns, −1, 0, 1 of the other."""
     moved[2] = p[2]
     if slides:
@@ -35,7 +37,7 @@ def sample(slides: int, k: int, p: Array, moved: Array) -> None:
 
 
 @compiled(inline=True, inner=True)
-def function_of_samples(slides: int, a: float, b: float, c: float) -> tuple[float, float, float]:
+def function_of_samples(slides: float, a: float, b: float, c: float) -> tuple[float, float, float]:
     """Return f₀, f₁, f₂ from the values at the three samples."""
     if slides:
         return b, 0.5 * (c - a), 0.5 * (a + c) - b
@@ -43,7 +45,7 @@ def function_of_samples(slides: int, a: float, b: float, c: float) -> tuple[floa
 
 
 @compiled(inner=True)
-def functions_of_samples(first: int, second: int, F: Array) -> None:
+def functions_of_samples(first: float, second: float, F: Array) -> None:
     """Overwrite values at all samples, (3, 3), with coefficients: the first coordinate's down, the second's across."""
     for i in range(3):
         F[i, 0], F[i, 1], F[i, 2] = function_of_samples(second, F[i, 0], F[i, 1], F[i, 2])
@@ -52,7 +54,7 @@ def functions_of_samples(first: int, second: int, F: Array) -> None:
 
 
 @compiled(inline=True, inner=True)
-def basis(slides: int, x: float, b: Array) -> None:
+def basis(slides: float, x: float, b: Array) -> None:
     """Write (1, cos x, sin x), or (1, x, x²), to b, (3,)."""
     b[0] = 1.0
     if slides:
@@ -112,7 +114,7 @@ def transpose(F: Array) -> None:
 
 
 @compiled(inner=True)
-def common_roots(F: Array, G: Array, first: int, second: int, pairs: Array) -> int:
+def common_roots(F: Array, G: Array, first: float, second: float, pairs: Array) -> int:
     """Write the coordinates at which F = G = 0 to pairs, (MANY, 2), and return how many there are.
 
     UNKNOWN where they are not finitely many, or the equations do not tell.
@@ -143,7 +145,7 @@ def common_roots(F: Array, G: Array, first: int, second: int, pairs: Array) -> i
 
 
 @compiled(inner=True)
-def one_after_the_other(F: Array, G: Array, first: int, second: int, flipped: int, pairs: Array) -> int:
+def one_after_the_other(F: Array, G: Array, first: float, second: float, flipped: int, pairs: Array) -> int:
     """Do what `common_roots` does where G lacks the second coordinate."""
     b, x, y = scratch(3), scratch(2), scratch(2)
     count = 0
@@ -167,7 +169,7 @@ def one_after_the_other(F: Array, G: Array, first: int, second: int, flipped: in
 
 
 @compiled(inner=True)
-def in_half_tangents(F: Array, first: int, second: int, p: Array) -> None:
+def in_half_tangents(F: Array, first: float, second: float, p: Array) -> None:
     """Write F, (3, 3), as polynomials in the half tangents of joints that turn, times 1 + t² of each, to p, (3, 3).
 
     Row j of p belongs to the power j of the second coordinate, and column i to the power i of the first.
@@ -186,7 +188,7 @@ def in_half_tangents(F: Array, first: int, second: int, p: Array) -> None:
 
 
 @compiled(inner=True)
-def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) -> bool:
+def resultant_of(F: Array, G: Array, first: float, second: float, resultant: Array) -> bool:
     """Write the polynomial in the first coordinate that vanishes where F and G share a root in the second, (9,).
 
     (a₀b₂ − a₂b₀)² − (a₀b₁ − a₁b₀)(a₁b₂ − a₂b₁) of two quadratics; return whether it is above rounding.
@@ -218,14 +220,14 @@ def resultant_of(F: Array, G: Array, first: int, second: int, resultant: Array) 
 
 @compiled(inner=True)
 def both_at_once(
-    F: Array, G: Array, first: int, second: int, flipped: int, resultant: Array, work: Array, pairs: Array
+    F: Array, G: Array, first: float, second: float, flipped: int, resultant: Array, work: Array, pairs: Array
 ) -> int:
     """Do what `common_roots` does from the roots of the resultant: the second coordinate solves either equation.
 
     It solves F; G is asked as well where F hardly depends on it, or its roots lead to no common one.
     """
     xs, y, b, pair = scratch(TWICE), scratch(2), scratch(3), scratch(2)
-    count = 0
+    count = int(np.int64(0))  # a literal 0 is a type of its own, for which Numba would compile `added` anew
     for k in range(roots_of_polynomial(first, resultant, work, xs)):
         basis(first, xs[k], b)
         largest, led = 0.0, False
@@ -248,7 +250,7 @@ def both_at_once(
 
 
 @compiled(inner=True)
-def added(pair: Array, first: int, second: int, flipped: int, pairs: Array, count: int) -> int:
+def added(pair: Array, first: float, second: float, flipped: int, pairs: Array, count: int) -> int:
     """Write a pair behind the others unless it is one of them; return how many there are."""
     for i in range(count):
         dx, dy = pairs[i, flipped] - pair[0], pairs[i, 1 - flipped] - pair[1]
@@ -261,7 +263,7 @@ def added(pair: Array, first: int, second: int, flipped: int, pairs: Array, coun
 
 
 @compiled(inner=True)
-def led_to_a_root(F: Array, G: Array, first: int, second: int, pair: Array) -> bool:
+def led_to_a_root(F: Array, G: Array, first: float, second: float, pair: Array) -> bool:
     """Move a pair, (2,), by Newton's method, and return whether it is then near a common root."""
     f = g = 0.0
     for step in range(8):

@@ -87,7 +87,8 @@ def each_once(
     T, axes, J, e = scratch((3, 4)), scratch((6, 6)), scratch((6, 6)), scratch(6)
     M, swaps, step, trig = scratch((6, 6)), scratch_indices(6), scratch(6), scratch((3, TOGETHER))
     trigonometry(count, x, trig)
-    kept, close = 0, CLOSE * math.sqrt(max(1.0, 1.0 / unit))
+    kept = int(np.int64(0))  # a literal 0 is a type of its own, for which Numba would compile `apart` anew
+    close = CLOSE * math.sqrt(max(1.0, 1.0 / unit))
     for c in range(count):
         error, sigma = verified(links, goal, rows, least, x, c, trig, T, axes, J, M, swaps, e, step)
         if not error <= REACHED:
@@ -216,7 +217,7 @@ def solutions_of_a_wrist(
             doubt; how far the target is from the EDGE, ∞ if that is not near.
     """
     scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
-    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6, dtype=np.int64)
+    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6)
     for i in range(len(targets)):
         unit, count = 1.0, UNKNOWN
         if is_pose(targets[i]):
@@ -236,7 +237,7 @@ def solutions_of_a_plane(
 ) -> None:  # fmt: skip
     """Do what `solutions_of_a_wrist` does for six joints of which three move in a plane."""
     scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
-    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6, dtype=np.int64)
+    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6)
     for i in range(len(targets)):
         unit, count = 1.0, UNKNOWN
         if is_pose(targets[i]):

@@ -22,7 +22,7 @@ ROUNDING = 1e-14  # of k q − p²: of λᵢ that are nearly one this is all the
 SWEEPS = 100  # 3 to 6 are usual; a λ that is twofold to fivefold needs 40: a step then leaves 0.4 of the distance
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def smallest_eigenvalues(Q: Array, E: Array, k: int, smallest: Array, work: Array) -> int:
     """Write λ_min of B Bᵀ, with the squares Q (k, BLOCK) and E of `bidiagonal_squares`; return the number of sweeps.
 
@@ -68,7 +68,7 @@ def smallest_eigenvalues(Q: Array, E: Array, k: int, smallest: Array, work: Arra
     return SWEEPS
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def largest_eigenvalues(Q: Array, E: Array, k: int, largest: Array, work: Array) -> int:
     """Write λ_max of BᵀB, with the squares Q (k, BLOCK) and E of `bidiagonal_squares`; return the number of sweeps.
 
@@ -106,7 +106,7 @@ def largest_eigenvalues(Q: Array, E: Array, k: int, largest: Array, work: Array)
     return SWEEPS
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def laguerre_steps(p: Array, q: Array, k: int, direction: float, step: Array, root: Array) -> bool:
     """Take the step of each, and return whether another is needed.
 

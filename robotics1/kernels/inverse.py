@@ -32,7 +32,7 @@ def is_pose(goal: Array) -> bool:
     return bool(x * goal[0, 2] + y * goal[1, 2] + z * goal[2, 2] > 0.0)
 
 
-@compiled()
+@compiled(inner=True)
 def in_units(target: Array, unit: float, goal: Array) -> None:
     """Write a target, [R p] in metres, to goal, (3, 4), with p in units."""
     for i in range(3):
@@ -77,7 +77,7 @@ def start_table(links: Array, starts: Array) -> Array:
     return table
 
 
-@compiled()
+@compiled(inner=True)
 def inside(lower: float, upper: float, circular: float, x: float) -> float:
     """Return a joint value inside its limits: turned there if it can make whole turns, else at the nearer limit."""
     if circular != 0.0 and x < lower:
@@ -104,7 +104,7 @@ def wind(limits: Array, around: Array, x: Array) -> bool:
     return turned
 
 
-@compiled()
+@compiled(inner=True)
 def to_units(coordinates: Array, active: Indices, q: Array, x: Array, limits: Array) -> None:
     """Write what moves the chain, in units: of q, (nq,), to x, (n,), and of the limits to limits, (3, n).
 
@@ -120,7 +120,7 @@ def to_units(coordinates: Array, active: Indices, q: Array, x: Array, limits: Ar
             x[j] %= TURN
 
 
-@compiled()
+@compiled(inner=True)
 def from_units(coordinates: Array, active: Indices, x: Array, q: Array) -> None:
     """Write x, (n,), to the entries of q that move the chain."""
     for j in range(len(active)):

@@ -7,7 +7,6 @@ of `found` and returns how many there are, or UNKNOWN where they are not finitel
 import math
 
 from robotics1.inputs import Array
-from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.equation_pairs import common_roots, function_of_samples, functions_of_samples, sample
 from robotics1.kernels.placements import (
@@ -29,7 +28,7 @@ PARALLEL = 1e-3  # sine of an angle between axes whose common plane is not to be
 
 
 @compiled(inner=True)
-def point(A: Array, B: Array, slides: Indices, c: Array, t: Array, found: Array) -> int:
+def point(A: Array, B: Array, slides: Array, c: Array, t: Array, found: Array) -> int:
     """Solve Z₀ A Z₁ B Z₂ c = t from what the first joint leaves alone; found is (MANY, 3).
 
     With p = A Z₁ B Z₂ c a first joint that turns leaves p_z and |p|², one that slides leaves p_x and p_y.
@@ -79,10 +78,10 @@ def orientation(A: Array, B: Array, R: Array, T: Array, x: Array, found: Array) 
     f2 = A[2, 1] * B[0, 2] - A[2, 0] * B[1, 2]
     if f1 * f1 + f2 * f2 < ON_AXIS * ON_AXIS:
         return UNKNOWN
-    count = roots_of_one(0, f0, f1, f2, x)
+    count = roots_of_one(0.0, f0, f1, f2, x)
     for n in range(count):
         set_to(A, T)
-        after_joint(T, 0, x[n], B)
+        after_joint(T, 0.0, x[n], B)
         c, s, determined = turn_to(T[0, 2], T[1, 2], R[0, 2], R[1, 2])
         if not determined:
             return UNKNOWN
@@ -97,7 +96,7 @@ def orientation(A: Array, B: Array, R: Array, T: Array, x: Array, found: Array) 
 
 @compiled(inner=True)
 def planar_loop(
-    A: Array, B: Array, C: Array, slides: Indices, normal: Array, T: Array, y: Array, found: Array
+    A: Array, B: Array, C: Array, slides: Array, normal: Array, T: Array, y: Array, found: Array
 ) -> int:  # fmt: skip
     """Solve Z₀ A Z₁ B Z₂ C = 1 but for moves along a normal, the normal of all motions.
 
@@ -120,7 +119,7 @@ def planar_loop(
 
 @compiled(inner=True)
 def plane_behind_a_turn(
-    A: Array, B: Array, C: Array, slides: Indices, k: int, nx: float, ny: float, T: Array, y: Array, found: Array
+    A: Array, B: Array, C: Array, slides: Array, k: int, nx: float, ny: float, T: Array, y: Array, found: Array
 ) -> int:
     """Solve Z_i A Z_j B Z_k C = 1 in a plane; joint k turns, i and j are behind it, and n is the plane's normal.
 
@@ -129,9 +128,9 @@ def plane_behind_a_turn(
     """
     i, j = (k + 1) % 3, (k + 2) % 3
     tx, ty, tz = turned_back(C, -C[0, 3], -C[1, 3], -C[2, 3])
-    before = across(A, B, slides[i], slides[j], 0, nx, ny, tx, ty)
-    middle = across(A, B, slides[i], slides[j], 1, nx, ny, tx, ty)
-    f0, f1, f2 = function_of_samples(slides[j], before, middle, across(A, B, slides[i], slides[j], 2, nx, ny, tx, ty))
+    before = across(A, B, slides[i], slides[j], 0.0, nx, ny, tx, ty)
+    middle = across(A, B, slides[i], slides[j], 1.0, nx, ny, tx, ty)
+    f0, f1, f2 = function_of_samples(slides[j], before, middle, across(A, B, slides[i], slides[j], 2.0, nx, ny, tx, ty))
     count = roots_of_one(slides[j], f0, f1, f2, y)
     for m in range(count):
         set_to(A, T)
@@ -152,13 +151,13 @@ def plane_behind_a_turn(
 
 @compiled(inline=True, inner=True)
 def across(
-    A: Array, B: Array, i_slides: int, j_slides: int, k: int, nx: float, ny: float, tx: float, ty: float
+    A: Array, B: Array, i_slides: float, j_slides: float, k: float, nx: float, ny: float, tx: float, ty: float
 ) -> float:  # fmt: skip
     """Return by how much Z_i misses to take A Z_j p to t, at sample k of joint j; p is the origin of B."""
     x, y, z = B[0, 3], B[1, 3], B[2, 3]
     if j_slides:
         z += k - 1.0
-    elif k == 1:
+    elif k == 1.0:
         x, y = -y, x
     else:
         x, y = (1.0 - k) * x, (1.0 - k) * y
@@ -169,7 +168,7 @@ def across(
 
 
 @compiled(inner=True)
-def spherical(A: Array, slides: Indices, here: float, there: float, found: Array) -> int:
+def spherical(A: Array, slides: Array, here: float, there: float, found: Array) -> int:
     """Solve Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1 where axes 0 to 2 go through one point; A is (6, 3, 4), found is (MANY, 6).
 
     The point is `here` on axis 0 and `there` on axis 2: A₂ Z₃ A₃ Z₄ A₄ Z₅ A₅ takes the one to the other.
@@ -202,7 +201,7 @@ def spherical(A: Array, slides: Indices, here: float, there: float, found: Array
 
 
 @compiled(inner=True)
-def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> int:
+def beside_a_plane(A: Array, slides: Array, normal: Array, found: Array) -> int:
     """Solve Z₀ A₀ Z₁ A₁ ... Z₅ A₅ = 1 where joints 0 to 2 move in a plane and joint 3 turns, as `ik/loops.py` says."""
     F, G, pairs, plane = scratch((3, 3)), scratch((3, 3)), scratch((MANY, 2)), scratch((2, 3))
     vectors, T, rest, W, y = scratch((7, 3)), scratch((3, 4)), scratch((3, 4)), scratch((3, 4)), scratch(2)
@@ -221,11 +220,11 @@ def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> in
         after_joint(T, slides[4], pairs[n, 0], A4)
         after_joint(T, slides[5], pairs[n, 1], A5)
         turn(T, normal, m)
-        x, determined = first_coordinate(0, m, wanted)
+        x, determined = first_coordinate(0.0, m, wanted)
         if not determined or count + 2 > len(found):
             return UNKNOWN
         set_to(A2, rest)
-        after_joint(rest, 0, x, T)
+        after_joint(rest, 0.0, x, T)
         some = planar_loop(A0, A1, rest, slides, normal, W, y, plane)
         if some == UNKNOWN:
             return UNKNOWN
@@ -239,7 +238,7 @@ def beside_a_plane(A: Array, slides: Indices, normal: Array, found: Array) -> in
 
 @compiled(inner=True)
 def plane_equations(
-    A: Array, slides: Indices, normal: Array, n2: Array, wanted: float, vectors: Array, F: Array, G: Array
+    A: Array, slides: Array, normal: Array, n2: Array, wanted: float, vectors: Array, F: Array, G: Array
 ) -> None:
     """Write the two equations of `beside_a_plane` to F and G, (3, 3); vectors 2 to 6 of (7, 3) are working space.
 
@@ -273,9 +272,9 @@ def plane_equations(
 
 
 @compiled(inline=True, inner=True)
-def sample_turn(slides: int, k: int, p: Array, moved: Array) -> None:
+def sample_turn(slides: float, k: int, p: Array, moved: Array) -> None:
     """Do what `sample` does to a direction."""
     if slides:
         moved[0], moved[1], moved[2] = p[0], p[1], p[2]
     else:
-        sample(0, k, p, moved)
+        sample(0.0, k, p, moved)

@@ -17,7 +17,7 @@ LEAST, MOST = 1e-12, 1e12  # damping μ, beside the largest curvature
 WEAK = 1e-3  # μ to begin with
 
 
-@compiled()
+@compiled(inner=True)
 def half_square(
     links: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array, T: Array, joint_axes: Array,
     M: Array, e: Array,
@@ -32,7 +32,7 @@ def half_square(
     return total
 
 
-@compiled()
+@compiled(inner=True)
 def slope_and_curvature(
     links: Array, counted: Array, axis: Array, unit: float, T: Array, joint_axes: Array, e: Array, g: Array, H: Array,
     moves: Array,
@@ -72,7 +72,7 @@ def slope_and_curvature(
                 H[other, own] += h
 
 
-@compiled()
+@compiled(inner=True)
 def joint_motions(links: Array, unit: float, T: Array, joint_axes: Array, moves: Array) -> None:
     """Write the columns (v_j, ω_j) of J, (k, 6), one for each joint on the way, followers included."""
     for j in range(len(links) - 1):
@@ -89,7 +89,7 @@ def joint_motions(links: Array, unit: float, T: Array, joint_axes: Array, moves:
             moves[j, 2] = r * unit * (joint_axes[j, 0] * dy - joint_axes[j, 1] * dx)
 
 
-@compiled()
+@compiled(inner=True)
 def product(counted: Array, e: Array, a: Array, theta: float, across: float, one: Array, other: Array) -> float:
     """Return J_j·J_k: of positions, and of rotations weighted by `across` but along the axis of the missing turn."""
     h, dot, along, other_along, on_a, other_on_a = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -105,7 +105,7 @@ def product(counted: Array, e: Array, a: Array, theta: float, across: float, one
     return total
 
 
-@compiled()
+@compiled(inner=True)
 def change(e: Array, one: Array, other: Array, before: bool) -> float:
     """Return e·∂J_j/∂x_k of a joint j that carries joint k, or is it."""
     x, y, z = one[3], one[4], one[5]
@@ -121,7 +121,7 @@ def change(e: Array, one: Array, other: Array, before: bool) -> float:
     return h
 
 
-@compiled()
+@compiled(inner=True)
 def solve_positive(H: Array, held: Array, damping: float, g: Array, L: Array, step: Array) -> bool:
     """Write to step the solution of (H + μ diag) step = −g for the joints that are not held; zero for the others.
 
@@ -154,7 +154,7 @@ def solve_positive(H: Array, held: Array, damping: float, g: Array, L: Array, st
     return True
 
 
-@compiled()
+@compiled(inner=True)
 def least_miss(links: Array, limits: Array, counted: Array, axis: Array, unit: float, goal: Array, x: Array) -> float:
     """Move x, (n,), inside the limits to a stationary point of |e|², in [m, rad]; return |e|.
 

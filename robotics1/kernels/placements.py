@@ -39,7 +39,7 @@ def place_back(A: Array, p: Array, placed: Array) -> None:
 
 
 @compiled(inner=True)
-def after_joint(T: Array, slides: int, x: float, A: Array) -> None:
+def after_joint(T: Array, slides: float, x: float, A: Array) -> None:
     """T ← T Z(x) A."""
     c, s = (1.0, 0.0) if slides else (math.cos(x), math.sin(x))
     for i in range(3):
@@ -87,7 +87,7 @@ def turn_to(px: float, py: float, tx: float, ty: float) -> tuple[float, float, b
 
 
 @compiled(inline=True, inner=True)
-def first_coordinate(slides: int, p: Array, t: Array) -> tuple[float, bool]:
+def first_coordinate(slides: float, p: Array, t: Array) -> tuple[float, bool]:
     """Return x with Z(x) p = t, and whether it is well determined."""
     if slides:
         return t[2] - p[2], True

@@ -13,7 +13,7 @@ HALF_TURN = -0.999  # cos θ below which the axis is read from R + Rᵀ, since s
 TOLERANCE = 10  # where the tolerance stands in `task`
 
 
-@compiled(contract=True, inline=True)
+@compiled(contract=True, inline=True, inner=True)
 def forward_kinematics(links: Array, q: Array, T: Array, joint_axes: Array) -> None:
     """Write the frame's pose to T, (3, 4) = [R p], and of each joint its axis and a point on it to joint_axes, (k, 6).
 
@@ -35,7 +35,7 @@ def forward_kinematics(links: Array, q: Array, T: Array, joint_axes: Array) -> N
             after_turn(links, joint, math.cos(motion), math.sin(motion), T)
 
 
-@compiled(contract=True, inline=True)
+@compiled(contract=True, inline=True, inner=True)
 def after_turn(links: Array, joint: int, c: float, s: float, T: Array) -> None:
     """T ← T Z P: a turn of a joint with the cosine c and the sine s, and the placement behind it."""
     behind = joint + 1  # no view of this row, whose reference would be counted
@@ -46,7 +46,7 @@ def after_turn(links: Array, joint: int, c: float, s: float, T: Array) -> None:
         T[i, 3] = x * links[behind, 3] + y * links[behind, 7] + z * links[behind, 11] + p
 
 
-@compiled(contract=True, inline=True)
+@compiled(contract=True, inline=True, inner=True)
 def geometric_jacobian(links: Array, T: Array, joint_axes: Array, J: Array) -> None:
     """Write J, (6, n), from what `forward_kinematics` found.
 
@@ -70,7 +70,7 @@ def geometric_jacobian(links: Array, T: Array, joint_axes: Array, J: Array) -> N
             J[5, column] += z
 
 
-@compiled(inline=True)
+@compiled(inline=True, inner=True)
 def task_parts(task: Array) -> tuple[Array, Array, float, float]:
     """Return what a task is to the kernels, (11,), in parts.
 

@@ -17,7 +17,7 @@ UNKNOWN = -1  # instead of a number of roots
 
 
 @compiled(inner=True)
-def roots_of_one(slides: int, f0: float, f1: float, f2: float, roots: Array) -> int:
+def roots_of_one(slides: float, f0: float, f1: float, f2: float, roots: Array) -> int:
     """Write where f vanishes to roots, (2,), and return how many there are; UNKNOWN where f vanishes everywhere.
 
     Where a double root is just missed, it is given.
@@ -84,7 +84,7 @@ def bracketed_root(p: Array, degree: int, low: float, high: float, at_low: float
 
 
 @compiled(inner=True)
-def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int:
+def roots_in_the_middle(p: Array, work: Array, roots: Array) -> int:
     """Write the real roots of p in ±EDGE to roots and return how many there are; extremes near zero count too.
 
     Between two neighbouring roots of its derivative a polynomial has at most one root: so from the last derivative,
@@ -96,7 +96,7 @@ def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int
         roots: (MANY,).
     """
     derivative, extremes, found = work[0], work[1], work[2]
-    count = 0
+    degree, count = len(p) - 1, 0
     for order in range(degree - 1, -1, -1):
         factor = 1.0
         for i in range(order, degree + 1):  # i over order, in Pascal's triangle
@@ -130,16 +130,16 @@ def roots_in_the_middle(p: Array, degree: int, work: Array, roots: Array) -> int
 
 
 @compiled(inner=True)
-def roots_of_polynomial(slides: int, p: Array, work: Array, roots: Array) -> int:
+def roots_of_polynomial(slides: float, p: Array, work: Array, roots: Array) -> int:
     """Write to roots, (MANY,), the coordinates at which a polynomial of degree 8 in tan(θ/2), or in d, vanishes."""
-    back = work[3]
+    back = work[3, :9]
     for i in range(9):
         back[i] = p[8 - i]
-    count = roots_in_the_middle(p, 8, work, roots)
+    count = roots_in_the_middle(p, work, roots)
     for i in range(count):
         roots[i] = roots[i] if slides else 2.0 * math.atan(roots[i])
     outer = roots[count:]
-    many = roots_in_the_middle(back, 8, work, outer)
+    many = roots_in_the_middle(back, work, outer)
     kept = 0
     for i in range(many):
         s = outer[i]

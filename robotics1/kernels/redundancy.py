@@ -50,7 +50,7 @@ def approach(links: Array, limits: Array, counted: Array, axis: Array, goal: Arr
         move(limits, step, x)
 
 
-@compiled()
+@compiled(inner=True)
 def distance(x: Array, y: Array) -> float:
     """Return |x − y|."""
     square = 0.0
@@ -59,7 +59,7 @@ def distance(x: Array, y: Array) -> float:
     return math.sqrt(square)
 
 
-@compiled()
+@compiled(inner=True)
 def norm(x: Array) -> float:
     """Return |x|."""
     square = 0.0

@@ -117,7 +117,7 @@ def largest_blocks(squares: Array, largest: Array) -> None:
             largest[start + c] = math.sqrt(work[0, c])
 
 
-@compiled()
+@compiled(inner=True)
 def _keep(A: Array, start: int, size: int, J: Array) -> None:
     """Copy a block of Jacobians, or of their transposes, to its place among all."""
     m, n = J.shape[0], J.shape[1]
@@ -128,7 +128,7 @@ def _keep(A: Array, start: int, size: int, J: Array) -> None:
                 J[i, j, start + c] = A[a, b, c]
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def bidiagonal_squares(A: Array, Q: Array, E: Array, h: Array, w: Array) -> None:
     """Turn each A (k, n), k ≤ n, into a lower bidiagonal B = U A V, U and V orthogonal, and write its squares.
 
@@ -180,7 +180,7 @@ def bidiagonal_squares(A: Array, Q: Array, E: Array, h: Array, w: Array) -> None
                     A[row, j, c] -= w[c] * A[row, i, c]
 
 
-@compiled(contract=True)
+@compiled(contract=True, inner=True)
 def _reflection(squares: Array, first: Array, kept: Array, h: Array) -> None:
     """Write v₁ = x₁ ± |x|, without cancellation, over x₁, and h = 2/|v|² = 1/(|x|² + |x| |x₁|); keep |x|²."""
     for c in range(BLOCK):

@@ -21,7 +21,7 @@ from robotics1.robot.model import Robot
 from robotics1.singularities.jacobian_slopes import constant_rows
 from robotics1.tasks.task import FrameMap, Task
 
-MOST_UNCOMPILED = 16_000_000  # entries of Jacobians: NumPy takes four seconds for them, the compiler eight
+MOST_UNCOMPILED = 16_000_000  # entries of Jacobians: NumPy takes four seconds for them, as the compiler does
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,96 @@
+"""How a kernel is compiled: as one program with all functions it calls, optimized and translated once.
+
+Numba optimizes each function by itself, with all it calls, and makes machine code of it: a function that is called
+through five others is translated six times. Here the inner functions are typed and lowered only; the function that
+Python calls is optimized together with them, in a third of the time, and runs faster, since LLVM sees all of it.
+"""
+
+from typing import Any
+
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags
+from numba.core.compiler_machinery import PassManager
+
+# Passes for what no kernel has: closures, `with` blocks, branches on types, literals, array expressions.
+NOT_NEEDED = {
+    "with_lifting",
+    "inline_closure_likes",
+    "rewrite_semantic_constants",
+    "dead_branch_prune",
+    "rewrite_dynamic_raises",
+    "make_function_op_code_to_jit_function",
+    "inline_inlinables",
+    "find_literally",
+    "literal_unroll",
+    "literal_propagation",
+    "inline_overloads",
+    "nopython_rewrites",
+    "annotate_types",
+    "dump_parfor_diagnostics",
+}
+
+
+class KernelCompiler(CompilerBase):  # type: ignore[misc]
+    """Numba's compiler without the passes that kernels do not need, and without machine code of inner functions."""
+
+    def _compile_bytecode(self) -> Any:
+        self.state.flags = SharedFlags(self.state.flags)
+        return super()._compile_bytecode()
+
+    def define_pipelines(self) -> list[PassManager]:
+        """Return the one pipeline, as Numba asks for it."""
+        state = self.state
+        if state.library is None and state.flags.no_cpython_wrapper:
+            state.library = InnerCode(state.targetctx.codegen(), state.func_id.func_qualname)
+            state.library.enable_object_caching()
+        usual = DefaultPassBuilder.define_nopython_pipeline(state)
+        pipeline = PassManager(usual.pipeline_name)
+        pipeline.passes = [each for each in usual.passes if each[0]._name not in NOT_NEEDED]
+        pipeline.finalize()
+        return [pipeline]
+
+
+class SharedFlags(Flags):  # type: ignore[misc]
+    """Numba's flags of a compilation, equal if they mean the same to what a kernel calls of NumPy.
+
+    Numba asks tens of thousands of times, and compiles np.empty anew for flags that are not equal.
+    """
+
+    def __init__(self, flags: Flags) -> None:
+        super().__init__(flags)
+        own = ("forceinline", "no_cpython_wrapper")  # of the function itself
+        self.handed_on = repr(sorted((name, value) for name, value in self._values.items() if name not in own))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, SharedFlags) and self.handed_on == other.handed_on
+
+    def __hash__(self) -> int:
+        return hash(self.handed_on)
+
+
+class InnerCode(JITCodeLibrary):  # type: ignore[misc]
+    """What those that call it are linked with: neither optimized nor translated, since Python does not call it."""
+
+    @property
+    def codegen(self) -> "InnerCode":
+        """Return what is told the environment of the function: code that runs without the interpreter reads none."""
+        return self
+
+    def set_env(self, name: str, environment: object) -> None:
+        """Do nothing: there is no machine code that would have a place for it."""
+
+    def get_pointer_to_function(self, name: str) -> int:
+        """Return that there is no way in from Python."""
+        self._ensure_finalized()
+        return 0
+
+    def serialize_using_object_code(self) -> Any:
+        """Return what is kept on disk: there is no object code."""
+        return self.serialize_using_bitcode()
+
+    def _optimize_final_module(self) -> None:
+        pass
+
+    def _finalize_final_module(self) -> None:
+        self._finalize_dynamic_globals()
+        self._finalized = True
