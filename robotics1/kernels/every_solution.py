@@ -38,6 +38,7 @@ DOUBLE = 1e-9  # [units, rad] from a target at which two solutions meet, which i
 AT_LIMIT = 1e-9  # outside of a limit by rounding
 SPLIT = 1e-3  # σ_min/σ_max below which two solutions meet, or one is near a family
 TOGETHER = -(-6 * MANY // BLOCK) * BLOCK  # coordinates of all candidates, in whole blocks
+SETTLED = "(f8[:, ::1], f8[:, ::1], f8[:, ::1], i8[::1], f8, f8, i8, f8[:, ::1], f8[:, ::1], f8[::1])"  # its arguments
 DIGITS = 1e6  # solutions are sorted by their first six decimals
 
 
