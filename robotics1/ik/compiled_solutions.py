@@ -16,10 +16,13 @@ from robotics1.inputs import Array
 from robotics1.kernels.candidates import PLANE, ROWS, TURNS
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import is_ready, on_all_cores
+from robotics1.kernels.elsewhere import compile_elsewhere
 from robotics1.kernels.every_solution import (
     COUNT,
     ERROR,
     INSIDE,
+    SETTLED,
+    settled,
     solutions_of_a_plane,
     solutions_of_a_wrist,
     solutions_of_candidates,
@@ -67,6 +70,12 @@ class CompiledSolutions:
     def is_ready(self) -> bool:
         """Whether the kernel runs without being compiled first."""
         return is_ready(self.kernel.func)
+
+    def compile(self) -> None:
+        """Compile the kernel, on two cores, unless it is ready."""
+        if not self.is_ready:
+            compile_elsewhere(settled, SETTLED)
+        self.solve(np.eye(4))
 
     def solve(self, goal: Array) -> IKSolutions | None:
         """Return all solutions of a goal (4, 4) in the task's axes; None where it is left to the careful way."""

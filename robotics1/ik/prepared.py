@@ -43,6 +43,8 @@ class Prepared:
         """
         compiled = self.compiled
         if self.exact is not None and compiled is not None and (compiled.is_ready or self._spent > PATIENCE):
+            if not compiled.is_ready:
+                compiled.compile()
             found = compiled.solve(self.exact.pose_error.goal(self.problem.robot, target))
             if found is not None:
                 return found

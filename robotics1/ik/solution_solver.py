@@ -74,7 +74,7 @@ class SolutionSolver:
             pose_error = exact.pose_error
             self._takes_poses = pose_error.takes_poses
             self._goal = lambda target: pose_error.goal(self.robot, target)
-            self._compiled.solve(np.eye(4))  # so that no target pays for the compilation
+            self._compiled.compile()  # so that no target pays for the compilation
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled and copied: what is prepared, machine code among it, is prepared again."""

@@ -31,7 +31,7 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
             fifth of its time.
         inner: only other kernels call it: it has no way in from Python, and no machine code but theirs. Unless it makes
-            arrays, it counts no references to its arrays, which would take a sixth of the time.
+            or returns arrays, it counts no references to its arrays, which would take a sixth of the time.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
     if COMPILED:
@@ -49,7 +49,8 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         from robotics1.kernels.one_program import KernelCompiler
 
         makes_arrays = not {"empty", "zeros"}.isdisjoint(function.__code__.co_names)
-        counted = {"_nrt": makes_arrays or not inner}
+        hands_back = "ndarray" in str(function.__annotations__["return"])  # what the caller then lets go, counted
+        counted = {"_nrt": makes_arrays or hands_back or not inner}
         dispatcher = numba.njit(pipeline_class=KernelCompiler, **options, **counted)(function)
         with suppress(RuntimeError):  # "no locator available": there is no directory to write to
             dispatcher._cache = MachineCode(function)

@@ -23,11 +23,11 @@ from robotics1.kernels.candidates import (
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
 from robotics1.kernels.conditioning import inverse_jacobian
-from robotics1.kernels.inverse import TURN, in_units, is_pose
+from robotics1.kernels.inverse import TURN
 from robotics1.kernels.loops import beside_a_plane, spherical
 from robotics1.kernels.newton import REACHED, distance_of_meeting, near_singular, norm, verified
 from robotics1.kernels.real_roots import MANY, UNKNOWN
-from robotics1.kernels.scaling import scaled_links, unit_of
+from robotics1.kernels.scaling import in_own_units
 from robotics1.kernels.scratch import scratch, scratch_indices
 
 LOWER, UPPER, MIDDLE, UNIT, ENTRY, SLIDES = 0, 1, 2, 3, 4, 5  # the columns of `joints`
@@ -39,6 +39,7 @@ DOUBLE = 1e-9  # [units, rad] from a target at which two solutions meet, which i
 AT_LIMIT = 1e-9  # outside of a limit by rounding
 SPLIT = 1e-3  # σ_min/σ_max below which two solutions meet, or one is near a family
 TOGETHER = -(-6 * MANY // BLOCK) * BLOCK  # coordinates of all candidates, in whole blocks
+SETTLED = "(f8[:, ::1], f8[:, ::1], f8[:, ::1], i8[::1], f8, f8, i8, f8[:, ::1], f8[:, ::1], f8[::1])"  # its arguments
 DIGITS = 1e6  # solutions are sorted by their first six decimals
 
 
@@ -219,11 +220,8 @@ def solutions_of_a_wrist(
     scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
     A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6)
     for i in range(len(targets)):
-        unit, count = 1.0, UNKNOWN
-        if is_pose(targets[i]):
-            unit = unit_of(links, targets[i], numbers[LENGTH])
-            scaled_links(links, unit, scaled)
-            in_units(targets[i], unit, goal)
+        unit, count = in_own_units(links, targets[i], numbers[LENGTH], scaled, goal), UNKNOWN
+        if unit > 0.0:
             loop_of_six(scaled, goal, link_of, joint_of, side, A, L, slides)
             count = spherical(A, slides, numbers[HERE] / unit, numbers[THERE] / unit, found)
             in_order_of_joints(count, found, joint_of, side, x)
@@ -239,11 +237,8 @@ def solutions_of_a_plane(
     scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
     A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6)
     for i in range(len(targets)):
-        unit, count = 1.0, UNKNOWN
-        if is_pose(targets[i]):
-            unit = unit_of(links, targets[i], numbers[LENGTH])
-            scaled_links(links, unit, scaled)
-            in_units(targets[i], unit, goal)
+        unit, count = in_own_units(links, targets[i], numbers[LENGTH], scaled, goal), UNKNOWN
+        if unit > 0.0:
             loop_of_six(scaled, goal, link_of, joint_of, side, A, L, slides)
             count = beside_a_plane(A, slides, numbers[NORMAL : NORMAL + 3], found)
             in_order_of_joints(count, found, joint_of, side, x)
@@ -258,11 +253,8 @@ def solutions_of_few(
     n = len(rows)
     scaled, goal, x = np.empty((n + 1, 15)), np.empty((3, 4)), np.empty((MANY, n))
     for i in range(len(targets)):
-        unit, count = 1.0, UNKNOWN
-        if is_pose(targets[i]):
-            unit = unit_of(links, targets[i], numbers[LENGTH])
-            scaled_links(links, unit, scaled)
-            in_units(targets[i], unit, goal)
+        unit, count = in_own_units(links, targets[i], numbers[LENGTH], scaled, goal), UNKNOWN
+        if unit > 0.0:
             count = few_joints(scaled, goal, kind, rows, numbers, x)
         settled(scaled, goal, joints, rows, unit, numbers[LEAST], count, x, q[i], answers[i])
 
@@ -273,11 +265,9 @@ def solutions_of_candidates(
 ) -> None:
     """Do what `solutions_of_a_wrist` does for one target from candidates x, (k, 6), in radians and metres."""
     scaled, goal, candidates = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
-    unit, count = 1.0, UNKNOWN
-    if is_pose(target) and len(x) <= MANY:
-        unit, count = unit_of(links, target, numbers[LENGTH]), len(x)
-        scaled_links(links, unit, scaled)
-        in_units(target, unit, goal)
+    unit, count = in_own_units(links, target, numbers[LENGTH], scaled, goal), UNKNOWN
+    if unit > 0.0 and len(x) <= MANY:
+        count = len(x)
         for i in range(count):
             for j in range(6):
                 candidates[i, j] = x[i, j] / unit if joints[j, SLIDES] != 0.0 else x[i, j]

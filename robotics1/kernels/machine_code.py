@@ -7,6 +7,7 @@ disk is full, and it runs whatever machine code it finds.
 import hashlib
 import logging
 import pickle
+import subprocess
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
@@ -15,6 +16,7 @@ from typing import Any
 
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
+PATIENCE = 60.0  # [s] for another process that compiles
 log = logging.getLogger(__name__)
 
 
@@ -31,6 +33,7 @@ class MachineCode(FunctionCache):  # type: ignore[misc]
 
     def __init__(self, function: Callable[..., Any]) -> None:
         super().__init__(function)
+        self.awaited: subprocess.Popen[bytes] | None = None  # the process that compiles it
         self._cache_file = CheckedFile(self._cache_path, self._impl.filename_base, _sources())
 
     def holds_code(self) -> bool:
@@ -42,6 +45,7 @@ class MachineCode(FunctionCache):  # type: ignore[misc]
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
         """Return the compiled function for a signature, or None: then it is compiled anew, and saved."""
+        self._wait()
         try:
             return super().load_overload(signature, target_context)
         except Exception as error:  # a damaged pickle raises anything
@@ -49,6 +53,17 @@ class MachineCode(FunctionCache):  # type: ignore[misc]
             with suppress(Exception):
                 self.flush()  # else the damaged index would stop the saving too
             return None
+
+    def _wait(self) -> None:
+        """Wait for another process to leave the machine code on disk; where it does not, it is compiled here."""
+        process, self.awaited = self.awaited, None
+        if process is None:
+            return
+        try:
+            process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
 
     def save_overload(self, signature: Any, compiled: Any) -> None:
         """Save the compiled function, where the disk takes it."""

@@ -2,7 +2,7 @@
 
 Numba optimizes each function by itself, with all it calls, and makes machine code of it: a function that is called
 through five others is translated six times. Here the inner functions are typed and lowered only; the function that
-Python calls is optimized together with them, in a third of the time, and runs faster, since LLVM sees all of it.
+Python calls is optimized and translated together with them, once. It runs as fast, within a few percent.
 """
 
 from typing import Any

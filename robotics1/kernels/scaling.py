@@ -4,6 +4,7 @@ import math
 
 from robotics1.inputs import Array
 from robotics1.kernels.compilation import compiled
+from robotics1.kernels.inverse import in_units, is_pose
 
 
 @compiled(contract=True, inner=True)
@@ -20,3 +21,14 @@ def unit_of(links: Array, goal: Array, length: float) -> float:
     x, y, z = goal[0, 3] - links[0, 3], goal[1, 3] - links[0, 7], goal[2, 3] - links[0, 11]
     unit = length + math.sqrt(x * x + y * y + z * z)
     return unit if unit > 0.0 else 1.0
+
+
+@compiled(contract=True, inner=True)
+def in_own_units(links: Array, target: Array, length: float, scaled: Array, goal: Array) -> float:
+    """Write links and target with lengths in units to scaled and goal; return the unit [m], 0 for what is no pose."""
+    if not is_pose(target):
+        return 0.0
+    unit = unit_of(links, target, length)
+    scaled_links(links, unit, scaled)
+    in_units(target, unit, goal)
+    return unit

@@ -1,0 +1,97 @@
+"""Kernels compiled as one program, in two processes; all of it here where the other process fails."""
+
+import json
+import os
+import subprocess
+import sys
+import textwrap
+from importlib.util import find_spec
+
+import numpy as np
+import pytest
+
+from robotics1 import PoseTask, forward_kinematics, load_robot
+from robotics1.ik import SolutionSolver
+
+pytestmark = pytest.mark.skipif(find_spec("numba") is None, reason="Numba is not installed")
+
+Q = [0.3, -1.2, 1.1, 0.4, 0.5, 0.6]
+
+FIRST_SOLVER = """
+{before}
+import json
+from robotics1 import PoseTask, forward_kinematics, load_robot
+from robotics1.ik import SolutionSolver
+from robotics1.kernels import every_solution, loops
+robot = load_robot("ur5", tool="tool0")
+found = SolutionSolver(robot, PoseTask())(forward_kinematics(robot, {q}))
+hits = [sum(kernel.stats.cache_hits.values()) for kernel in (every_solution.settled, loops.beside_a_plane)]
+print(json.dumps([found.q.tolist(), found.method, hits]))
+"""
+
+
+def first_solver(folder, before="", **environment):
+    """The solutions of a UR5 in a new process with an empty cache, and which parts it found on disk."""
+    done = subprocess.run(
+        [sys.executable, "-c", FIRST_SOLVER.format(before=textwrap.dedent(before), q=Q)],
+        env=os.environ | {"NUMBA_CACHE_DIR": str(folder), "NUMBA_NUM_THREADS": "2"} | environment,
+        check=True, capture_output=True, text=True, timeout=300,
+    )  # fmt: skip
+    return json.loads(done.stdout)
+
+
+def here():
+    robot = load_robot("ur5", tool="tool0")
+    return SolutionSolver(robot, PoseTask())(forward_kinematics(robot, Q)).q
+
+
+@pytest.mark.sweep
+def test_half_of_a_kernel_is_compiled_by_another_process_and_found_on_disk(tmp_path):
+    q, _, (settled, candidates) = first_solver(tmp_path)
+    assert (settled, candidates) == (1, 0)
+    assert np.array(q) == pytest.approx(here(), rel=0, abs=1e-12)
+
+
+@pytest.mark.sweep
+def test_where_the_other_process_fails_all_is_compiled_here(tmp_path):
+    q, _, hits = first_solver(tmp_path, "import sys\nsys.executable = '/bin/false'")
+    assert hits == [0, 0]
+    assert np.array(q) == pytest.approx(here(), rel=0, abs=1e-12)
+
+
+KERNELS = """
+import json
+import numpy as np
+from robotics1.kernels.compilation import compiled
+
+@compiled(inner=True)
+def square(x):
+    return x * x
+
+@compiled(inner=True)
+def sums(a, b):
+    total = 0.0
+    for i in range(len(a)):
+        b[i] = square(a[i])
+        total += b[i]
+    return total
+
+@compiled()
+def twice(a):
+    b = np.empty(len(a))
+    return sums(a, b) + sums(b, b)
+
+print(json.dumps([twice(np.array([1.0, 2.0, 3.0])), len(square.signatures), sum(twice.stats.cache_hits.values())]))
+"""
+
+
+def test_inner_kernels_are_linked_with_what_calls_them_when_compiled_and_when_read_from_disk(tmp_path):
+    (tmp_path / "three_kernels.py").write_text(KERNELS)
+    answers = []
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "three_kernels.py"], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=120,
+            env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)},
+        )  # fmt: skip
+        answers.append(json.loads(done.stdout))
+    assert answers == [[14.0 + 98.0, 1, 0], [14.0 + 98.0, 0, 1]]  # Σ x² + Σ x⁴; from disk, nothing is compiled
