@@ -1,6 +1,6 @@
 """Joint rates within their limits: what the task asks is taken over by joints that are not at one."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any, Literal, get_args
 
@@ -21,11 +21,12 @@ from robotics1.inputs import (
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.null_saturation import Saturated, SaturationStep, saturate_step_by_step
-from robotics1.redundancy.rates_within_digits import rates_within_digits
+from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
 from robotics1.redundancy.within_bounds import largest_scale_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.singularities.rounding import RoundedConfiguration
 from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.trajectories.following.task_rates import jacobian_rate
@@ -59,6 +60,8 @@ class SaturatedMotion(Frozen):
         within_digits: whether the task is in the range of the Jacobian only as far as the given digits tell: a part of
             the residual is their rounding.
         steps: of the algorithm, with method "sns".
+        rounded: q with its printed digits, where a singular configuration rounds to it; else None.
+        at_singularity: the answer at that configuration; else None.
     """
 
     joints: Array
@@ -71,21 +74,26 @@ class SaturatedMotion(Frozen):
     method: str
     within_digits: bool = False
     steps: tuple[SaturationStep, ...] = ()
+    rounded: RoundedConfiguration | None = None
+    at_singularity: "SaturatedMotion | None" = None
 
     def explain(self) -> str:
         """Return the status with the scale and the joints at their limits, in a sentence."""
+        near = "" if self.rounded is None else f"{self.rounded.explain()}; the answer there is `at_singularity`; "
         at = [f"{i + 1}" for i in np.flatnonzero(self.saturated)]
         where = f"; at a limit: joint {', '.join(at)}" if at else ""
         digits = "; what is left is not more than the rounding of the given digits" if self.within_digits else ""
-        return f"{self.status.value}; s = {self.scale:.6g}{where}{digits}"
+        return f"{near}{self.status.value}; s = {self.scale:.6g}{where}{digits}"
 
     def require(self) -> "SaturatedMotion":
         """Return self if the whole task is realised.
 
         Raises:
-            NotConverged: it is slowed down, or out of range.
+            NotConverged: it is slowed down, or out of range, or the configuration may be singular.
         """
-        return require(self, self.status in (SaturationStatus.WITHIN_LIMITS, SaturationStatus.SATURATED))
+        return require(
+            self, self.rounded is None and self.status in (SaturationStatus.WITHIN_LIMITS, SaturationStatus.SATURATED)
+        )
 
 
 def saturated_velocity(
@@ -133,8 +141,7 @@ def saturated_velocity(
     def rows_at(near: Array) -> list[tuple[Array, Array]]:
         return [(task.jacobian(robot, near), np.zeros(task.rows))]
 
-    (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [rdot], q), rows_at(robot.configuration(q))
-    return _resolved(J, (rdot, meant), drift, low, high, one_of("method", method, METHODS))
+    return _solved(robot, rows_at, rdot, q, (low, high), one_of("method", method, METHODS))
 
 
 def saturated_acceleration(
@@ -182,8 +189,20 @@ def saturated_acceleration(
     def rows_at(near: Array) -> list[tuple[Array, Array]]:
         return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed)]
 
-    (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [rddot], q), rows_at(robot.configuration(q))
-    return _resolved(J, (rddot, meant), drift, low, high, one_of("method", method, METHODS))
+    return _solved(robot, rows_at, rddot, q, (low, high), one_of("method", method, METHODS))
+
+
+def _solved(
+    robot: Robot, rows_at: RowsAt, asked: Array, q: ConfigurationLike, bounds: tuple[Array, Array], method: str
+) -> SaturatedMotion:
+    def at(x: ConfigurationLike) -> SaturatedMotion:
+        (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [asked], x), rows_at(robot.configuration(x))
+        return _resolved(J, (asked, meant), drift, *bounds, method)
+
+    answer, rounded = at(q), singularity_of_levels(robot, rows_at, q)
+    if rounded is None or rounded.singular_q is None:
+        return answer
+    return replace(answer, rounded=rounded, at_singularity=at(rounded.singular_q))
 
 
 def _resolved(
