@@ -9,8 +9,8 @@ import numpy.typing as npt
 from robotics1.inputs import Array, moderate
 from robotics1.kinematics import velocity_of_joints
 from robotics1.redundancy.given_levels import checked_levels
+from robotics1.redundancy.rate_limits import acceleration_limits, at_limits, limits_of
 from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
-from robotics1.redundancy.saturation import acceleration_limits, at_limits, limits_of
 from robotics1.redundancy.within_bounds import levels_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike

@@ -2,25 +2,21 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError
 from robotics1.inputs import (
     Array,
-    dimensions,
     moderate,
     one_of,
-    per_joint,
     real_array,
-    real_number,
-    without_infinity,
 )
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.null_saturation import Saturated, SaturationStep, saturate_step_by_step
+from robotics1.redundancy.rate_limits import acceleration_limits, at_limits, limits_of
 from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
 from robotics1.redundancy.within_bounds import largest_scale_within
 from robotics1.results import Frozen, require
@@ -33,7 +29,6 @@ from robotics1.trajectories.following.task_rates import jacobian_rate
 
 Method = Literal["optimal", "sns", "scaled"]
 METHODS: tuple[Method, ...] = get_args(Method)
-AT_LIMIT = 1e-9  # of the room between the limits
 
 
 class SaturationStatus(Enum):
@@ -249,57 +244,3 @@ def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, me
         return Saturated(np.zeros(0), 0.0)
     wide = np.where(high > low, high, low + 1e-12)
     return Saturated(np.clip(lsq_linear(J, -drift, bounds=(low, wide), method="bvls").x, low, high), 0.0)
-
-
-def at_limits(x: Array, low: Array, high: Array) -> npt.NDArray[np.bool_]:
-    """Return whether each joint is at a limit, (nv,)."""
-    room = AT_LIMIT * np.where(np.isfinite(high - low), high - low, 0.0)
-    return (np.abs(x - low) <= room) | (np.abs(x - high) <= room)
-
-
-def limits_of(
-    robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None, name: str = "limits"
-) -> tuple[Array, Array]:
-    """Return the limits, (nv,) each.
-
-    Raises:
-        InputError: a shape is wrong, or zero is not within them.
-    """
-    upper = _bound(robot, name, high)
-    lower = -upper
-    if low is not None:
-        dimensions("lower", low)
-        raw = np.asarray(low)
-        lower = -_bound(robot, "lower", -raw.astype(float) if raw.dtype.kind in "fiu" else low)
-    if (upper < 0).any() or (lower > 0).any():
-        raise InputError(f"{name} must leave zero between them; they are from {lower.tolist()} to {upper.tolist()}")
-    return lower, upper
-
-
-def acceleration_limits(
-    robot: Robot,
-    qdot: Array,
-    limits: npt.ArrayLike,
-    lower: npt.ArrayLike | None,
-    max_velocity: npt.ArrayLike | None,
-    step: float | None,
-) -> tuple[Array, Array]:
-    """Return the limits of q̈, (nv,) each, that leave |q̇ + q̈ h| ≤ V as far as those of q̈ alone allow.
-
-    Raises:
-        InputError: a shape is wrong, or only one of max_velocity and step is given.
-    """
-    low, high = limits_of(robot, limits, lower)
-    if (max_velocity is None) != (step is None):
-        raise InputError("max_velocity= and step= belong together: |q̇ + q̈ h| ≤ V holds after the step h")
-    if max_velocity is None:
-        return low, high
-    h, (least, most) = real_number("step", step, positive=True), limits_of(robot, max_velocity, None, "max_velocity")
-    return np.clip((least - qdot) / h, low, high), np.clip((most - qdot) / h, low, high)
-
-
-def _bound(robot: Robot, name: str, value: Any) -> Array:
-    """Return one bound for each joint, (nv,); infinity is none."""
-    dimensions(name, value)
-    finite, unlimited = without_infinity(value, 0.0)
-    return np.where(unlimited, np.inf, moderate(name, per_joint(name, finite, robot.nv)))
