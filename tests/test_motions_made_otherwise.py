@@ -65,6 +65,16 @@ def test_the_instant_of_a_value_is_the_inverse_of_the_law():
         r1.trajectories.time_of(law, 3.1)
 
 
+@pytest.mark.parametrize("name", ["cubic", "quintic", "septic", "cosine", "cycloidal"])
+@pytest.mark.parametrize("T", [1e-4, 2.0, 1e5])
+def test_a_law_takes_its_last_value_at_its_end_however_flat_it_is_there(name, T):
+    law = getattr(r1.trajectories, name)(1, -3, T)
+    assert r1.trajectories.time_of(law, -3) == T
+    assert r1.trajectories.time_of(law, 1) == 0
+    assert r1.trajectories.time_of(law, -1) == pytest.approx(T / 2, rel=1e-9)
+    assert r1.trajectories.time_of(law, float(law(0.9 * T)[0])) == pytest.approx(0.9 * T, rel=1e-7)
+
+
 def test_a_value_that_is_taken_twice_has_a_first_and_a_later_instant():
     there_and_back = r1.trajectories.motion_of_accelerations(0, [1, 2, 1], [2, -2, 2]).joint()
     assert r1.trajectories.time_of(there_and_back, 1) == pytest.approx(1)

@@ -24,6 +24,9 @@ CALLS = {
         r1.trajectories.timing_bounds(r1.curves.arc_path([0, 0], [a, b], 1.0), c, d).velocity
     ),
     "parabolic_blends": lambda a, b, c, d: r1.curves.parabolic_blends([[0, 0], [a, 0], [a, b]], c, d).duration,
+    "linear_segments_with_blends": lambda a, b, c, d: (
+        r1.trajectories.linear_segments_with_blends([0, 1, c], [a, b, 0], acceleration=d).duration
+    ),
     "joins": lambda a, b, c, d: r1.curves.CurveSequence((r1.cubic(a, b, c), r1.cubic(b, a, d))).joins[0].jumps,
     "stretched": lambda a, b, c, d: r1.curves.stretched(r1.cubic(a, b, c), d).velocity(0.0),
     "knot_times": lambda a, b, c, d: r1.trajectories.knot_times([a, b, c], d),

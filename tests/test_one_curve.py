@@ -51,6 +51,9 @@ MAKERS = {
     "scale_to_limits": lambda: r1.trajectories.scale_to_limits(r1.quintic(START, END, 1.5), LIMITS),
     "spline": lambda: r1.cubic_spline([0, 1, 2], [START, [0.2, 0.9], END]),
     "blends": lambda: r1.curves.parabolic_blends([START, [0.2, 0.9], END], 0.5, 0.1),
+    "segments": lambda: r1.trajectories.linear_segments_with_blends(
+        [0, 1, 2], [START, [0.2, 0.9], END], acceleration=9
+    ),
     "path": lambda: r1.line_path(START, END),
     "sequence": lambda: r1.curves.CurveSequence((r1.cubic(START, END, 1.0), r1.cubic(END, START, 1.0))),
     "stack": lambda: r1.curves.JointTrajectory((r1.cubic(0.1, 0.5, 1.5), r1.trajectories.bang_bang(1.2, 0.7, 1.5))),

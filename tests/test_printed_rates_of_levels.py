@@ -127,3 +127,49 @@ def test_the_verdicts_do_not_depend_on_the_unit_of_the_rates(name, size):
     halved = saturated_velocity(robot, XYZ, size * inside, q, limits=size * least / 2, method="scaled")
     assert (halved.status, halved.scale) == (SaturationStatus.SCALED, pytest.approx(0.5))
     assert halved.saturated.any()
+
+
+PLANAR = r1.textbook_robots.planar_arm("RRR", [1.0, 0.8, 0.5])
+XY = r1.PositionTask("xy")
+
+
+@pytest.mark.parametrize("folded", [3.1416, 3.14159, 3.142])
+def test_a_configuration_printed_at_a_singularity_is_nearly_singular_and_has_the_answer_there(folded):
+    """A folded planar arm: at the printed digits q̇ is 10³ or more, at π the velocity across the arm is realised."""
+    q, v = [0.5, folded, 0.0], [np.sin(0.5), -np.cos(0.5)]
+    there = [0.5, pi, 0.0]
+    J = XY.jacobian(PLANAR, there)
+    wanted = np.linalg.pinv(J, rcond=1e-9) @ v
+    answers = [
+        priority_velocity(PLANAR, [(XY, v)], q),
+        priority_acceleration(PLANAR, [(XY, v)], q, [0, 0, 0]),
+        saturated_velocity(PLANAR, XY, v, q, limits=1e6),
+        saturated_acceleration(PLANAR, XY, v, q, [0, 0, 0], limits=1e6),
+        saturated_priority_velocity(PLANAR, [(XY, v)], q, limits=1e6),
+        saturated_priority_acceleration(PLANAR, [(XY, v)], q, [0, 0, 0], limits=1e6),
+    ]
+    for answer in answers:
+        assert answer.rounded.singular_q == pytest.approx(there)
+        assert answer.at_singularity.joints == pytest.approx(wanted, abs=1e-8)
+        assert answer.at_singularity.require()
+        assert "nearly singular" in answer.explain()
+        with pytest.raises(r1.NotConverged, match="nearly singular"):
+            answer.require()
+
+
+def test_levels_that_meet_at_a_printed_algorithmic_singularity_say_so():
+    """Tip and end of link 1: each alone is regular; with the last two links in line both together are singular."""
+    tall = r1.textbook_robots.planar_arm("RRR", [1.0, 1.0, 1.0])
+    levels = [(XY, [0.1, 0.2]), (r1.PositionTask("y", frame="link2"), [0.3])]
+    found = priority_velocity(tall, levels, [0.3, 1.2, 3.1416])
+    both = np.vstack([task.jacobian(tall, [0.3, 1.2, pi]) for task, _ in levels])
+    assert np.linalg.matrix_rank(both) == 2
+    assert found.rounded.singular_q == pytest.approx([0.3, 1.2, pi])
+    assert found.at_singularity.levels[0].is_realised
+
+
+def test_configurations_that_are_computed_or_far_from_a_singularity_are_as_before():
+    v = [0.3, -0.2]
+    for q in ([0.5, pi - 1e-7, 0.0], [0.5, 1.2, 0.4], [0.5, 1.2345, 0.4]):
+        assert priority_velocity(PLANAR, [(XY, v)], q).rounded is None
+        assert saturated_velocity(PLANAR, XY, v, q, limits=1e9).rounded is None

@@ -170,6 +170,30 @@ def test_numbers_and_symbols_may_be_mixed():
     assert f.case_of(Delta=3000, V=60, A=10).duration == pytest.approx(1 + (3000 - 55 - 180) / 60 + 6)
 
 
+@pytest.mark.parametrize("law", ["trapezoidal", "bang_bang", "cubic", "quintic", "double_s"])
+@pytest.mark.parametrize("distance", [0.05, 0.3, 3])
+@pytest.mark.parametrize("ends", [(0.5, 0.5), (0, 1), (-1, 0), (2, 0), (2, 2), (-2, -2)])
+def test_numbers_alone_leave_the_case_that_holds(law, distance, ends):
+    """What does not hold has roots of negative numbers, which nobody may compare."""
+    if law == "quintic" and ends[0] != ends[1]:
+        return
+    bounds = {"velocity": 2, "acceleration": 4} | ({"jerk": 10} if law == "double_s" else {})
+    if law == "bang_bang" and ends == (-2, -2):
+        with pytest.raises(r1.InputError, match="no such motion keeps the bounds"):
+            time_formula(law, distance=distance, **bounds, v0=-2, v1=-2)
+        with pytest.raises(r1.InputError, match="no such motion"):
+            time_formula(law, **BOUNDS, **ENDS).case_of(Delta=distance, V=2, A=4, v0=-2, v1=-2)
+        return
+    least = r1.minimum_time(0, distance, r1.MotionLimits(**bounds), law, v0=ends[0], v1=ends[1]).duration
+    f = time_formula(law, distance=distance, **bounds, v0=ends[0], v1=ends[1])
+    if f.cases[0].duration == sympy.nan:
+        assert "no closed form" in f.explain()
+        return
+    assert [case.conditions for case in f.cases] == [()]
+    assert float(f.duration) == pytest.approx(least, rel=1e-5)  # a bound that is only touched has a double root
+    assert f.case_of().duration == pytest.approx(float(f.duration), rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [

@@ -13,7 +13,7 @@ from robotics1.inputs import Array, counting_number
 from robotics1.redundancy.hierarchy import by_levels
 from robotics1.redundancy.null_motion import gradient_of
 from robotics1.redundancy.objectives import Objective
-from robotics1.redundancy.saturation import limits_of
+from robotics1.redundancy.rate_limits import limits_of
 from robotics1.redundancy.steps_within_limits import moved_within_limits
 from robotics1.redundancy.tracks import Track, tracks_of
 from robotics1.results import Frozen, require

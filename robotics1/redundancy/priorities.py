@@ -1,7 +1,7 @@
 """Task priority: several tasks, the first before the second, at one state."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any, Literal, get_args
 
@@ -14,10 +14,11 @@ from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.given_levels import checked_levels
 from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
-from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits
+from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.singularities.rounding import RoundedConfiguration
 from robotics1.tasks.given import TaskLike
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
@@ -74,16 +75,20 @@ class Priorities(Frozen):
         levels: what becomes of each, in the order of priority.
         null: (nv, k) orthonormal columns: motions that no level sees.
         method: "levels", "projection" or "stacked".
+        rounded: q with its printed digits, where a singular configuration rounds to it; else None.
+        at_singularity: the answer at that configuration; else None.
     """
 
     joints: Array
     levels: tuple[LevelOutcome, ...]
     null: Array
     method: str
+    rounded: RoundedConfiguration | None = None
+    at_singularity: "Priorities | None" = None
 
     def explain(self) -> str:
         """Return what becomes of each level, in sentences."""
-        parts = []
+        parts = [] if self.rounded is None else [f"{self.rounded.explain()}; the answer there is `at_singularity`"]
         for number, level in enumerate(self.levels, 1):
             size = float(np.linalg.norm(level.residual))
             rest = "" if level.is_realised else f" (|residual| = {size:.6g})"
@@ -94,9 +99,9 @@ class Priorities(Frozen):
         """Return self if every level is realised.
 
         Raises:
-            NotConverged: one is not.
+            NotConverged: one is not, or the configuration may be singular.
         """
-        return require(self, all(level.is_realised for level in self.levels))
+        return require(self, self.rounded is None and all(level.is_realised for level in self.levels))
 
 
 def priority_velocity(
@@ -192,39 +197,64 @@ def _solved(
     damping: float,
     weights: Any = None,
 ) -> Priorities:
-    n, one = robot.nv, one_of("method", method, METHODS)
+    solve = _solver(one_of("method", method, METHODS), len(asked), robot.nv, damping, weights)
+    extra = None if wish is None else moderate("the null motion", velocity_of_joints(robot, "the null motion", wish))
+
+    def at(x: ConfigurationLike) -> Priorities:
+        levels = rows_at(robot.configuration(x))
+        rows = [(J, b - drift) for (J, drift), b in zip(levels, asked, strict=True)]
+        found = solve(rows)
+        joints = found.x if extra is None else found.x + found.null @ (found.null.T @ extra)
+        meant = rates_within_digits(robot, rows_at, asked, x)
+        return Priorities(joints, _outcomes(levels, asked, meant, joints), found.null, method)
+
+    answer, rounded = at(q), singularity_of_levels(robot, rows_at, q)
+    if rounded is None or rounded.singular_q is None:
+        return answer
+    return replace(answer, rounded=rounded, at_singularity=at(rounded.singular_q))
+
+
+def _solver(
+    method: str, number: int, n: int, damping: float, weights: Any
+) -> Callable[[Sequence[tuple[Array, Array]]], Hierarchy]:
+    """Return what solves the levels by a method.
+
+    Raises:
+        InputError: the damping or the weights belong to another method.
+    """
     soft = real_number("damping", damping, non_negative=True)
-    if soft and one != "levels":
-        raise InputError(f"damping belongs to method='levels'; the method is {one!r}")
-    if weights is not None and one != "stacked":
-        raise InputError(f"weights belong to method='stacked', which has no priorities; the method is {one!r}")
-    found_rows, meant = rows_at(robot.configuration(q)), rates_within_digits(robot, rows_at, asked, q)
-    rows = [(A, b - drift) for (A, drift), b in zip(found_rows, asked, strict=True)]
-    exact = by_levels(rows, n)
-    found: Hierarchy = exact
-    if one == "projection":
-        found = by_projection(rows, n)
-    elif one == "stacked":
-        w = np.sqrt(np.ones(len(rows)) if weights is None else positive_numbers("weights", weights, len(rows)))
+    if soft and method != "levels":
+        raise InputError(f"damping belongs to method='levels'; the method is {method!r}")
+    if weights is not None and method != "stacked":
+        raise InputError(f"weights belong to method='stacked', which has no priorities; the method is {method!r}")
+    if method == "levels":
+        return lambda rows: by_levels(rows, n, damping=soft)
+    if method == "projection":
+        return lambda rows: by_projection(rows, n)
+    w = np.sqrt(np.ones(number) if weights is None else positive_numbers("weights", weights, number))
+
+    def stacked(rows: Sequence[tuple[Array, Array]]) -> Hierarchy:
         A, b = (np.concatenate([x * row[i] for x, row in zip(w, rows, strict=True)]) for i in (0, 1))
-        found = by_levels([(A, b)], n)
-    elif soft:
-        found = by_levels(rows, n, damping=soft)
-    x = found.x
-    if wish is not None:
-        x = x + found.null @ (
-            found.null.T @ moderate("the null motion", velocity_of_joints(robot, "the null motion", wish))
-        )
+        return by_levels([(A, b)], n)
+
+    return stacked
+
+
+def _outcomes(
+    levels: Sequence[tuple[Array, Array]], asked: Sequence[Array], meant: Sequence[Array], x: Array
+) -> tuple[LevelOutcome, ...]:
+    """Return what becomes of each level with x, `meant` being what the digits of what is asked mean."""
+    exact = by_levels([(J, b - drift) for (J, drift), b in zip(levels, asked, strict=True)], len(x))
     outcomes = []
-    for i, (A, drift) in enumerate(found_rows):
-        left, size = asked[i] - drift - A @ x, float(np.linalg.norm(asked[i]) + np.linalg.norm(drift))
+    for i, (J, drift) in enumerate(levels):
+        left, size = asked[i] - drift - J @ x, float(np.linalg.norm(asked[i]) + np.linalg.norm(drift))
         if np.linalg.norm(left) <= 10 * RANK_TOLERANCE * size:
             status = LevelStatus.REALISED
         else:
             b = meant[i] - drift
-            status = _status(A, b, b - A @ exact.x, b - A @ x, RANK_TOLERANCE * size)
+            status = _status(J, b, b - J @ exact.x, b - J @ x, RANK_TOLERANCE * size)
         outcomes.append(LevelOutcome(status, asked[i], left, exact.ranks[i], exact.free_ranks[i]))
-    return Priorities(x, tuple(outcomes), found.null, one)
+    return tuple(outcomes)
 
 
 def _status(A: Array, b: Array, at_best: Array, left: Array, rounding: float) -> LevelStatus:

@@ -1,4 +1,4 @@
-"""Rates given with few digits: which levels are realised as far as the digits tell."""
+"""Rates and configurations given with few digits: what is realised, or singular, as far as the digits tell."""
 
 from collections.abc import Callable, Sequence
 
@@ -9,7 +9,7 @@ from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.printed_digits import shared_half_units
 from robotics1.redundancy.hierarchy import by_levels
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.singularities.rounding import printed_half_units
+from robotics1.singularities.rounding import RoundedConfiguration, printed_half_units, rounded_configuration
 from robotics1.singularities.spaces import subspaces
 from robotics1.trajectories.following.open_digits import realised_within_digits
 
@@ -49,3 +49,21 @@ def rates_within_digits(robot: Robot, rows_at: RowsAt, asked: Sequence[Array], q
         if not realised:
             stands[-1], halves[-1] = c, 0 * c
     return meant
+
+
+def singularity_of_levels(robot: Robot, rows_at: RowsAt, q: ConfigurationLike) -> RoundedConfiguration | None:
+    """Return q with the singular configuration that rounds to it, of the first level 1, ..., i that has one; else None.
+
+    There [J₁; ...; Jᵢ] has a lower rank, while at q itself its inverse asks for rates that only the rounding makes.
+    """
+    if not printed_half_units(robot, q).any():
+        return None
+    for i in range(1, len(rows_at(robot.configuration(q))) + 1):
+
+        def stacked(x: Array, level: int = i) -> Array:
+            return np.vstack([J for J, _ in rows_at(x)[:level]])
+
+        found = rounded_configuration(stacked, robot, q)
+        if found.singular_q is not None:
+            return found
+    return None

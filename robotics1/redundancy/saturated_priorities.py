@@ -1,7 +1,7 @@
 """Several tasks by priority with joint rates, or accelerations, within their limits, at one state."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -9,12 +9,13 @@ import numpy.typing as npt
 from robotics1.inputs import Array, moderate
 from robotics1.kinematics import velocity_of_joints
 from robotics1.redundancy.given_levels import checked_levels
-from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits
-from robotics1.redundancy.saturation import acceleration_limits, at_limits, limits_of
+from robotics1.redundancy.rate_limits import acceleration_limits, at_limits, limits_of
+from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
 from robotics1.redundancy.within_bounds import levels_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.singularities.rounding import RoundedConfiguration
 from robotics1.tasks.given import TaskLike
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
@@ -33,6 +34,8 @@ class SaturatedPriorities(Frozen):
         lower, upper: (nv,) the limits.
         residuals: of each level, ṙᵢ − Jᵢ q̇, or r̈ᵢ − J̇ᵢ q̇ − Jᵢ q̈.
         realised: of each level, whether all of it is realised, as far as the given digits tell.
+        rounded: q with its printed digits, where a singular configuration rounds to it; else None.
+        at_singularity: the answer at that configuration; else None.
     """
 
     joints: Array
@@ -42,19 +45,23 @@ class SaturatedPriorities(Frozen):
     upper: Array
     residuals: tuple[Array, ...]
     realised: tuple[bool, ...]
+    rounded: RoundedConfiguration | None = None
+    at_singularity: "SaturatedPriorities | None" = None
 
     def explain(self) -> str:
         """Return the scale of each level, in a sentence."""
+        near = "" if self.rounded is None else f"{self.rounded.explain()}; the answer there is `at_singularity`; "
         levels = enumerate(zip(self.scales, self.realised, strict=True), 1)
-        return "; ".join(f"level {i}: {_words(s, realised)}" for i, (s, realised) in levels)
+        return near + "; ".join(f"level {i}: {_words(s, realised)}" for i, (s, realised) in levels)
 
     def require(self) -> "SaturatedPriorities":
         """Return self if every level is realised.
 
         Raises:
-            NotConverged: one is slowed down, not realised by any scale, or has a part out of the range of its Jacobian.
+            NotConverged: one is slowed down, not realised by any scale, or has a part out of the range of its Jacobian,
+                or the configuration may be singular.
         """
-        return require(self, all(self.realised))
+        return require(self, self.rounded is None and all(self.realised))
 
 
 def saturated_priority_velocity(
@@ -158,12 +165,17 @@ def _resolved(
     *,
     least_squares: bool = False,
 ) -> SaturatedPriorities:
-    rows, meant = rows_at(robot.configuration(q)), rates_within_digits(robot, rows_at, asked, q)
-    levels = [(A, b, drift) for (A, drift), b in zip(rows, meant, strict=True)]
-    x, scales = levels_within(levels, low, high, least_squares=least_squares)
-    realised = []
-    for s, (A, b, drift) in zip(scales, levels, strict=True):
-        size = float(np.linalg.norm(b) + np.linalg.norm(drift))
-        realised.append(s == 1 and bool(np.linalg.norm(b - drift - A @ x) <= REALISED * size))
-    residuals = tuple(b - drift - A @ x for (A, drift), b in zip(rows, asked, strict=True))
-    return SaturatedPriorities(x, scales, at_limits(x, low, high), low, high, residuals, tuple(realised))
+    def at(x: ConfigurationLike) -> SaturatedPriorities:
+        rows, meant = rows_at(robot.configuration(x)), rates_within_digits(robot, rows_at, asked, x)
+        levels = [(A, b, drift) for (A, drift), b in zip(rows, meant, strict=True)]
+        joints, scales = levels_within(levels, low, high, least_squares=least_squares)
+        left = [float(np.linalg.norm(b - drift - A @ joints)) for A, b, drift in levels]
+        sizes = [REALISED * float(np.linalg.norm(b) + np.linalg.norm(drift)) for _, b, drift in levels]
+        realised = tuple(s == 1 and r <= size for s, r, size in zip(scales, left, sizes, strict=True))
+        residuals = tuple(b - drift - A @ joints for (A, drift), b in zip(rows, asked, strict=True))
+        return SaturatedPriorities(joints, scales, at_limits(joints, low, high), low, high, residuals, realised)
+
+    answer, rounded = at(q), singularity_of_levels(robot, rows_at, q)
+    if rounded is None or rounded.singular_q is None:
+        return answer
+    return replace(answer, rounded=rounded, at_singularity=at(rounded.singular_q))

@@ -1,38 +1,34 @@
 """Joint rates within their limits: what the task asks is taken over by joints that are not at one."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError
 from robotics1.inputs import (
     Array,
-    dimensions,
     moderate,
     one_of,
-    per_joint,
     real_array,
-    real_number,
-    without_infinity,
 )
 from robotics1.kinematics import velocity_of_joints
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.redundancy.null_saturation import Saturated, SaturationStep, saturate_step_by_step
-from robotics1.redundancy.rates_within_digits import rates_within_digits
+from robotics1.redundancy.rate_limits import acceleration_limits, at_limits, limits_of
+from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
 from robotics1.redundancy.within_bounds import largest_scale_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.singularities.rounding import RoundedConfiguration
 from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.trajectories.following.task_rates import jacobian_rate
 
 Method = Literal["optimal", "sns", "scaled"]
 METHODS: tuple[Method, ...] = get_args(Method)
-AT_LIMIT = 1e-9  # of the room between the limits
 
 
 class SaturationStatus(Enum):
@@ -59,6 +55,8 @@ class SaturatedMotion(Frozen):
         within_digits: whether the task is in the range of the Jacobian only as far as the given digits tell: a part of
             the residual is their rounding.
         steps: of the algorithm, with method "sns".
+        rounded: q with its printed digits, where a singular configuration rounds to it; else None.
+        at_singularity: the answer at that configuration; else None.
     """
 
     joints: Array
@@ -71,21 +69,26 @@ class SaturatedMotion(Frozen):
     method: str
     within_digits: bool = False
     steps: tuple[SaturationStep, ...] = ()
+    rounded: RoundedConfiguration | None = None
+    at_singularity: "SaturatedMotion | None" = None
 
     def explain(self) -> str:
         """Return the status with the scale and the joints at their limits, in a sentence."""
+        near = "" if self.rounded is None else f"{self.rounded.explain()}; the answer there is `at_singularity`; "
         at = [f"{i + 1}" for i in np.flatnonzero(self.saturated)]
         where = f"; at a limit: joint {', '.join(at)}" if at else ""
         digits = "; what is left is not more than the rounding of the given digits" if self.within_digits else ""
-        return f"{self.status.value}; s = {self.scale:.6g}{where}{digits}"
+        return f"{near}{self.status.value}; s = {self.scale:.6g}{where}{digits}"
 
     def require(self) -> "SaturatedMotion":
         """Return self if the whole task is realised.
 
         Raises:
-            NotConverged: it is slowed down, or out of range.
+            NotConverged: it is slowed down, or out of range, or the configuration may be singular.
         """
-        return require(self, self.status in (SaturationStatus.WITHIN_LIMITS, SaturationStatus.SATURATED))
+        return require(
+            self, self.rounded is None and self.status in (SaturationStatus.WITHIN_LIMITS, SaturationStatus.SATURATED)
+        )
 
 
 def saturated_velocity(
@@ -133,8 +136,7 @@ def saturated_velocity(
     def rows_at(near: Array) -> list[tuple[Array, Array]]:
         return [(task.jacobian(robot, near), np.zeros(task.rows))]
 
-    (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [rdot], q), rows_at(robot.configuration(q))
-    return _resolved(J, (rdot, meant), drift, low, high, one_of("method", method, METHODS))
+    return _solved(robot, rows_at, rdot, q, (low, high), one_of("method", method, METHODS))
 
 
 def saturated_acceleration(
@@ -182,8 +184,20 @@ def saturated_acceleration(
     def rows_at(near: Array) -> list[tuple[Array, Array]]:
         return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed)]
 
-    (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [rddot], q), rows_at(robot.configuration(q))
-    return _resolved(J, (rddot, meant), drift, low, high, one_of("method", method, METHODS))
+    return _solved(robot, rows_at, rddot, q, (low, high), one_of("method", method, METHODS))
+
+
+def _solved(
+    robot: Robot, rows_at: RowsAt, asked: Array, q: ConfigurationLike, bounds: tuple[Array, Array], method: str
+) -> SaturatedMotion:
+    def at(x: ConfigurationLike) -> SaturatedMotion:
+        (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [asked], x), rows_at(robot.configuration(x))
+        return _resolved(J, (asked, meant), drift, *bounds, method)
+
+    answer, rounded = at(q), singularity_of_levels(robot, rows_at, q)
+    if rounded is None or rounded.singular_q is None:
+        return answer
+    return replace(answer, rounded=rounded, at_singularity=at(rounded.singular_q))
 
 
 def _resolved(
@@ -230,57 +244,3 @@ def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, me
         return Saturated(np.zeros(0), 0.0)
     wide = np.where(high > low, high, low + 1e-12)
     return Saturated(np.clip(lsq_linear(J, -drift, bounds=(low, wide), method="bvls").x, low, high), 0.0)
-
-
-def at_limits(x: Array, low: Array, high: Array) -> npt.NDArray[np.bool_]:
-    """Return whether each joint is at a limit, (nv,)."""
-    room = AT_LIMIT * np.where(np.isfinite(high - low), high - low, 0.0)
-    return (np.abs(x - low) <= room) | (np.abs(x - high) <= room)
-
-
-def limits_of(
-    robot: Robot, high: npt.ArrayLike, low: npt.ArrayLike | None, name: str = "limits"
-) -> tuple[Array, Array]:
-    """Return the limits, (nv,) each.
-
-    Raises:
-        InputError: a shape is wrong, or zero is not within them.
-    """
-    upper = _bound(robot, name, high)
-    lower = -upper
-    if low is not None:
-        dimensions("lower", low)
-        raw = np.asarray(low)
-        lower = -_bound(robot, "lower", -raw.astype(float) if raw.dtype.kind in "fiu" else low)
-    if (upper < 0).any() or (lower > 0).any():
-        raise InputError(f"{name} must leave zero between them; they are from {lower.tolist()} to {upper.tolist()}")
-    return lower, upper
-
-
-def acceleration_limits(
-    robot: Robot,
-    qdot: Array,
-    limits: npt.ArrayLike,
-    lower: npt.ArrayLike | None,
-    max_velocity: npt.ArrayLike | None,
-    step: float | None,
-) -> tuple[Array, Array]:
-    """Return the limits of q̈, (nv,) each, that leave |q̇ + q̈ h| ≤ V as far as those of q̈ alone allow.
-
-    Raises:
-        InputError: a shape is wrong, or only one of max_velocity and step is given.
-    """
-    low, high = limits_of(robot, limits, lower)
-    if (max_velocity is None) != (step is None):
-        raise InputError("max_velocity= and step= belong together: |q̇ + q̈ h| ≤ V holds after the step h")
-    if max_velocity is None:
-        return low, high
-    h, (least, most) = real_number("step", step, positive=True), limits_of(robot, max_velocity, None, "max_velocity")
-    return np.clip((least - qdot) / h, low, high), np.clip((most - qdot) / h, low, high)
-
-
-def _bound(robot: Robot, name: str, value: Any) -> Array:
-    """Return one bound for each joint, (nv,); infinity is none."""
-    dimensions(name, value)
-    finite, unlimited = without_infinity(value, 0.0)
-    return np.where(unlimited, np.inf, moderate(name, per_joint(name, finite, robot.nv)))

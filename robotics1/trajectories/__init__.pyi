@@ -13,6 +13,7 @@ from .largest_speeds import SpeedAlongPath, speed_along_path
 from .least_time_along_path import PathTiming, time_optimal
 from .least_time_of_joints import MinimumTime, minimum_time
 from .limits import LimitUse, MotionLimits, NormLimits, limit_violations
+from .linear_blends import linear_segments_with_blends
 from .meeting import MeetingBranch, MeetingStatus, Rendezvous, rendezvous
 from .norms import AccelerationSplit, acceleration_split, peak_norm
 from .piecewise_constant import motion_of_accelerations, motion_of_jerks
@@ -72,6 +73,7 @@ __all__ = [
     "joint_velocity",
     "knot_times",
     "limit_violations",
+    "linear_segments_with_blends",
     "minimum_duration",
     "minimum_time",
     "motion_in_basis",

@@ -10,6 +10,7 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, real_number
 
 NEAR = 1e-9  # of the largest |s|: what counts as the value
+FLAT = 1e-3  # of an interval: how far beside an end a multiple root is found
 REAL = 1e-6  # the imaginary part of a root, in units of its interval, that is rounding
 
 
@@ -47,13 +48,20 @@ def _instants(s: Any, value: float) -> Array:
     size = max([abs(value), *(np.abs(piece.coef).max() for piece in pieces)])
     for piece in pieces:
         a, b = piece.domain
-        shifted = piece - value
-        candidates = [a, b]  # where s touches the value, or stays at it, at an end
-        for roots in (shifted.roots(), shifted.deriv().roots()):
-            near = roots[np.abs(np.imag(roots)) <= REAL * (b - a)].real
-            candidates += near[(near >= a) & (near <= b)].tolist()
-        crossings = shifted.roots()
-        real = crossings[np.abs(np.imag(crossings)) <= 1e-12 * (b - a)].real
-        found += real[(real >= a) & (real <= b)].tolist()
-        found += [t for t in candidates if abs(shifted(t)) <= 1e-12 * max(size, 1e-300)]
+        shifted, tolerance = piece - value, 1e-12 * max(size, 1e-300)
+        crossings, turns = shifted.roots(), shifted.deriv().roots()
+        at_rest = [t for t in (a, b) if abs(shifted(t)) <= tolerance]
+        touches = [t for roots in (crossings, turns) for t in _real(roots, a, b, REAL) if abs(shifted(t)) <= tolerance]
+        inside = [
+            t
+            for t in (*_real(crossings, a, b, 1e-12), *touches)
+            if not any(abs(t - e) <= FLAT * (b - a) and abs(shifted((t + e) / 2)) <= tolerance for e in at_rest)
+        ]  # at an end with rest the roots are multiple, and the end is exact
+        found += [*at_rest, *inside]
     return np.array(sorted(found))
+
+
+def _real(roots: Any, a: float, b: float, imaginary: float) -> list[float]:
+    """Return the real parts in [a, b] of the roots with an imaginary part that is rounding."""
+    real = roots[np.abs(np.imag(roots)) <= imaginary * (b - a)].real
+    return list(map(float, real[(real >= a) & (real <= b)]))

@@ -184,7 +184,7 @@ def _when(case: TimeCase, *conditions: Any) -> TimeCase:
 
 
 def decided(cases: Sequence[TimeCase]) -> list[TimeCase]:
-    """Return the cases that numbers do not rule out; one alone has no condition left."""
+    """Return the cases that numbers do not rule out, up to one without an open condition, which then holds."""
     import sympy
 
     kept = []
@@ -193,4 +193,6 @@ def decided(cases: Sequence[TimeCase]) -> list[TimeCase]:
         if sympy.false not in conditions:
             open_ = tuple(c for c in conditions if c != sympy.true)
             kept.append(replace(case, conditions=open_))
+            if not open_:
+                break
     return kept

@@ -63,13 +63,15 @@ def _one_switch(symbols: Mapping[str, Any], short: tuple[Any, ...]) -> list[Time
     rising = (sympy.Ge(d, straight), *short)
     turned = (sympy.Lt(d, straight),)
     return [
-        TimeCase("triangular", rising, (2 * c - v0 - v1) / A, ((c - v0) / A,), sympy.Max(c, *fastest), A),
+        TimeCase(
+            "triangular", rising, (2 * c - v0 - v1) / A, ((c - v0) / A,), sympy.Max(c, *fastest, evaluate=False), A
+        ),
         TimeCase(
             "past the goal and back",
             turned,
             (2 * back + v0 + v1) / A,
             ((back + v0) / A,),
-            sympy.Max(back, *fastest),
+            sympy.Max(back, *fastest, evaluate=False),
             A,
         ),
     ]
@@ -139,10 +141,8 @@ def _of_cubic(name: str, conditions: tuple[Any, ...], T: Any, symbols: Mapping[s
     first, last = (6 * d / T - 4 * v0 - 2 * v1) / T, (2 * v0 + 4 * v1 - 6 * d / T) / T
     ends = [sympy.Abs(v0), sympy.Abs(v1)]
     middle = sympy.Abs(v0 + first**2 * T / (2 * (first - last)))
-    between = sympy.Lt(first * last, 0, evaluate=False)
-    fastest = sympy.Piecewise(
-        (sympy.Max(middle, *ends, evaluate=False), between), (sympy.Max(*ends), True), evaluate=False
-    )
+    between = sympy.Piecewise((middle, first * last < 0), (0, True))
+    fastest = sympy.Max(between, *ends, evaluate=False)
     return TimeCase(name, conditions, T, (), fastest, sympy.Max(sympy.Abs(first), sympy.Abs(last), evaluate=False))
 
 
@@ -256,5 +256,5 @@ def _meeting(
     T = sympy.expand(d / p + t0 * (p - v0) / (2 * p) + t1 * (p - v1) / (2 * p)) if cruises else sympy.expand(t0 + t1)
     instants = [j0, t0 - j0, t0, T - t1, T - t1 + j1, T - j1] if cruises else [j0, t0 - j0, t0 + j1, T - j1]
     times = tuple(t for t in dict.fromkeys(sympy.expand(t) for t in instants) if t not in (0, T))
-    fastest = p if cruises else sympy.Max(p, sympy.Abs(v0), sympy.Abs(v1))
-    return TimeCase(name, conditions, T, times, fastest, J * sympy.Max(j0, j1))
+    fastest = p if cruises else sympy.Max(p, sympy.Abs(v0), sympy.Abs(v1), evaluate=False)
+    return TimeCase(name, conditions, T, times, fastest, J * sympy.Max(j0, j1, evaluate=False))
