@@ -1,5 +1,7 @@
 """A control law in simulation."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,5 +1,7 @@
 """The data sheet of an arm as one offline page."""
 
+from __future__ import annotations
+
 import time
 from collections.abc import Callable
 from pathlib import Path

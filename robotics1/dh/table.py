@@ -1,5 +1,7 @@
 """A Denavit–Hartenberg table: its rows, where the arm stands, and what it carries."""
 
+from __future__ import annotations
+
 import keyword
 import math
 import re
@@ -147,10 +149,8 @@ class DHTable(Frozen):
         rows = []
         for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
             turn, slide = _written(theta, joint_value), _written(d, length)
-            if kind == "R":
-                turn = _with_offset(f"q{i}", turn)
-            else:
-                slide = _with_offset(f"q{i}", slide)
+            q_i = f"q{i}"
+            turn, slide = (_with_offset(q_i, turn), slide) if kind == "R" else (turn, _with_offset(q_i, slide))
             rows.append([str(i), kind, _written(a, length), _written(alpha, joint_value), slide, turn])
         return ["i", "type", f"a{shift}", f"α{shift}", "d", "θ"], rows
 

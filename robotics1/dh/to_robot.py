@@ -1,5 +1,7 @@
 """From a DH table to a robot."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import pi

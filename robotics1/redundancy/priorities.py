@@ -1,5 +1,7 @@
 """Task priority: several tasks, the first before the second, at one state."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -83,7 +85,7 @@ class Priorities(Frozen):
             parts.append(f"level {number}: {level.status.value}{rest}")
         return "; ".join(parts)
 
-    def require(self) -> "Priorities":
+    def require(self) -> Priorities:
         """Return self if every level is realised.
 
         Raises:

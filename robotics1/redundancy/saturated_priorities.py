@@ -1,5 +1,7 @@
 """Several tasks by priority with joint rates, or accelerations, within their limits, at one state."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -49,7 +51,7 @@ class SaturatedPriorities(Frozen):
         ]
         return "; ".join(levels)
 
-    def require(self) -> "SaturatedPriorities":
+    def require(self) -> SaturatedPriorities:
         """Return self if every level is realised.
 
         Raises:

@@ -1,5 +1,7 @@
 """Joint rates within their limits: what the task asks is taken over by joints that are not at one."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Literal, get_args
@@ -73,7 +75,7 @@ class SaturatedMotion(Frozen):
         where = f"; at a limit: joint {', '.join(at)}" if at else ""
         return f"{self.status.value}; s = {self.scale:.6g}{where}"
 
-    def require(self) -> "SaturatedMotion":
+    def require(self) -> SaturatedMotion:
         """Return self if the whole task is realised.
 
         Raises:

@@ -1,5 +1,7 @@
 """The configurations that a search goes through: a box of joint values, in which whole turns are closed circles."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -48,7 +50,7 @@ class JointBox(Frozen):
         inside = (q >= self.lower - tolerance * self.unit) & (q <= self.upper + tolerance * self.unit)
         return bool((inside | self.circular).all())
 
-    def widened(self, margin: float) -> "JointBox":
+    def widened(self, margin: float) -> JointBox:
         """Return the box with each limit moved out by a margin, in units; circles stay circles."""
         out = np.where(self.circular, 0.0, margin * self.unit)
         return replace(self, lower=self.lower - out, upper=self.upper + out)

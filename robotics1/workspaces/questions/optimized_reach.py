@@ -1,5 +1,7 @@
 """How far any arm reaches: the largest and smallest distance from a point, or along a direction, between two bounds."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -85,7 +87,7 @@ class ExtremeReach(Frozen):
             )
         return "\n".join(lines)
 
-    def require(self) -> "ExtremeReach":
+    def require(self) -> ExtremeReach:
         """Return self if it is proven.
 
         Raises:
