@@ -265,3 +265,7 @@ def test_without_matplotlib_a_section_has_its_numbers_and_says_what_its_figure_n
     answer = written(Asked(arm("planar_2r"), PLANE, np.array(Q)), name)
     assert "There is no figure: matplotlib is needed for this" in words(answer.html)
     assert answer.fact
+
+
+def test_a_sheet_takes_the_short_form_of_a_task():
+    assert "Task r = (x)" in r1.report("planar_2r", task="position:x", time_limit=0.5).html

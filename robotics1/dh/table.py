@@ -205,9 +205,8 @@ def _latex(text: str) -> str:
 
 
 def _with_offset(joint: str, offset: str) -> str:
-    if offset == "0":
-        return joint
-    return f"{joint} − {offset[1:]}" if offset[0] in "-−" else f"{joint} + {offset}"
+    signed = f"− {offset[1:]}" if offset[0] in "-−" else f"+ {offset}"
+    return joint if offset == "0" else f"{joint} {signed}"
 
 
 def placement_text(T: pin.SE3) -> str:
@@ -232,8 +231,9 @@ def _rows(rows: Sequence[Sequence[Any]]) -> tuple[DHRow, ...]:
 
 
 def _row(i: int, row: tuple[Any, ...]) -> DHRow:
-    if len(row) != len(DHRow._fields):
-        raise InputError(f"row {i} must be (type, a, alpha, d, theta); it is {row!r}")
+    if len(row) != len(DHRow._fields) or row == DHRow._fields:  # the keys of a mapping
+        found = ", ".join(map(str, row))
+        raise InputError(f"row {i} must be (type, a, alpha, d, theta), such as ('R', 0.3, 0, 0, 0); it is ({found})")
     if not isinstance(row[0], str) or row[0] not in ("R", "P"):
         raise InputError(f"the type of row {i} must be 'R' (revolute) or 'P' (prismatic); it is {row[0]!r}")
     entries = [

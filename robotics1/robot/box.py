@@ -143,9 +143,10 @@ def intervals(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None
         i = robot.joint_names.index(name)
         low, high = real_array(f"the interval of {name!r}", interval, (2,), "lower and upper")
         if low > high or low < robot.lower[i] - 1e-9 or high > robot.upper[i] + 1e-9:
+            turns = robot.revolute[i] and max(abs(low), abs(high)) > max(TURN, abs(robot.lower[i]), abs(robot.upper[i]))
             raise InputError(
                 f"the interval of {name!r} must lie in its limits [{robot.lower[i]:g}, {robot.upper[i]:g}]; "
-                f"it is [{low:g}, {high:g}]"
+                f"it is [{low:g}, {high:g}]{'; angles are in radians' * bool(turns)}"
             )
         lower[i], upper[i] = low, high
     return lower, upper
