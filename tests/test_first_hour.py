@@ -164,6 +164,11 @@ MISTAKES = {
     # DH tables
     "a twist in degrees": (lambda: dh(("R", 0, 90, 0.4, 0)), INPUT, r"write radians\(90\)"),
     "an offset in degrees": (lambda: dh(("R", 0, 0, 0.4, -90)), INPUT, r"write radians\(-90\)"),
+    "limits in degrees": (
+        lambda: dh(("R", 1, 0, 0, 0), lower=[-170], upper=[170]),
+        r1.RobotWarning,
+        r"lower has the angle -170.*write radians\(-170\)",
+    ),
     "a row without its type": (lambda: dh((0, pi / 2, 0.4, 0)), INPUT, r"must be \(type, a, alpha, d, theta\)"),
     "a row with keys": (
         lambda: dh({"type": "R", "a": 1, "alpha": 0, "d": 0, "theta": 0}),

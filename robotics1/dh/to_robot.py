@@ -8,9 +8,10 @@ from math import pi
 from pathlib import Path
 from typing import Any, Literal
 
+import numpy as np
 import pinocchio as pin
 
-from robotics1.angles import printed_twelfths_of_pi
+from robotics1.angles import printed_twelfths_of_pi, warn_of_degrees
 from robotics1.dh.joints import joints_of, links_of, placements_of
 from robotics1.dh.table import DHTable, Limits
 from robotics1.dh.to_urdf import dh_text
@@ -19,6 +20,7 @@ from robotics1.robot.building import build_model
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placements
 
+FEWEST_LIMIT = 45.0  # a joint may be limited to some turns, as ±30 rad
 Convention = Literal["standard", "modified"]
 
 
@@ -54,10 +56,16 @@ def robot_from_dh(
         InputError: a row, entry, limit or placement is wrong, or a name has no value.
         UnknownNameError: a parameter is not among the names in the rows.
 
+    Warns:
+        RobotWarning: a limit of a revolute joint is a whole or half number from 45 to 720, as if in degrees.
+
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; Craig, Introduction to Robotics,
     2005, section 3.6.
     """
     table = DHTable(rows, convention, base_placement, tool_placement, lower, upper, parameters or {})  # type: ignore[arg-type]
+    turns = np.array([row.type == "R" for row in table.rows])
+    for name, limits in (("lower", table.lower), ("upper", table.upper)):
+        warn_of_degrees(name, limits, turns & (np.abs(limits) >= FEWEST_LIMIT))
     meant, sentences = _printed_angles(table)
     return robot_of(meant, sentences)
 
