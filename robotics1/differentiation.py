@@ -1,5 +1,7 @@
 """Numeric derivatives: of functions of time, and of functions of the configuration of a robot."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from typing import Any, Literal, NamedTuple
 

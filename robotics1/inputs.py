@@ -1,5 +1,7 @@
 """What a caller hands in, checked once at the door: arrays of the right size, numbers that are numbers."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar

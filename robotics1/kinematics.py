@@ -1,5 +1,7 @@
 """Where a frame is and how fast it moves: forward kinematics, the frame Jacobian and its rate of change."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from typing import Literal
 

@@ -1,5 +1,7 @@
 """How numbers are written: as a person writes them on paper."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from fractions import Fraction
 

@@ -4,6 +4,8 @@
 be singular, while at 1.5708 itself σ_min is about 4e-6, and its inverse asks for joint velocities of 10⁵.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

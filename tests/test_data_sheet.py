@@ -17,9 +17,11 @@ import robotics1 as r1
 from robotics1.data_sheet.asked import Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS
 from robotics1.data_sheet.formula_steps import shortened
+from robotics1.data_sheet.measures import ellipsoids
 from robotics1.data_sheet.worker import NoAnswer, Worker, written
 from robotics1.dh.named_lengths import with_named_lengths
 from robotics1.names import printable
+from robotics1.tasks.given import short_form
 
 PLANE = r1.PositionTask("xy")
 Q = [0.4, 0.9]
@@ -265,3 +267,13 @@ def test_without_matplotlib_a_section_has_its_numbers_and_says_what_its_figure_n
     answer = written(Asked(arm("planar_2r"), PLANE, np.array(Q)), name)
     assert "There is no figure: matplotlib is needed for this" in words(answer.html)
     assert answer.fact
+
+
+def test_a_sheet_takes_the_short_form_of_a_task():
+    assert "Task r = (x)" in r1.report("planar_2r", task="position:x", time_limit=0.5).html
+
+
+@pytest.mark.parametrize(("task", "rank"), [("orientation", "rank 1 of 2"), ("position:z", "rank 0 of 1")])
+def test_the_ellipsoids_of_a_task_that_never_has_full_rank_are_drawn(task, rank):
+    asked = Asked(r1.load_robot("planar_2r"), short_form(task), np.array([0.3, 0.9]), "planar_2r")
+    assert ellipsoids(asked).fact == f"σ_max/σ_min = ∞, since J has {rank} at the posture"

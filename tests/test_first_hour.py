@@ -71,6 +71,16 @@ MISTAKES = {
     "a joint with a slip": (lambda: fk({"q1": 0.1, "q_2": 0.2}), UNKNOWN, "did you mean 'q2'"),
     "no number": (lambda: fk([0.1, float("nan")]), INPUT, "must be finite"),
     "a frame of another robot": (lambda: fk(Q, frame="ee"), UNKNOWN, "there is 'base', 'link1', 'link2', 'tool'"),
+    "a locked joint in degrees": (
+        lambda: r1.load_robot("ur5", locked={"elbow_joint": 90}),
+        r1.RobotWarning,
+        r"the value of locked joint 'elbow_joint' has the angle 90.*write radians\(90\)",
+    ),
+    "a box in degrees": (
+        lambda: r1.workspaces.workspace("planar_2r", "position:xy", box={"q1": (-90, 90)}),
+        INPUT,
+        r"it is \[-90, 90\]; angles are in radians",
+    ),
     # tasks
     "a class for a task": (
         lambda: r1.find_singularities("planar_2r", r1.PositionTask),
@@ -196,6 +206,12 @@ MISTAKES = {
         r"write radians\(60\)",
     ),
     "a row without its type": (lambda: dh((0, pi / 2, 0.4, 0)), INPUT, r"must be \(type, a, alpha, d, theta\)"),
+    "a row with keys": (
+        lambda: dh({"type": "R", "a": 1, "alpha": 0, "d": 0, "theta": 0}),
+        INPUT,
+        r"must be \(type, a, alpha, d, theta\), such as \('R', 0.3, 0, 0, 0\)",
+    ),
+    "rows of an array": (lambda: r1.robot_from_dh(np.zeros((2, 4))), INPUT, r"it is \(0.0, 0.0, 0.0, 0.0\)"),
     "a type in words": (lambda: dh(("revolute", 0, 0, 1, 0)), INPUT, r"'R' \(revolute\) or 'P' \(prismatic\)"),
     "a name without its value": (lambda: dh(("R", "a1", 0, 0, 0)), INPUT, r"parameters=\{'a1': 0.5\}"),
     "one row without its list": (lambda: r1.robot_from_dh(("R", 1, 0, 0, 0)), INPUT, "rows must be a list"),

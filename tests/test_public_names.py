@@ -1,6 +1,9 @@
 import ast
+import contextlib
+import inspect
 import json
 import pkgutil
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -96,3 +99,13 @@ def test_a_name_of_a_namespace_is_found_at_the_top_and_means_one_thing():
             assert getattr(robotics1, name) is getattr(module, name), (space, name)
     with pytest.raises(AttributeError, match="solv_ik"):
         _ = robotics1.solv_ik
+
+
+def test_help_names_the_types_and_does_not_spell_them_out():
+    """What an alias such as ArrayLike stands for takes 700 characters in a signature."""
+    for name, value in PUBLIC.items():
+        if callable(value):
+            with contextlib.suppress(ValueError):  # an enum or an error has none
+                written = str(inspect.signature(value))
+                assert len(written) < 520, name
+                assert not re.search(r"numpy\._typing|numpy\.ndarray\[|pywrap", written), name

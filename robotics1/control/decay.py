@@ -1,5 +1,7 @@
 """The closed form of the error of a linear law: ė = −K e, or ë = −D ė − K e."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

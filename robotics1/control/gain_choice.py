@@ -1,5 +1,7 @@
 """Gains from what is wanted: an error ratio at a time, or as fast as the joint rates allow."""
 
+from __future__ import annotations
+
 from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Gain matrices, as they are handed in."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Kinematic control laws: joint and Cartesian, of first and second order."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

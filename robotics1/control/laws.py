@@ -1,5 +1,7 @@
 """Joint and Cartesian control laws from what is wanted and from gains."""
 
+from __future__ import annotations
+
 from typing import Any, Literal, get_args
 
 import numpy as np

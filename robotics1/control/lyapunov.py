@@ -1,5 +1,7 @@
 """Why a law makes the error small: a Lyapunov function of the gradient and of the Newton law, and its rate."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any

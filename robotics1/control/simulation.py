@@ -1,5 +1,7 @@
 """A control law in simulation."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -1,5 +1,7 @@
 """Kinematic control: following a joint trajectory with feedback, and how much gain that needs."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from enum import Enum
 
@@ -133,7 +135,7 @@ class GainChoice(Frozen):
         """Return the status with its numbers, in a sentence."""
         return f"{self.status.value}; with k = {self.gain.max(initial=0.0):.6g} 1/s |e(T)| = {self.run.final_error:.3g}"
 
-    def require(self) -> "GainChoice":
+    def require(self) -> GainChoice:
         """Return self if feedback recovers the error.
 
         Raises:

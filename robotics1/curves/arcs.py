@@ -1,5 +1,7 @@
 """Lines, arcs of circles, circles, ellipses and helices; all but ellipses by their arc length."""
 
+from __future__ import annotations
+
 import numpy as np
 import numpy.typing as npt
 

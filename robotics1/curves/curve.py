@@ -1,5 +1,7 @@
 """A curve of one variable: a path p(s), a timing law s(t), a motion q(t), an orientation R(s), a pose T(s)."""
 
+from __future__ import annotations
+
 from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -193,7 +195,7 @@ class Curve(NamedDerivatives, DrawnCurve):
 
     # --- other curves
 
-    def joint(self, index: int = 0) -> "Curve":
+    def joint(self, index: int = 0) -> Curve:
         """Return one coordinate as a timing law, a curve of numbers.
 
         Raises:
@@ -203,7 +205,7 @@ class Curve(NamedDerivatives, DrawnCurve):
             raise InputError(f"index must be below {self.dimension}, the number of joints; it is {index}")
         return self._joint(index) if self.shape else self
 
-    def _joint(self, index: int) -> "Curve":
+    def _joint(self, index: int) -> Curve:
         return Coordinate(self, index)
 
     def _parameters(self, t: npt.ArrayLike, side: Side) -> tuple[Array, bool]:

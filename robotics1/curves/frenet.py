@@ -1,5 +1,7 @@
 """The frame that goes along a curve: tangent, normal, binormal, how they turn, and the orientation they make."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,5 +1,7 @@
 """What is handed in as a curve: a curve, a result that has a trajectory, or a motion of the user's own class."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol

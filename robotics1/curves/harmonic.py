@@ -1,5 +1,7 @@
 """Curves of one frequency: lines, circles, ellipses, helices, and the motions of one sine."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -60,7 +62,7 @@ class HarmonicCurve(Curve):
             times[:, j], values[:, j] = minimum_and_maximum(s, self._derivative(s, order, "right")[:, j])
         return times, values
 
-    def stretched(self, factor: float) -> "HarmonicCurve":
+    def stretched(self, factor: float) -> HarmonicCurve:
         """Return p(s/k).
 
         Raises:

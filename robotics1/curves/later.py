@@ -1,5 +1,7 @@
 """A motion that begins at another instant than 0, as it is asked for: by the time on the clock."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

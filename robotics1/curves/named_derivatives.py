@@ -1,5 +1,7 @@
 """The derivatives of a motion in time that have names: velocity, acceleration, jerk."""
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from typing import Any, Literal
 

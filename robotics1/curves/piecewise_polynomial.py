@@ -1,5 +1,7 @@
 """Polynomials one after the other: motions between states, velocity profiles, splines, parabolic blends."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import perm
@@ -51,7 +53,7 @@ class PiecewisePolynomial(Curve):
         super().__post_init__()
 
     @classmethod
-    def from_pieces(cls, pieces: Sequence[tuple[npt.ArrayLike, float]]) -> "PiecewisePolynomial":
+    def from_pieces(cls, pieces: Sequence[tuple[npt.ArrayLike, float]]) -> PiecewisePolynomial:
         """Return polynomials in a row, each of (degree + 1, n) ascending coefficients of τᵏ and a duration."""
         rows = [np.asarray(c, dtype=float) for c, _ in pieces]
         c = np.zeros((max(map(len, rows)), len(rows), *rows[0].shape[1:]))
@@ -60,7 +62,7 @@ class PiecewisePolynomial(Curve):
         return PiecewisePolynomial(c, np.array([T for _, T in pieces]))
 
     @classmethod
-    def from_ppoly(cls, spline: Any) -> "PiecewisePolynomial":
+    def from_ppoly(cls, spline: Any) -> PiecewisePolynomial:
         """Return the curve of a `scipy.interpolate.PPoly`, such as a CubicSpline, that begins at x = 0.
 
         Raises:
@@ -115,12 +117,12 @@ class PiecewisePolynomial(Curve):
         return np.unique(self.x[1:-1][jumps])
 
     @cached_property
-    def rate(self) -> "PiecewisePolynomial":
+    def rate(self) -> PiecewisePolynomial:
         """q̇, made of polynomials too."""
         return PiecewisePolynomial(self._differentiated(1), self.durations)
 
     @property
-    def pieces(self) -> tuple["PiecewisePolynomial", ...]:
+    def pieces(self) -> tuple[PiecewisePolynomial, ...]:
         """The polynomials in the order of time, each with its `coefficients` and `coefficients_t`."""
         count = len(self.durations)
         return tuple(PiecewisePolynomial(self.c[:, i : i + 1], self.durations[i : i + 1]) for i in range(count))
@@ -176,7 +178,7 @@ class PiecewisePolynomial(Curve):
             times[:, j], values[:, j] = minimum_and_maximum(t, x)
         return times.reshape(2, *self.shape), values.reshape(2, *self.shape)
 
-    def stretched(self, factor: float) -> "PiecewisePolynomial":
+    def stretched(self, factor: float) -> PiecewisePolynomial:
         """Return q(t/k), slower for k > 1: velocities are divided by k, accelerations by k², jerks by k³.
 
         Raises:
@@ -187,7 +189,7 @@ class PiecewisePolynomial(Curve):
             positive_number("the new duration", k * self.end)
         return PiecewisePolynomial(self.c, k * self.durations)
 
-    def _joint(self, index: int) -> "PiecewisePolynomial":
+    def _joint(self, index: int) -> PiecewisePolynomial:
         return PiecewisePolynomial(self.c[:, :, index], self.durations)
 
     def _derivative(self, t: Array, order: int, side: Side) -> Array:

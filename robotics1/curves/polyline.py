@@ -1,5 +1,7 @@
 """Polylines: straight from point to point, with the corners cut by arcs or parabolas; and motions along them."""
 
+from __future__ import annotations
+
 from itertools import pairwise
 from typing import Literal
 

@@ -1,5 +1,7 @@
 """A pose along a parameter: a position, and an orientation that goes with it."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Orientations along a parameter: a turn about a fixed axis, and Euler angles that go along a path."""
 
+from __future__ import annotations
+
 from abc import abstractmethod
 from dataclasses import dataclass
 

@@ -1,5 +1,7 @@
 """A motion at equal steps of time: as arrays, as a table in CSV or pandas, and as ROS's message JointTrajectory."""
 
+from __future__ import annotations
+
 import csv
 import io
 from collections.abc import Sequence

@@ -1,5 +1,7 @@
 """Curves one after the other, and how smoothly they join."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

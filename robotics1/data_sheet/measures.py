@@ -4,6 +4,7 @@ import numpy as np
 
 from robotics1.data_sheet.asked import Answer, Asked, open_note, open_slides
 from robotics1.data_sheet.markup import figure, paragraphs, sentences, table
+from robotics1.least_squares import numeric_rank
 from robotics1.notation import count, number, vector
 from robotics1.plots.ellipses import plot_ellipses
 from robotics1.plots.figures import new_axes
@@ -25,12 +26,14 @@ def ellipsoids(asked: Asked) -> Answer:
     text = figure(lambda: plot_ellipses(robot, point, asked.q), caption)
     sigma = np.linalg.svd(unitless_jacobian(robot, task, asked.q), compute_uv=False)
     rows = [(f"σ{i}", number(value)) for i, value in enumerate(sigma, 1)]
-    rows += [("σ_max/σ_min", number(sigma[0] / sigma[-1])), ("manipulability, the product", f"{np.prod(sigma):.4g}")]
+    rank = numeric_rank(sigma)
+    ratio = f"{sigma[0] / sigma[-1]:.4g}" if rank == len(sigma) else f"∞, since J has rank {rank} of {len(sigma)}"
+    rows += [("σ_max/σ_min", ratio), ("manipulability, the product", f"{np.prod(sigma):.4g}")]
     text += paragraphs(
         "Where the ellipse of velocity is long, the tool is fast and its force small; the other way round for force.",
         f"Singular values of J at this posture, lengths in units of the reach ({robot.reach:.4g} m):",
     )
-    return Answer(text + table(("", "value"), rows), f"σ_max/σ_min = {sigma[0] / sigma[-1]:.4g} at the posture")
+    return Answer(text + table(("", "value"), rows), f"σ_max/σ_min = {ratio} at the posture")
 
 
 def scan(asked: Asked) -> Answer:
@@ -42,7 +45,7 @@ def scan(asked: Asked) -> Answer:
         lambda: _histogram(found), f"σ_min of J at {found.count} random configurations, lengths in units of the reach"
     )
     text += sentences(found.explain()) + open_note(asked)
-    return Answer(text, f"σ_min is {half:.3g} at half of {count(found.count, 'configuration')}, J without units")
+    return Answer(text, f"half of {count(found.count, 'configuration')} have σ_min below {half:.3g}, J without units")
 
 
 def _histogram(found: SingularityScan) -> object:

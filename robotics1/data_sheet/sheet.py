@@ -1,5 +1,7 @@
 """The data sheet of an arm as one offline page."""
 
+from __future__ import annotations
+
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -13,10 +15,11 @@ from robotics1.data_sheet.markup import note
 from robotics1.data_sheet.worker import NoAnswer, Worker
 from robotics1.errors import InputError
 from robotics1.files import check_file
-from robotics1.inputs import Array, a_task, real_number, text
+from robotics1.inputs import Array, real_number, text
 from robotics1.notation import vector
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
+from robotics1.tasks.given import TaskLike, task_from
 from robotics1.tasks.task import Task
 from robotics1.viewer.arm_data import default_task
 from robotics1.viewer.page import Page
@@ -30,7 +33,7 @@ def report(
     robot: RobotLike,
     file: str | Path | None = None,
     *,
-    task: Task | None = None,
+    task: TaskLike | None = None,
     q: npt.ArrayLike | None = None,
     title: str | None = None,
     time_limit: float = 60.0,
@@ -62,16 +65,16 @@ def report(
         TaskError: the task does not fit the robot.
     """
     robot = robot_from(robot)
-    if task is not None:
-        a_task(task)
-        task.check(robot)
+    asked = None if task is None else task_from(task)
+    if asked is not None:
+        asked.check(robot)
     if file is not None:
         check_file(file)
     if progress is not None and not callable(progress):
         raise InputError(f"progress must be a function of two numbers, done and all; it is {progress!r}")
     limit = real_number("time_limit", time_limit, positive=True)
     name = text("title", title or "") or robot.name
-    chosen = default_task(robot) if task is None else task
+    chosen = default_task(robot) if asked is None else asked
     posture = good_posture(robot, chosen) if q is None else robot.configuration(q)
     answers = _answers(Asked(robot, chosen, posture, name), limit, progress)
     page = Page(None, name, _page(robot, chosen, posture, name, answers))

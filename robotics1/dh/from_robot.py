@@ -7,6 +7,8 @@ steps S_0 S_1 ⋯ S_n, S_i = Z_i X_i, with the brackets put in another place:
     modified:  T_base = Z_0,      A_i = X_{i−1} Z_i
 """
 
+from __future__ import annotations
+
 from typing import Literal
 
 import numpy as np

@@ -1,5 +1,7 @@
 """A Denavit–Hartenberg table: its rows, where the arm stands, and what it carries."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -142,10 +144,8 @@ class DHTable(Frozen):
         rows = []
         for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
             turn, slide = _written(theta, joint_value), _written(d, length)
-            if kind == "R":
-                turn = _with_offset(f"q{i}", turn)
-            else:
-                slide = _with_offset(f"q{i}", slide)
+            q_i = f"q{i}"
+            turn, slide = (_with_offset(q_i, turn), slide) if kind == "R" else (turn, _with_offset(q_i, slide))
             rows.append([str(i), kind, _written(a, length), _written(alpha, joint_value), slide, turn])
         return ["i", "type", f"a{shift}", f"α{shift}", "d", "θ"], rows
 
@@ -192,9 +192,8 @@ def _latex(text: str) -> str:
 
 
 def _with_offset(joint: str, offset: str) -> str:
-    if offset == "0":
-        return joint
-    return f"{joint} − {offset[1:]}" if offset[0] in "-−" else f"{joint} + {offset}"
+    signed = f"− {offset[1:]}" if offset[0] in "-−" else f"+ {offset}"
+    return joint if offset == "0" else f"{joint} {signed}"
 
 
 def placement_text(T: pin.SE3) -> str:
@@ -219,8 +218,9 @@ def _rows(rows: Sequence[Sequence[Any]]) -> tuple[DHRow, ...]:
 
 
 def _row(i: int, row: tuple[Any, ...]) -> DHRow:
-    if len(row) != len(DHRow._fields):
-        raise InputError(f"row {i} must be (type, a, alpha, d, theta); it is {row!r}")
+    if len(row) != len(DHRow._fields) or row == DHRow._fields:  # the keys of a mapping
+        found = ", ".join(map(str, row))
+        raise InputError(f"row {i} must be (type, a, alpha, d, theta), such as ('R', 0.3, 0, 0, 0); it is ({found})")
     if not isinstance(row[0], str) or row[0] not in ("R", "P"):
         raise InputError(f"the type of row {i} must be 'R' (revolute) or 'P' (prismatic); it is {row[0]!r}")
     entries = [

@@ -1,5 +1,7 @@
 """From a DH table to a robot."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import pi
@@ -52,6 +54,9 @@ def robot_from_dh(
     Raises:
         InputError: a row, entry, limit or placement is wrong, or a name has no value.
         UnknownNameError: a parameter is not among the names in the rows.
+
+    Warns:
+        RobotWarning: a limit of a revolute joint is a whole or half number from 40 to 720, as if in degrees.
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; Craig, Introduction to Robotics,
     2005, section 3.6.

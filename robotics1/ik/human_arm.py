@@ -6,6 +6,8 @@ the nearest to S. With W − S given by the pose, the elbow may turn about the l
 Source: Kreutz-Delgado, Long, Seraji, Kinematic analysis of 7-DOF manipulators, Int. J. Robotics Research 11, 1992.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

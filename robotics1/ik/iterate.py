@@ -1,5 +1,7 @@
 """Inverse kinematics as it is taught: one method, iterated, with its table and the reason it stopped."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
@@ -102,7 +104,7 @@ class IKIteration(Frozen):
         after = count(self.iterations, "iteration")
         return f"{self.method} stopped after {after} with |e| = {last}: {self.status.value}"
 
-    def require(self) -> "IKIteration":
+    def require(self) -> IKIteration:
         """Return self if it converged.
 
         Raises:

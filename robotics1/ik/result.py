@@ -1,5 +1,7 @@
 """How an inverse kinematics ends, and what the robust one returns: for one target, and for many."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from enum import Enum
@@ -64,7 +66,7 @@ class IKResult(NamedTuple):
         where = "|e| =" if self.converged else "the nearest that was found has |e| ="
         return f"{self.status.value}; {where} {self.error_norm:.3g} ({self.starts} starts)"
 
-    def require(self) -> "IKResult":
+    def require(self) -> IKResult:
         """Return self if it converged.
 
         Raises:
@@ -90,7 +92,7 @@ class IKBatch(Frozen):
     starts: npt.NDArray[np.int64]
 
     @classmethod
-    def of(cls, parts: "Sequence[IKBatch]") -> "IKBatch":
+    def of(cls, parts: Sequence[IKBatch]) -> IKBatch:
         """Return the batches one after the other as one."""
         return cls(*(np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(cls)))
 
@@ -116,7 +118,7 @@ class IKBatch(Frozen):
             f"{first.status.value}, |e| = {first.error_norm:.3g}"
         )
 
-    def require(self) -> "IKBatch":
+    def require(self) -> IKBatch:
         """Return self if every target was reached.
 
         Raises:

@@ -1,5 +1,7 @@
 """The robust search: from q0, then from further starts, until one arrives or the time is over."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass

@@ -1,5 +1,7 @@
 """The solutions of a redundant arm: the curves along which its joints move while the task stands still."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -82,7 +84,7 @@ class SelfMotion(Frozen):
         at = f"; the others end at {', '.join(ends)}" if ends else ""
         return f"{parts}{at}; found from {count(self.starts, 'random start')}, so that there may be others"
 
-    def require(self) -> "SelfMotion":
+    def require(self) -> SelfMotion:
         """Return self if there is a solution.
 
         Raises:

@@ -1,5 +1,7 @@
 """Every solution of many targets."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -91,7 +93,7 @@ class IKSolutionsBatch(Frozen):
             f"{self[int(without[0])].explain()}"
         )
 
-    def require(self) -> "IKSolutionsBatch":
+    def require(self) -> IKSolutionsBatch:
         """Return self if every target has a solution.
 
         Raises:

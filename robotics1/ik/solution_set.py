@@ -1,5 +1,7 @@
 """Every solution of one target, and how much is known about them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
@@ -149,7 +151,7 @@ class IKSolutions(Frozen):
             return "; J loses rank there"
         return f"; a boundary is {self.boundary_distance:.3g} away" if self.boundary_distance < np.inf else ""
 
-    def require(self) -> "IKSolutions":
+    def require(self) -> IKSolutions:
         """Return self if there is a solution.
 
         Raises:

@@ -1,5 +1,7 @@
 """All inverse kinematics solutions of many targets: what does not depend on the target is prepared once."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any

@@ -1,5 +1,7 @@
 """Every inverse kinematics solution of a target."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import lru_cache

@@ -1,5 +1,7 @@
 """Inverse kinematics that keeps to the joint limits, and reports a success only when forward kinematics verifies it."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from time import perf_counter
 from typing import Any, Literal

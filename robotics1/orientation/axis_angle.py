@@ -1,5 +1,7 @@
 """Rotation about one axis by one angle."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,5 +1,7 @@
 """A rotation matrix with some entries known: all rotations that have them."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -53,7 +55,7 @@ class CompletedRotations(Frozen):
             return f"infinitely many rotations have these entries: a family of {count(self.dimension, 'parameter')}"
         return f"{count(len(self.rotations), 'rotation')} with these entries"
 
-    def require(self) -> "CompletedRotations":
+    def require(self) -> CompletedRotations:
         """Return this, if there is a rotation.
 
         Raises:

@@ -1,5 +1,7 @@
 """The rotation about an axis, and the skew-symmetric matrix of a vector."""
 
+from __future__ import annotations
+
 import math
 from typing import Any
 

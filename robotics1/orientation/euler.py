@@ -1,5 +1,7 @@
 """Rotation matrices and the angles of a sequence: Euler angles, roll-pitch-yaw, and all others."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

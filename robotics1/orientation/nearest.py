@@ -1,5 +1,7 @@
 """The rotation nearest to a matrix, such as one printed with four digits."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

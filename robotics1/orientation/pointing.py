@@ -1,5 +1,7 @@
 """Rotations that take one direction to another, and two directions to two others."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Unit quaternions, the scalar first."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 from typing import Any

@@ -1,5 +1,7 @@
 """The angular velocity: of a rotation that changes, [ω]× = Ṙ Rᵀ, and of the rates of angles, ω = T(φ) φ̇."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import pi
@@ -113,7 +115,7 @@ class EulerRates(Frozen):
     lost: Array | None
     null: Array | None
     near: tuple[float, float] | None = None
-    at_singularity: "EulerRates | None" = None
+    at_singularity: EulerRates | None = None
 
     @property
     def feasible(self) -> bool:

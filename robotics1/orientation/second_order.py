@@ -1,5 +1,7 @@
 """Rotations to second order: Ṙ and R̈ of ω and ω̇, ω̇ of R̈, and the accelerations of Euler angles."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

@@ -10,6 +10,8 @@ A sequence about fixed axes is the moving one in reverse order.
 Source: Shuster, Markley, Generalization of the Euler angles, J. Astronautical Sciences 51, 2003.
 """
 
+from __future__ import annotations
+
 import re
 from dataclasses import dataclass
 from functools import lru_cache

@@ -1,5 +1,7 @@
 """Plots of motions against time, and of timing laws with their bounds."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any

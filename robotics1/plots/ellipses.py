@@ -1,5 +1,7 @@
 """Plots of the velocity and the force ellipses of a robot's tool, at a configuration or along a motion."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal

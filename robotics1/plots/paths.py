@@ -1,5 +1,7 @@
 """Plots of paths in the plane and in space: those of a point, of a pose, and of a robot's tool."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal

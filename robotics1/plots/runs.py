@@ -1,5 +1,7 @@
 """Plots of the joints and the errors of a run: of a simulated law, or of tasks followed by priority."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any

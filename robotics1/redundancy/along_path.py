@@ -1,5 +1,7 @@
 """Several tasks along their trajectories: by priority, and within the limits of the joint rates."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -60,7 +62,7 @@ class PriorityRun(Frozen):
         slow = "" if not (self.scales < 1).any() else f"; slowed down to s = {np.nanmin(self.scales):.3g}"
         return "; ".join(levels) + slow + end
 
-    def require(self) -> "PriorityRun":
+    def require(self) -> PriorityRun:
         """Return self if every level follows its trajectory.
 
         Raises:

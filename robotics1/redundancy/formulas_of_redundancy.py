@@ -1,5 +1,7 @@
 """The formulas of redundancy resolution: pseudoinverse, null space and projector of a task's Jacobian."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from typing import Any
 

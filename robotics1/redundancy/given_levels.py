@@ -1,5 +1,7 @@
 """Levels as the caller hands them in: pairs of a task and what is asked of it, the most important first."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any
 

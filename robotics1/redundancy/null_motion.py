@@ -1,5 +1,7 @@
 """The projected gradient: a self-motion that increases an objective while the task is realised."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -49,7 +51,7 @@ class ProjectedGradient(Frozen):
             f"{self.velocity.explain()}"
         )
 
-    def require(self) -> "ProjectedGradient":
+    def require(self) -> ProjectedGradient:
         """Return self if the task is realised.
 
         Raises:

@@ -1,5 +1,7 @@
 """Saturation in the null space: the algorithm on matrices."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import NamedTuple
 

@@ -1,5 +1,7 @@
 """What a redundant arm does besides its task: objective functions H(q), to be made large, and their gradients."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
@@ -171,7 +173,7 @@ class ObstacleObjective(Frozen):
     def _o(self) -> Array:
         return np.asarray(self.obstacle, dtype=float)
 
-    def _nearest(self, q: npt.ArrayLike) -> "NearestPoint":
+    def _nearest(self, q: npt.ArrayLike) -> NearestPoint:
         """Return the nearest point of the arm."""
         if self.frame is not None:
             at = forward_kinematics(self.robot, q, frame=self.frame, point=self.point).translation

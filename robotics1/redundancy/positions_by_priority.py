@@ -1,5 +1,7 @@
 """Inverse kinematics of several tasks by priority: q of the least error of the first, then of the second, and so on."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -80,7 +82,7 @@ class PriorityIK(Frozen):
         ]
         return "; ".join(parts) + ("" if self.within_limits else "; outside the joint limits")
 
-    def require(self) -> "PriorityIK":
+    def require(self) -> PriorityIK:
         """Return self if every level is realised.
 
         Raises:

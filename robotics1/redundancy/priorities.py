@@ -1,5 +1,7 @@
 """Task priority: several tasks, the first before the second, at one state."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -84,7 +86,7 @@ class Priorities(Frozen):
     null: Array
     method: str
     rounded: RoundedConfiguration | None = None
-    at_singularity: "Priorities | None" = None
+    at_singularity: Priorities | None = None
 
     def explain(self) -> str:
         """Return what becomes of each level, in sentences."""
@@ -95,7 +97,7 @@ class Priorities(Frozen):
             parts.append(f"level {number}: {level.status.value}{rest}")
         return "; ".join(parts)
 
-    def require(self) -> "Priorities":
+    def require(self) -> Priorities:
         """Return self if every level is realised.
 
         Raises:

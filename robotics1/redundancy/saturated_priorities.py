@@ -1,5 +1,7 @@
 """Several tasks by priority with joint rates, or accelerations, within their limits, at one state."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -46,7 +48,7 @@ class SaturatedPriorities(Frozen):
     residuals: tuple[Array, ...]
     realised: tuple[bool, ...]
     rounded: RoundedConfiguration | None = None
-    at_singularity: "SaturatedPriorities | None" = None
+    at_singularity: SaturatedPriorities | None = None
 
     def explain(self) -> str:
         """Return the scale of each level, in a sentence."""
@@ -54,7 +56,7 @@ class SaturatedPriorities(Frozen):
         levels = enumerate(zip(self.scales, self.realised, strict=True), 1)
         return near + "; ".join(f"level {i}: {_words(s, realised)}" for i, (s, realised) in levels)
 
-    def require(self) -> "SaturatedPriorities":
+    def require(self) -> SaturatedPriorities:
         """Return self if every level is realised.
 
         Raises:

@@ -1,5 +1,7 @@
 """Joint rates within their limits: what the task asks is taken over by joints that are not at one."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Literal, get_args
@@ -70,7 +72,7 @@ class SaturatedMotion(Frozen):
     within_digits: bool = False
     steps: tuple[SaturationStep, ...] = ()
     rounded: RoundedConfiguration | None = None
-    at_singularity: "SaturatedMotion | None" = None
+    at_singularity: SaturatedMotion | None = None
 
     def explain(self) -> str:
         """Return the status with the scale and the joints at their limits, in a sentence."""
@@ -80,7 +82,7 @@ class SaturatedMotion(Frozen):
         digits = "; what is left is not more than the rounding of the given digits" if self.within_digits else ""
         return f"{near}{self.status.value}; s = {self.scale:.6g}{where}{digits}"
 
-    def require(self) -> "SaturatedMotion":
+    def require(self) -> SaturatedMotion:
         """Return self if the whole task is realised.
 
         Raises:

@@ -1,5 +1,7 @@
 """The pseudoinverse of a weighted norm, or of a semi-norm, in numbers and in symbols."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from itertools import combinations
 from typing import Any

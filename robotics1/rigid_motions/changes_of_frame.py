@@ -1,5 +1,7 @@
 """Twists and wrenches, read in one frame and written in another."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

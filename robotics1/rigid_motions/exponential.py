@@ -1,5 +1,7 @@
 """The exponential of a twist, which is a pose, and its inverse."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """A robot as a product of exponentials: from the screws of its joints, and back."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any, Literal
 

@@ -1,5 +1,7 @@
 """A screw: the axis, the pitch and the size of a displacement or of a twist."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

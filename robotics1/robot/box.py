@@ -1,5 +1,7 @@
 """The configurations that a search goes through: a box of joint values, in which whole turns are closed circles."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -48,7 +50,7 @@ class JointBox(Frozen):
         inside = (q >= self.lower - tolerance * self.unit) & (q <= self.upper + tolerance * self.unit)
         return bool((inside | self.circular).all())
 
-    def widened(self, margin: float) -> "JointBox":
+    def widened(self, margin: float) -> JointBox:
         """Return the box with each limit moved out by a margin, in units; circles stay circles."""
         out = np.where(self.circular, 0.0, margin * self.unit)
         return replace(self, lower=self.lower - out, upper=self.upper + out)
@@ -141,9 +143,10 @@ def intervals(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None
         i = robot.joint_names.index(name)
         low, high = real_array(f"the interval of {name!r}", interval, (2,), "lower and upper")
         if low > high or low < robot.lower[i] - 1e-9 or high > robot.upper[i] + 1e-9:
+            turns = robot.revolute[i] and max(abs(low), abs(high)) > max(TURN, abs(robot.lower[i]), abs(robot.upper[i]))
             raise InputError(
                 f"the interval of {name!r} must lie in its limits [{robot.lower[i]:g}, {robot.upper[i]:g}]; "
-                f"it is [{low:g}, {high:g}]"
+                f"it is [{low:g}, {high:g}]{'; angles are in radians' * bool(turns)}"
             )
         lower[i], upper[i] = low, high
     return lower, upper

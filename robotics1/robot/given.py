@@ -1,5 +1,7 @@
 """The robot that a caller hands in: a `Robot`, its name or path, the text of its URDF, or a model of Pinocchio."""
 
+from __future__ import annotations
+
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, TypeAlias, cast

@@ -1,5 +1,7 @@
 """From a file to a `Robot`: the text is expanded, checked, and becomes joints and Pinocchio's model."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -186,7 +188,7 @@ class RobotText:
         )
         return RobotReport(self.path, (), warnings, robot, _text=urdf)
 
-    def _source(self, joints: Sequence[Joint], parameters: Mapping[str, float], effort: float) -> "RobotText":
+    def _source(self, joints: Sequence[Joint], parameters: Mapping[str, float], effort: float) -> RobotText:
         """Return what is kept of the text with the robot; with the polynomials, where these cost little."""
         path = self.path.absolute() if self.path.is_file() else self.path  # the working folder may be another one later
         known = self.known if self.known is not None and agree(self.known, joints, parameters) else None
@@ -207,7 +209,7 @@ class RobotText:
     def _folders(self) -> tuple[Path, ...]:
         return cast("tuple[Path, ...]", self.packages)
 
-    def _at(self, values: Mapping[str, float]) -> "RobotText":
+    def _at(self, values: Mapping[str, float]) -> RobotText:
         return replace(self, parameters={**(self.parameters or {}), **values})
 
     def _joints_at(self, values: Mapping[str, float]) -> tuple[Joint, ...]:

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
+from robotics1.angles import warn_of_degrees
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_array, real_number
 from robotics1.robot.findings import LARGEST
@@ -21,6 +22,9 @@ def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...
     Raises:
         UnknownNameError: there is no such joint.
         InputError: a value is not finite or has another form, or the joint has no coordinate of its own.
+
+    Warns:
+        RobotWarning: an angle is one in degrees.
     """
     found = {joint.name: joint for joint in joints}
     moving = [joint.name for joint in joints if joint.kind != "fixed" and not joint.follows]
@@ -34,6 +38,7 @@ def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...
             found[name] = _fixed(joint, FREE[joint.kind](what, value))
             continue
         q = _bounded(what, real_number(what, value))
+        warn_of_degrees(what, np.array([q]), joint.kind == "revolute", joint.lower, joint.upper)
         found[name] = _fixed(joint, _along_axis(joint, q))
         for follower in [j for j in found.values() if j.follows and j.leader == name]:
             q_follower = follower.multiplier * q + follower.offset

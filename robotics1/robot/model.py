@@ -1,5 +1,7 @@
 """The robot: a Pinocchio model with a name, a tool and its named parameters."""
 
+from __future__ import annotations
+
 import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
@@ -28,10 +30,10 @@ SMALLEST = 1e-100  # length of an arm [m]
 class RobotSource(Protocol):
     """What a robot with named parameters was made from."""
 
-    def with_parameters(self, values: Mapping[str, float]) -> "Robot":
+    def with_parameters(self, values: Mapping[str, float]) -> Robot:
         """Return the robot with these values of its named parameters; the others stay."""
 
-    def placements(self, robot: "Robot") -> Placements:
+    def placements(self, robot: Robot) -> Placements:
         """Return the placements of the robot's joints as polynomials in its parameters."""
 
 
@@ -106,7 +108,7 @@ class Robot(DescribedRobot):
             scratch.data = self.own_model.createData()
             return scratch.data
 
-    def with_parameters(self, values: Mapping[str, float]) -> "Robot":
+    def with_parameters(self, values: Mapping[str, float]) -> Robot:
         """Return the same robot with other values of its named parameters; those that are not named stay.
 
         Args:
@@ -170,7 +172,8 @@ class Robot(DescribedRobot):
         """The sum of the distances from joint to joint and to the tool [m]: the reach without any travel."""
         joints = [placement.translation for placement in self.own_model.jointPlacements][2:]
         tools = [frame.placement.translation for frame in self.own_model.frames]
-        lengths = [*map(_length, joints), max(map(_length, tools), default=0.0)]
+        norm = np.hypot.reduce  # neither 1e200 nor 1e-200 is lost
+        lengths = [*map(norm, joints), max(map(norm, tools), default=0.0)]
         return float(sum(length for length in lengths if np.isfinite(length)))
 
     @cached_property
@@ -293,8 +296,3 @@ class Robot(DescribedRobot):
         """Return whether lower − tolerance ≤ q ≤ upper + tolerance for every joint."""
         q = self.configuration(q)
         return bool(np.all(q >= self.lower - tolerance) and np.all(q <= self.upper + tolerance))
-
-
-def _length(vector: Array) -> float:
-    """Return |vector|; numbers of 1e200 do not overflow, and numbers of 1e-200 do not vanish."""
-    return float(np.hypot.reduce(vector))

@@ -1,5 +1,7 @@
 """How well an arm moves and pushes at one configuration: measure, condition, ellipsoids, transmission."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -64,7 +66,7 @@ class Manipulability(Frozen):
         return self.spaces.status if self._rounds_none else RankStatus.NEARLY_SINGULAR
 
     @property
-    def at_singularity(self) -> "Manipulability":
+    def at_singularity(self) -> Manipulability:
         """The answer at the singular configuration that the digits of q may stand for; without one, this."""
         if self.rounded is None or self.rounded.at_singularity is None:
             return self

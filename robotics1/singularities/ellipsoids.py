@@ -1,5 +1,7 @@
 """The velocity and the force ellipsoid of a Jacobian: axes and lengths, exact where the rank is lost."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

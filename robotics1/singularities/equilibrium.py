@@ -1,5 +1,7 @@
 """A robot at rest under loads: the torques that hold it, the wrenches that need none, the largest force it exerts."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

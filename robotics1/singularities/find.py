@@ -1,5 +1,7 @@
 """Where the Jacobian of a task loses rank."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
@@ -150,7 +152,7 @@ def _not_complete(limit: TimeLimit, others: int, exact: int, unproven: int = 0) 
     return f"The exact answer was not complete after {limit.seconds:g} s; {added}."
 
 
-def _note(found: "Found") -> str:
+def _note(found: Found) -> str:
     """Say which angles were made exact, and where the task has no Jacobian."""
     from robotics1.symbolic.writing.printing import line_text
 

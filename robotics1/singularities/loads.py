@@ -1,5 +1,7 @@
 """What loads a robot at rest: forces and moments at points of its links, and weights that it carries."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,5 +1,7 @@
 """What bounds on the joints allow at one configuration: the polytopes of velocities and of forces."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from itertools import combinations, product
 from typing import Any
@@ -44,7 +46,7 @@ class JointBoundPolytope(Frozen):
     limits: Array
     spaces: Subspaces
     rounded: RoundedConfiguration
-    at_singularity: "JointBoundPolytope | None" = None
+    at_singularity: JointBoundPolytope | None = None
 
     @property
     def dimension(self) -> int:

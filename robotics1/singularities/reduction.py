@@ -3,6 +3,8 @@
 The distribution is a histogram whose bins are of equal relative width. Two chunks of configurations become one.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, get_args
@@ -82,7 +84,7 @@ class MeasureDistribution(Frozen):
             return edges[:1], counts[:0]
         return edges[filled[0] : filled[-1] + 2], counts[filled[0] : filled[-1] + 1]
 
-    def joined(self, other: "MeasureDistribution") -> "MeasureDistribution":
+    def joined(self, other: MeasureDistribution) -> MeasureDistribution:
         """Return the distribution of these values and the other's."""
         return MeasureDistribution(
             self.count + other.count,
@@ -128,7 +130,7 @@ class Reduction:
     worst: Array
     worst_values: Array
 
-    def joined(self, other: "Reduction", keep: int) -> "Reduction":
+    def joined(self, other: Reduction, keep: int) -> Reduction:
         """Return the reduction of this chunk and the next; of equal values the earlier is the worse."""
         values = np.concatenate([self.worst_values, other.worst_values])
         chosen = _worst(values, next(iter(self.distributions)), keep)
@@ -174,7 +176,7 @@ def joined_together(keep: int, parts: list[Reduction]) -> Reduction:
 
 
 def reduced_together(
-    measurement: "Measurement", measures: tuple[str, ...], keep: int, chunks: tuple[Chunk, ...]
+    measurement: Measurement, measures: tuple[str, ...], keep: int, chunks: tuple[Chunk, ...]
 ) -> Reduction:
     """Return what is kept of some chunks, joined where they were measured: this runs in the workers."""
     total = reduced(measurement, measures, keep, chunks[0])
@@ -183,7 +185,7 @@ def reduced_together(
     return total
 
 
-def reduced(measurement: "Measurement", measures: tuple[str, ...], keep: int, chunk: Chunk) -> Reduction:
+def reduced(measurement: Measurement, measures: tuple[str, ...], keep: int, chunk: Chunk) -> Reduction:
     """Return what is kept of a chunk."""
     q = chunk()
     values = measurement.measures(q, measures)

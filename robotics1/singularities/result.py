@@ -1,5 +1,7 @@
 """The singular configurations of a task, as branches."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
@@ -56,11 +58,11 @@ class SingularBranch(Frozen):
     samples: Array = field(repr=False)
     q: Array
     rank: int
-    formulas: "BranchFormulas | None" = field(default=None, repr=False)
+    formulas: BranchFormulas | None = field(default=None, repr=False)
     note: str = ""
 
     @property
-    def conditions(self) -> "tuple[sympy.Eq, ...]":
+    def conditions(self) -> tuple[sympy.Eq, ...]:
         """The equations of the branch in q1, q2, ... and the named lengths: values of joints, and polynomials that
         vanish. Of a branch that was found by numbers, the joints that are tied to each other have σ_min = 0.
         """
@@ -76,7 +78,7 @@ class SingularBranch(Frozen):
             equations.append(sympy.Eq(sympy.Function("sigma_min")(*tied), 0))
         return tuple(equations)
 
-    def require_formulas(self) -> "BranchFormulas":
+    def require_formulas(self) -> BranchFormulas:
         """Return the formulas.
 
         Raises:
@@ -177,8 +179,8 @@ class SingularSet(Frozen):
     note: str = ""
     outside: tuple[SingularBranch, ...] = ()
     time_limit: float = field(default=30.0, repr=False)
-    jacobian: "SymbolicJacobian | None" = field(default=None, repr=False)
-    without_solution: "tuple[Zero, ...]" = field(default=(), repr=False)
+    jacobian: SymbolicJacobian | None = field(default=None, repr=False)
+    without_solution: tuple[Zero, ...] = field(default=(), repr=False)
 
     @property
     def status(self) -> SingularSetStatus:
@@ -188,7 +190,7 @@ class SingularSet(Frozen):
         return SingularSetStatus.INCOMPLETE if self.branches else SingularSetStatus.NOT_FOUND
 
     @cached_property
-    def generic_bases(self) -> "BranchFormulas | None":
+    def generic_bases(self) -> BranchFormulas | None:
         """The bases of N(J), R(J) and N(Jᵀ) in symbols where J has rank ρ; they hold almost everywhere, as all entries
         of a vector may vanish together. None of a set that was found by numbers.
         """
@@ -235,7 +237,7 @@ class SingularSet(Frozen):
         """Return the singularities in sentences, with the conditions on lengths of `parameter_conditions`."""
         return self._explanation
 
-    def require(self) -> "SingularSet":
+    def require(self) -> SingularSet:
         """Return self if it is proven that there are no other singular configurations inside the joint limits.
 
         Raises:
@@ -270,7 +272,7 @@ class Intersections(Frozen):
         return printable(intersection_sentences(self), keep="\n")
 
 
-def _recognised(value: float) -> "sympy.Expr":
+def _recognised(value: float) -> sympy.Expr:
     import sympy
 
     fraction = pi_fraction(value)

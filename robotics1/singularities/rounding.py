@@ -1,5 +1,7 @@
 """The singularity that the rounding of a configuration may hide: q2 = 1.5708 where the rank is lost at π/2."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 

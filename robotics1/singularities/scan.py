@@ -1,5 +1,7 @@
 """How near to singular a task is, over all configurations of a robot."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from functools import partial

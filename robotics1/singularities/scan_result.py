@@ -1,5 +1,7 @@
 """The answer of a scan, and its sentences."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import cast

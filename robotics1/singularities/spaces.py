@@ -1,5 +1,7 @@
 """The four subspaces of a Jacobian, its rank, and its inverses, under one threshold of rank."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 from enum import Enum
 
@@ -65,7 +67,7 @@ class Subspaces(Frozen):
         return RankStatus.FULL_RANK if self.rank == min(self.J.shape) else RankStatus.RANK_DEFICIENT
 
     @property
-    def at_singularity(self) -> "Subspaces":
+    def at_singularity(self) -> Subspaces:
         """The subspaces of the nearest matrix of the certain rank, U_r Σ_r V_rᵀ (Eckart, Young); else these."""
         if not self.nearly_singular:
             return self

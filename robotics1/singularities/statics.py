@@ -1,5 +1,7 @@
 """Forces and joint torques: the transpose of the Jacobian."""
 
+from __future__ import annotations
+
 import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array

@@ -1,5 +1,7 @@
 """The Jacobian of an arm with a spherical wrist, in blocks: the joints of the wrist do not move its centre."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

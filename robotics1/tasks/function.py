@@ -1,5 +1,7 @@
 """The user's own task: r = f(p, R, q)."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -85,7 +87,7 @@ class FunctionTask:
         """Those that were given; without them the rows are taken as numbers."""
         return ("1",) * self.rows if self.units is None else self.units
 
-    def with_parameters(self, values: Mapping[str, float]) -> "FunctionTask":
+    def with_parameters(self, values: Mapping[str, float]) -> FunctionTask:
         """Return the task with other values of its named lengths; names that it has not are left out."""
         own = {name: values.get(name, value) for name, value in self.parameters.items()}
         return replace(self, parameters=own)

@@ -1,5 +1,7 @@
 """The task that a caller hands in: a task, or its short form such as "position:xy"."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any, TypeAlias
 

@@ -1,5 +1,7 @@
 """The pose of a frame that moves in a plane: two coordinates and an angle."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any

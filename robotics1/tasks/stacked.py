@@ -1,5 +1,7 @@
 """Several tasks at once, of one frame or of several, with their rows one below the other."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -97,7 +99,7 @@ class StackedTask:
         for task in self.tasks:
             task.check_integrable(robot)
 
-    def with_parameters(self, values: Mapping[str, float]) -> "StackedTask":
+    def with_parameters(self, values: Mapping[str, float]) -> StackedTask:
         """Return the tasks with other values of their named lengths."""
         return StackedTask(
             [task.with_parameters(values) if hasattr(task, "with_parameters") else task for task in self.tasks],

@@ -1,5 +1,7 @@
 """What every task answers, and the frame of the built-in ones."""
 
+from __future__ import annotations
+
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace

@@ -1,5 +1,7 @@
 """An arm that is known only by its direct kinematics, r = f(q)."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
@@ -29,7 +31,7 @@ def robot_from_formula(
     units: Sequence[str] | None = None,
     lower: Limits = None,
     upper: Limits = None,
-) -> "FormulaRobot":
+) -> FormulaRobot:
     """Return an arm that is known only by its direct kinematics r = f(q), with f as its task, `arm.task`.
 
         arm = robot_from_formula(["q2*cos(q1)", "q2*sin(q1)", "q3"], joints="RPP")

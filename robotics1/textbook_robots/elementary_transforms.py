@@ -1,5 +1,7 @@
 """An arm as a chain of elementary transforms: turns about, and shifts along, the axes of the moving frame."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,5 +1,7 @@
 """From one set of joint coordinates to another: DH angles to absolute ones, motors to joints."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -51,7 +53,7 @@ class JointMap(Frozen):
         return self.matrix.T @ self._vector("tau", tau, 0)
 
     @cached_property
-    def inverse(self) -> "JointMap":
+    def inverse(self) -> JointMap:
         """The map back, q = M⁻¹ (θ − c).
 
         Raises:

@@ -1,5 +1,7 @@
 """Any robot with its base placed in the world, and a tool on its tool."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any

@@ -1,5 +1,7 @@
 """An arm in a plane, by the order of its joints and the lengths of its links."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 

@@ -1,5 +1,7 @@
 """Elementary motions between two states: cubic, quintic and septic polynomials, and the sines, cosine and cycloidal."""
 
+from __future__ import annotations
+
 from math import pi
 
 import numpy as np

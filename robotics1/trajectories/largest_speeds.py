@@ -1,5 +1,7 @@
 """How fast a task may go along its path under bounds on the joints' velocities: where, and which joint decides."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from itertools import pairwise
 

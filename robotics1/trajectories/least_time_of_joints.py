@@ -1,5 +1,7 @@
 """Minimum time under the bounds of the joints: each as fast as it can, all in the time of the slowest, or in line."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import inf

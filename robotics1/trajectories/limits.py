@@ -1,5 +1,7 @@
 """Bounds on a motion, what a motion uses of them, and where it leaves the limits of a robot."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -87,7 +89,7 @@ class MotionLimits:
         if self.deceleration is not None and self.acceleration is None:
             raise InputError("a bound on the deceleration needs one on the acceleration too")
 
-    def of_joints(self, n: int) -> "MotionLimits":
+    def of_joints(self, n: int) -> MotionLimits:
         """Return the bounds of n joints, (n,) each, infinity for none; a deceleration only if it has its own bound.
 
         Raises:
@@ -96,7 +98,7 @@ class MotionLimits:
         V, A, J, D = (positive_bound(name, getattr(self, name), n) for name in BOUNDS)
         return MotionLimits(V, A, J, None if self.deceleration is None else D)
 
-    def of_joint(self, j: int) -> "MotionLimits":
+    def of_joint(self, j: int) -> MotionLimits:
         """Return the bounds of one joint as numbers, of those that `of_joints` returned."""
         return MotionLimits(*(None if x is None else float(x[j]) for x in (getattr(self, name) for name in BOUNDS)))
 

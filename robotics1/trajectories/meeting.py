@@ -1,5 +1,7 @@
 """Rendez-vous: be where a moving target is, with its velocity."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
@@ -116,7 +118,7 @@ class Rendezvous(Frozen):
         why = "; ".join(str(violation) for branch in self.branches for violation in branch.violations)
         return self.status.value + (f": {why}" if why else "")
 
-    def require(self) -> "Rendezvous":
+    def require(self) -> Rendezvous:
         """Return self if the target is met within the limits.
 
         Raises:

@@ -1,5 +1,7 @@
 """The largest speed, acceleration and normal acceleration of a motion: exact extrema, not samples."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 

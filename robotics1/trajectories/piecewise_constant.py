@@ -1,5 +1,7 @@
 """Motions from accelerations, or jerks, that are constant on intervals."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

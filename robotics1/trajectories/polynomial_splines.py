@@ -3,6 +3,8 @@
 All are the solution of linear conditions: values of derivatives at instants, and continuity where two pieces join.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import accumulate

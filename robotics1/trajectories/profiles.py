@@ -1,5 +1,7 @@
 """Velocity profiles of two ramps and a cruise between them: trapezoidal, bang-bang, double-S."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import copysign, hypot, inf
@@ -30,7 +32,7 @@ class VelocityProfile(PiecewisePolynomial):
     cruise_velocity: float = 0.0
     cruise_time: float = 0.0
 
-    def stretched(self, factor: float) -> "VelocityProfile":
+    def stretched(self, factor: float) -> VelocityProfile:
         """Return s(t/k), slower for k > 1.
 
         Raises:

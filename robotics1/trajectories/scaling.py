@@ -1,5 +1,7 @@
 """How long a motion must take so that its bounds hold: scaled as a whole, or of a known shape with given ends."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise

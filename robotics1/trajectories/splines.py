@@ -1,5 +1,7 @@
 """Cubic splines through points, with times or as paths; and the times of points."""
 
+from __future__ import annotations
+
 from typing import Any, Literal
 
 import numpy as np

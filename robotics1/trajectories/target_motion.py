@@ -1,5 +1,7 @@
 """How a target moves: its position and velocity at any time."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol

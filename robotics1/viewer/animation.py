@@ -1,5 +1,7 @@
 """Pages of a robot: at a configuration, with several solutions, or in motion."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any

@@ -1,5 +1,7 @@
 """Motions as samples that the page runs through."""
 
+from __future__ import annotations
+
 import base64
 from dataclasses import dataclass
 from itertools import pairwise

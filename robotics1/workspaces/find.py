@@ -1,5 +1,7 @@
 """The workspace of an arm: in a plane exactly, by arcs and segments; of other arms as their kind allows."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from math import pi, tau
 

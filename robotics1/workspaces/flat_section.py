@@ -1,5 +1,7 @@
 """The section of a planar chain: where a point is in it, whether it is reached, and how far the boundary is."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,5 +1,7 @@
 """The workspace of an arm: its regions, its boundary, and what can be asked of a point."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from typing import Protocol
 

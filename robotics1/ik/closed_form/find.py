@@ -1,5 +1,7 @@
 """From a robot and a task to the formulas of all solutions."""
 
+from __future__ import annotations
+
 import numpy as np
 import sympy
 

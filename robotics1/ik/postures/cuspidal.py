@@ -1,5 +1,7 @@
 """Cuspidal arms: those that can change their posture without crossing a singularity."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum

@@ -1,5 +1,7 @@
 """From one posture to another without crossing a singularity."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from enum import Enum
 
@@ -54,7 +56,7 @@ class PostureChange(Frozen):
         """Return the answer with its reason, in sentences."""
         return f"{self.status.value}: {self.reason}"
 
-    def require(self) -> "PostureChange":
+    def require(self) -> PostureChange:
         """Return self if there is a path.
 
         Raises:

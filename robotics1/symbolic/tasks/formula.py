@@ -1,5 +1,7 @@
 """From a robot and a task to formulas: its value, its Jacobian, determinant and minors, in SymPy."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache

@@ -1,5 +1,7 @@
 """The joint trajectory that follows a task trajectory, and how well."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from enum import Enum
 
@@ -79,7 +81,7 @@ class FollowedTrajectory(PiecewisePolynomial):
             f"{error.value:.3g} at t = {error.time:.4g} s, smallest σ = {least.value:.3g} at t = {least.time:.4g} s"
         )
 
-    def require(self) -> "FollowedTrajectory":
+    def require(self) -> FollowedTrajectory:
         """Return the trajectory itself if its end is on the path.
 
         Raises:

@@ -1,5 +1,7 @@
 """Inverse differential kinematics at one state: q̇ from ṙ, and q̈ from r̈, with what cannot be realised."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -109,7 +111,7 @@ class JointVelocity(Resolved):
     """
 
     qdot: Array
-    at_singularity: "JointVelocity | None" = None
+    at_singularity: JointVelocity | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +126,7 @@ class JointAcceleration(Resolved):
 
     qddot: Array
     drift: Array
-    at_singularity: "JointAcceleration | None" = None
+    at_singularity: JointAcceleration | None = None
 
 
 def joint_velocity(

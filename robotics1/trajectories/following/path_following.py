@@ -1,5 +1,7 @@
 """From a task trajectory to a joint trajectory, by integrating the inverse differential kinematics."""
 
+from __future__ import annotations
+
 from itertools import pairwise
 from typing import Any
 

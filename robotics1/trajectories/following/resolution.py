@@ -1,5 +1,7 @@
 """How a task velocity is resolved into joint velocities: generalized inverses, and inputs other than the joints."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple

@@ -1,5 +1,7 @@
 """Second-order kinematics of any task: J̇, J̇ q̇, and the motion of the task that a joint motion makes."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,5 +1,7 @@
 """The section of an arm whose critical curves are no arcs: solutions at a point, and where it is in the section."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi, tau

@@ -1,5 +1,7 @@
 """The dexterous workspace: the points that an arm reaches with every orientation."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

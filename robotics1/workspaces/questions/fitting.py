@@ -4,6 +4,8 @@ Source: the pole of inaccessibility; Garcia-Castellanos and Lombardo, Scottish G
 cells are halved where they may hold a better centre: the distance changes at most as fast as the place.
 """
 
+from __future__ import annotations
+
 import heapq
 from dataclasses import dataclass
 

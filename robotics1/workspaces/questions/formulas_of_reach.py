@@ -1,5 +1,7 @@
 """The sizes of an arm's workspace as formulas, compared with the exact workspace before they are given."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any

@@ -1,5 +1,7 @@
 """Whether a point is in a workspace, with what proves it."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy.typing as npt

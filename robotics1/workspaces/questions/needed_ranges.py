@@ -1,5 +1,7 @@
 """The joint ranges that a set of targets needs."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product

@@ -1,5 +1,7 @@
 """How far any arm reaches: the largest and smallest distance from a point, or along a direction, between two bounds."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from time import monotonic
@@ -82,7 +84,7 @@ class ExtremeReach(Frozen):
             )
         return "\n".join(lines)
 
-    def require(self) -> "ExtremeReach":
+    def require(self) -> ExtremeReach:
         """Return self if it is proven.
 
         Raises:

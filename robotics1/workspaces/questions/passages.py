@@ -1,5 +1,7 @@
 """Where a moving point enters and leaves a workspace."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any

@@ -6,6 +6,8 @@ into quarters where its corners differ, or where the boundary is nearer to its m
 smallest cells that the boundary crosses, the crossing is found by halving.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from math import pi
 

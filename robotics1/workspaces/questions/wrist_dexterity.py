@@ -5,6 +5,8 @@ the centre of the wrist as radius, is in the workspace of the centre. A part of 
 its least distance from p is at most d and its largest at least d, since it is connected.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import pi

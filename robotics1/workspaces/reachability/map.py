@@ -1,5 +1,7 @@
 """The map of what an arm reaches: millions of poses in chunks, on as many cores as there are."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from functools import partial

@@ -1,5 +1,7 @@
 """Where to put the base for a list of poses, or a path for the arm: each place is tried with all poses."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
@@ -99,7 +101,7 @@ class Placements(Frozen):
             )
         return "\n".join(lines)
 
-    def require(self) -> "Placements":
+    def require(self) -> Placements:
         """Return self if a place suits all poses.
 
         Raises:

@@ -1,5 +1,7 @@
 """The map of what an arm reaches, and its sentences."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 
 import numpy as np

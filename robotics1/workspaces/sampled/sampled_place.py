@@ -1,5 +1,7 @@
 """Questions about a point, answered by samples: a point is reached where a configuration is found that reaches it."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 
