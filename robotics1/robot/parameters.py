@@ -142,7 +142,7 @@ def _sizes(numbers: Array) -> Array:
     longest = lengths.max(initial=0.0)
     largest[:, 0] = np.maximum(lengths, SHORTEST * longest) if longest > 0 else 1.0
     largest[:, 1] = 1.0
-    return largest.ravel()
+    return np.asarray(largest.ravel())
 
 
 def _differs(joint: Joint, other: Joint | None) -> str | None:
