@@ -353,6 +353,7 @@ def test_a_half_turn_of_the_tool_about_z_is_in_the_last_row_of_a_modified_table(
 )
 def test_an_arm_whose_limits_are_far_from_zero_has_its_table(convention, lower, upper):
     robot = robot_from_dh([("R", 1, 0.3, 0.2, 0), ("P", 0.1, 0.4, 0, 0.5)], lower=lower, upper=upper)
-    table = urdf_to_dh(load_robot(robot.urdf), convention=convention)
+    read = load_robot(robot.urdf)
+    table = urdf_to_dh(read, convention=convention)
     assert table.residual < 1e-12
-    assert (table.lower.tolist(), table.upper.tolist()) == (robot.lower.tolist(), robot.upper.tolist())
+    assert (table.lower.tolist(), table.upper.tolist()) == (read.lower.tolist(), read.upper.tolist())
