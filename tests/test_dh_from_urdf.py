@@ -345,3 +345,15 @@ def test_a_half_turn_of_the_tool_about_z_is_in_the_last_row_of_a_modified_table(
     table = urdf_to_dh(robot, convention="modified")
     assert_same_kinematics(robot, table, 3)
     assert table.tool_placement.homogeneous == pytest.approx(np.eye(4), abs=1e-12)
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+@pytest.mark.parametrize(
+    ("lower", "upper"), [([4, 4], [5, 5]), ([-9, -20], [-5, -10]), ([7, 0], [7, 1]), ([-4, 3.5], [None, None])]
+)
+def test_an_arm_whose_limits_are_far_from_zero_has_its_table(convention, lower, upper):
+    robot = robot_from_dh([("R", 1, 0.3, 0.2, 0), ("P", 0.1, 0.4, 0, 0.5)], lower=lower, upper=upper)
+    read = load_robot(robot.urdf)
+    table = urdf_to_dh(read, convention=convention)
+    assert table.residual < 1e-12
+    assert (table.lower.tolist(), table.upper.tolist()) == (read.lower.tolist(), read.upper.tolist())

@@ -102,6 +102,37 @@ def test_the_skew_arm_whose_coefficients_have_hundreds_of_digits_has_an_answer(t
     assert all(np.isfinite(branch.samples).all() for branch in found.branches)
 
 
+class SlowOnceSingular:
+    """The position of a planar 2R. Once J has been singular, and asked for 100 times more, each J takes 50 ms."""
+
+    def __init__(self):
+        self.task, self.left = PositionTask("xy"), None
+
+    def __getattr__(self, name):
+        return getattr(self.__dict__["task"], name)
+
+    def frame_map(self):
+        return None
+
+    def jacobian(self, robot, q):
+        J = self.task.jacobian(robot, q)
+        if self.left is None and abs(np.linalg.det(J)) < 1e-13:
+            self.left = 100
+        elif self.left is not None:
+            self.left -= 1
+            time.sleep(0.05 if self.left < 0 else 0)
+        return J
+
+
+def test_a_singular_configuration_is_told_even_if_there_is_no_time_to_measure_what_it_lies_on():
+    found = find_singularities("planar_2r", SlowOnceSingular(), method="numeric", time_limit=1.5)
+    (branch,) = found.branches
+    assert abs(np.sin(branch.q[1])) < 1e-9
+    assert (branch.rank, branch.dimension, found.complete) == (1, 0, False)
+    assert "it may lie on a larger piece" in branch.note
+    assert "it may lie on a larger piece" in found.explain()
+
+
 # --- names and mimicking joints
 
 

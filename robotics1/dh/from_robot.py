@@ -19,6 +19,7 @@ from robotics1.dh.own_frames import own_steps
 from robotics1.dh.table import CONVENTIONS, DHRow, DHTable
 from robotics1.errors import InputError
 from robotics1.inputs import one_of, real_number
+from robotics1.robot.findings import random_within
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 
@@ -146,6 +147,6 @@ def _closed(robot: Robot, joints: list[int], frame: int, rows: list[DHRow], conv
 
     zero = np.zeros(len(rows))
     found = table(clean_placement(table(pin.SE3.Identity()).pose(zero).actInv(pose(zero))))
-    q = np.random.default_rng(0).uniform(np.maximum(lower, -np.pi), np.minimum(upper, np.pi), (SAMPLES, len(rows)))
-    gaps = [np.abs(found.pose(q_k).homogeneous - pose(q_k).homogeneous).max() for q_k in q]
+    drawn = random_within(lower, upper, SAMPLES, np.random.default_rng(0))
+    gaps = [np.abs(found.pose(q).homogeneous - pose(q).homogeneous).max() for q in drawn]
     return table(found.tool_placement, float(max(gaps)))

@@ -37,7 +37,7 @@ def check_urdf(root: Element) -> Findings:
     _check_names(findings, links)
     _check_names(findings, joints)
     check_overlooked(findings, root)
-    _check_tree(findings, root, links, joints)
+    _check_tree(findings, links, joints)
     types = {joint.get("name"): joint.get("type") for joint in joints}
     for joint in joints:
         check_joint(findings, joint, types)
@@ -118,7 +118,7 @@ def _check_names(findings: Findings, elements: list[Element]) -> None:
         seen.add(name)
 
 
-def _check_tree(findings: Findings, root: Element, links: list[Element], joints: list[Element]) -> None:
+def _check_tree(findings: Findings, links: list[Element], joints: list[Element]) -> None:
     """One root, no second parent, no cycle, and links that exist."""
     before = len(findings.errors)
     parent_of: dict[str, str] = {}

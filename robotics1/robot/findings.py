@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
+from robotics1.angles import TURN
 from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
 from robotics1.robot.markup import Element, undeclared
@@ -138,8 +139,20 @@ class RobotReport:
 
 def random_configurations(robot: Robot, count: int, rng: np.random.Generator) -> Array:
     """Return `count` random configurations, (count, nq), in the limits, and in [−π, π] where there are none."""
-    lower, upper = np.maximum(robot.lower, -np.pi), np.minimum(robot.upper, np.pi)
-    return rng.uniform(np.minimum(lower, upper), upper, (count, robot.nq))
+    return random_within(robot.lower, robot.upper, count, rng)
+
+
+def random_within(lower: Array, upper: Array, count: int, rng: np.random.Generator) -> Array:
+    """Return `count` random rows, (count, n), inside limits (n,): in [−π, π], and where the limits are apart from that,
+    in the 2π of them that are nearest.
+    """
+    low, high = np.clip(-np.pi, lower, upper), np.clip(np.pi, lower, upper)
+    apart = low == high
+    low, high = (
+        np.where(apart, np.maximum(lower, high - TURN), low),
+        np.where(apart, np.minimum(upper, low + TURN), high),
+    )
+    return rng.uniform(low, high, (count, len(lower)))
 
 
 class NotComparable(Exception):  # noqa: N818 (an outcome of this module alone)

@@ -17,7 +17,9 @@ from robotics1.robot.joints import Joint
 HIGHEST_DEGREE = 2
 CONFIRMATIONS = 2  # expansions beyond those that determine a polynomial
 SPREAD = 0.3  # of the values, to both sides
-CONFIRMS = 1e-9  # difference of a fitted and an expanded number that is rounding
+CONFIRMS = 1e-9  # difference of a fitted and an expanded number that is rounding, beside its size
+SHORTEST = 1e-6  # length beside the longest, below which rounding may be more than a billionth of it
+FEW_DIGITS = 1e-11  # relative: a coefficient this near to one of ten digits is that
 
 Monomial = tuple[str, ...]  # the parameters that are multiplied; () is the constant
 Polynomial = Mapping[Monomial, float]
@@ -80,11 +82,12 @@ def agree(placements: Placements, joints: Sequence[Joint], parameters: Mapping[s
     """Whether polynomials give the placements of these joints, of all of them, at these values of the parameters."""
     if [joint.name for joint in joints] != list(placements):
         return False
-    found = [(joint, placements[joint.name]) for joint in joints]
-    return all(
-        not isinstance(placement, str) and np.abs(placement.at(parameters) - (*joint.xyz, *joint.rpy)).max() <= CONFIRMS
-        for joint, placement in found
-    )
+    found = [placements[joint.name] for joint in joints]
+    known = [placement.at(parameters) for placement in found if not isinstance(placement, str)]
+    if len(known) < len(found):
+        return False
+    numbers = _numbers(joints)
+    return bool((np.abs(np.ravel(known) - numbers) <= CONFIRMS * _sizes(numbers[None])).all())
 
 
 def fitted_placements(
@@ -130,6 +133,18 @@ def _numbers(joints: Sequence[Joint]) -> Array:
     return np.array([x for joint in joints for x in (*joint.xyz, *joint.rpy)], dtype=float)
 
 
+def _sizes(numbers: Array) -> Array:
+    """Return what counts as one of such numbers of joints, (p, 6k): of a length its largest value, but at least 1e-6 of
+    the longest, and of an angle 1 rad; (6k,).
+    """
+    largest = np.abs(numbers).max(axis=0, initial=0.0).reshape(-1, 2, 3)
+    lengths = largest[:, 0]
+    longest = lengths.max(initial=0.0)
+    largest[:, 0] = np.maximum(lengths, SHORTEST * longest) if longest > 0 else 1.0
+    largest[:, 1] = 1.0
+    return np.asarray(largest.ravel())
+
+
 def _differs(joint: Joint, other: Joint | None) -> str | None:
     """Return what differs, beside its placement, in a joint at other values of the parameters."""
     if other is None or (joint.kind, joint.parent, joint.child) != (other.kind, other.parent, other.child):
@@ -146,10 +161,12 @@ def _fit(
 ) -> tuple[Array, npt.NDArray[np.bool_]]:
     """Return the coefficients of the monomials, (monomials, 6k), and which numbers the last points contradict."""
     matrix = np.array([[np.prod([p[names.index(name)] for name in m]) for m in monomials] for p in points])
-    flat = np.array(numbers)
+    columns = np.maximum(np.abs(matrix).max(axis=0), np.finfo(float).tiny)
+    sizes = _sizes(np.array(numbers))
+    matrix, flat = matrix / columns, np.array(numbers) / sizes
     count = len(points) - CONFIRMATIONS
     solution = np.linalg.lstsq(matrix[:count], flat[:count], rcond=None)[0]
     wrong = np.abs(matrix @ solution - flat).max(axis=0, initial=0.0) > CONFIRMS
-    solution = np.where(np.abs(solution) < CONFIRMS, 0.0, solution)
-    rounded = np.round(solution, 9)
-    return np.where(np.abs(solution - rounded) < CONFIRMS / 10, rounded, solution), wrong
+    solution = np.where(np.abs(solution) < CONFIRMS, 0.0, solution) / columns[:, None] * sizes
+    rounded = np.array([float(f"{x:.10g}") for x in solution.flat]).reshape(solution.shape)
+    return np.where(np.abs(solution - rounded) <= FEW_DIGITS * np.abs(solution), rounded, solution), wrong

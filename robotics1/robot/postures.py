@@ -9,7 +9,8 @@ import numpy as np
 
 from robotics1.errors import InputError, RobotFileError, UnknownNameError
 from robotics1.inputs import Array, real_number
-from robotics1.robot.markup import Element, decoded, parse_xml
+from robotics1.robot.markup import Element, parse_xml
+from robotics1.robot.sources import robot_text
 
 
 def in_numbers(
@@ -61,8 +62,8 @@ def _srdf(path: Path) -> Iterator[Element]:
     candidates = [folder / name for folder in (path.parent, path.parent.parent / "srdf") for name in names]
     for file in dict.fromkeys(candidates):
         if file.is_file():
-            with suppress(OSError, RobotFileError):
-                yield parse_xml(decoded(file.read_bytes(), file), file)
+            with suppress(RobotFileError):
+                yield parse_xml(robot_text(file, file), file)
 
 
 def _number(text: str) -> float:

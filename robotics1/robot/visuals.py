@@ -10,12 +10,12 @@ import pinocchio as pin
 
 from robotics1.errors import warn
 from robotics1.results import Frozen
+from robotics1.robot.findings import LARGEST
 from robotics1.robot.frames import frame_number
 from robotics1.robot.joints import Triple
 from robotics1.robot.meshes import UNDRAWN
 from robotics1.robot.model import Robot
 
-LARGEST = 1e18  # m: beyond it nothing can be computed with
 Color = tuple[float, float, float, float]
 
 

@@ -17,6 +17,7 @@ ENOUGH = 50  # samples of a branch
 SAME_VALUE = 1e-5  # difference of two values of a constant joint that are one
 WALKS = 8  # that fail before two pieces are taken as apart
 STRIDE = 0.1  # of a walk on the set, in units
+UNMEASURED = "The time was over before the set around it was measured: it may lie on a larger piece."
 FAR, CLOSE = 3e-3, 3e-4  # from a point, in units: the two radii in which its sheet is measured
 
 
@@ -24,7 +25,8 @@ FAR, CLOSE = 3e-3, 3e-4  # from a point, in units: the two radii in which its sh
 class Sheet:
     """The points that look alike: same dimension, same free joints, same joints constant at the same values.
 
-    It is flat if no joint is tied: then its equations are the values of the constant joints.
+    It is flat if no joint is tied: then its equations are the values of the constant joints. `measured` is False of one
+    point around which there was no time to look.
     """
 
     box: JointBox
@@ -32,6 +34,7 @@ class Sheet:
     constant: list[int]
     free: list[int]
     points: list[Array]
+    measured: bool = True
 
     @property
     def tied(self) -> list[int]:
@@ -76,14 +79,16 @@ def numeric_branches(
 def _sheets(points: SingularPoints, count: int, rng: np.random.Generator) -> list[Sheet]:
     """Return the sheets that the starts lead to before the time is over."""
     sheets: list[Sheet] = []
+    q: Array | None = None
     try:
         for first in range(0, count, AT_ONCE):
             for start in points.box.random(rng, min(AT_ONCE, count - first)):
                 q = points.project(start)
                 if q is not None:
                     _add_point(points, q, sheets, rng)
-    except OutOfTime:
-        pass  # what was found stands
+    except OutOfTime:  # what was found stands
+        if q is not None and not sheets:
+            sheets.append(Sheet(points.box, 0, list(range(len(q))), [], [q], measured=False))
     return sheets
 
 
@@ -205,7 +210,9 @@ def _branch(
         samples = samples[:1]
     else:
         _complete(points, piece, flat, rng, samples)
-    return points.branch(samples, piece.dimension, dict(zip(piece.constant, values, strict=True)), piece.free, limits)
+    constant = dict(zip(piece.constant, values, strict=True))
+    branch = points.branch(samples, piece.dimension, constant, piece.free, limits)
+    return branch if piece.measured else replace(branch, note=f"{UNMEASURED} {branch.note}".strip())
 
 
 def _complete(

@@ -45,7 +45,8 @@ class SingularBranch(Frozen):
         q: (nq,) a configuration of the branch at which the bases below are taken.
         rank: the rank of J on the branch (almost everywhere on it).
         formulas: its equations and bases in symbols, of a branch that was found in exact form.
-        note: whether it lies at a joint limit, or outside of one by less than 1e-6 rad or reaches.
+        note: whether it lies at a joint limit, or outside of one by less than 1e-6 rad or reaches; and whether the time
+            was over before more than one configuration of it was found.
     """
 
     robot: Robot = field(repr=False)

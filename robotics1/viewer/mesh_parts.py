@@ -7,7 +7,8 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array
 from robotics1.results import Frozen
-from robotics1.robot.visuals import LARGEST, Color
+from robotics1.robot.findings import LARGEST
+from robotics1.robot.visuals import Color
 
 Indices = npt.NDArray[np.int32]
 
