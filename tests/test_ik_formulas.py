@@ -380,3 +380,19 @@ def test_conditions_are_written_as_in_a_book():
     assert "|(l3·sin(phi) − y)/l2| ≤ 1" in text
     assert "Abs" not in text
     assert "q2 is free where q3 = 0" in ik_formulas(load_robot("cylindrical"), PositionTask()).explain()
+
+
+def test_long_formulas_have_names_and_two_solutions_a_sign():
+    lines = ik_formulas(arm("planar_2r"), XY).explain().splitlines()
+    assert lines[1:4] == [
+        "  q2 = ±acos(c2), where |c2| ≤ 1",
+        "    c2 = −(l1² + l2² − x² − y²)/(2·l1·l2)",
+        "    the two are one where |c2| = 1",
+    ]
+    text = ik_formulas(ur5(), PoseTask()).explain()
+    assert max(map(len, text.splitlines())) < 160
+    offset = ik_formulas(dh(R(0, H, 0.4), R(0.8, 0, 0.2), R(0.7, 0, 0)), XYZ)
+    assert "q1 = atan2(−x, y) ± acos(−0.2/sqrt(x² + y²)), where x² + y² ≥ 0.04" in offset.explain()
+    assert r"\pm \operatorname{acos}" in offset.latex()
+    assert "(0.8 + 0.7·cos(q3))" in offset.explain()  # metres, as in the table
+    assert "q2 is free" not in offset.explain()  # 0.8² + 0.7² + 2 · 0.8 · 0.7 cos q3 has no zero
