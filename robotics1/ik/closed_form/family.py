@@ -19,6 +19,7 @@ from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
 LONG = 80  # operations of a condition that is not expanded
+CONSISTENT = 1e-5  # [m or rad] of a target that joints have
 SHORT = 3  # joints, up to which a formula in the target alone is simplified where it is put together
 
 
@@ -157,7 +158,8 @@ class IKFormulas(Frozen):
     def at(self, target: Any) -> Array:
         """Return the solutions of a target in numbers, (k, nq), the joints of `free_joints` at zero.
 
-        There are none of a target in which one of `constraints` is more than 1e-5 from zero.
+        There are none of a target that is more than 1e-5 [m or rad] from what the arm can have; where the task has more
+        rows than joints, forward kinematics decides.
 
         Raises:
             InputError: the target has the wrong form.
@@ -166,6 +168,9 @@ class IKFormulas(Frozen):
         found = self.function()([sign * flat[n] for n, sign in self.places])
         q = np.zeros((len(found), self.robot.nq))
         q[:, [self.robot.joint_names.index(name) for name in self.in_order]] = found
+        if len(self.joints) < self.task.rows:
+            errors = [np.abs(self.task.error(self.robot, p, target)).max() for p in q]
+            q = q[np.array(errors) <= CONSISTENT] if len(q) else q
         return q
 
     def function(self) -> Callable[..., Any]:

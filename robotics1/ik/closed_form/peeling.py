@@ -14,6 +14,7 @@ import numpy as np
 import sympy
 
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
+from robotics1.ik.closed_form.links import from_the_first_joint
 from robotics1.ik.closed_form.one_polynomial import NoEquation, least_polynomial, shortest_two
 from robotics1.ik.closed_form.one_unknown import ROUNDING, OneUnknown, Solved, read, solve_one, solve_pair, turned
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
@@ -67,6 +68,14 @@ class Peeling:
     def begin(self, R: Matrix) -> None:
         """Begin with these axes of the last link in the first."""
         R, p = self._named(R, self.part.p)
+        first = self.part.links.steps[0]
+        if any(
+            f * f - self.chain.trig_ring.constant(1) for f in first.R.flat if f
+        ):  # a base at an angle: each entry would be a sum of three
+            turned, moved = first.R.T @ R, first.R.T @ (p - first.p)
+            if self._known(np.column_stack([turned, moved])) == self._known(np.column_stack([R, p])):
+                R, p = self._named(turned, moved)
+                self.part = replace(self.part, links=from_the_first_joint(self.chain, self.part.links))
         self.part = replace(self.part, R=R, p=p)
 
     def solve(self) -> tuple[JointFormula, ...]:
