@@ -10,7 +10,7 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.ik.closed_form.in_the_target import InTheTarget
-from robotics1.ik.closed_form.peeling import JointFormula
+from robotics1.ik.closed_form.joint_formula import JointFormula
 from robotics1.ik.closed_form.source import c_source, latex_source, matlab_source, python_source
 from robotics1.ik.closed_form.words import sentences
 from robotics1.inputs import Array
