@@ -5,14 +5,13 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import sympy
-from sympy.printing.c import C99CodePrinter
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.octave import OctaveCodePrinter
 
 from robotics1.ik.closed_form.named_parts import in_named_parts
 from robotics1.names import printable
 from robotics1.symbolic.writing.decimals import lengths_in
-from robotics1.symbolic.writing.other_languages import MATLAB_WORDS, identifier
+from robotics1.symbolic.writing.other_languages import MATLAB_WORDS, c_printer, identifier
 from robotics1.symbolic.writing.printing import INDENT, USED, latex_text, spelled
 
 if TYPE_CHECKING:
@@ -71,7 +70,7 @@ def c_source(formulas: "IKFormulas", name: str) -> str:
     names = spelled(formulas.robot.parameters, {*target, *joints, *C_WORDS, "solutions", name})
     names = {key: re.sub(r"[^A-Za-z0-9_]", "_", word) for key, word in names.items()}
     names = dict(zip(names, spelled(names.values(), {*target, *joints}).values(), strict=True))
-    printer = C99CodePrinter()
+    printer = c_printer()
 
     def write(e: sympy.Expr) -> str:
         return str(printer.doprint(_renamed(e, names)))
