@@ -16,10 +16,10 @@ from pages import OpenPage
 import robotics1 as r1
 from robotics1.data_sheet.asked import Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS
-from robotics1.data_sheet.formula_steps import shortened
 from robotics1.data_sheet.measures import ellipsoids
 from robotics1.data_sheet.worker import NoAnswer, Worker, written
 from robotics1.dh.named_lengths import with_named_lengths
+from robotics1.ik.closed_form.named_parts import in_named_parts
 from robotics1.names import printable
 from robotics1.tasks.given import short_form
 
@@ -197,7 +197,7 @@ def test_formulas_in_steps_are_the_formulas(rows, task):
     drawn = np.random.default_rng(3).uniform(0.2, 0.5, len(symbols))
     values = {symbol: float(x) for symbol, x in zip(symbols, drawn, strict=True)}
     known = dict(values)
-    for joint, steps in zip(joints, shortened(joints), strict=True):
+    for joint, steps in zip(joints, in_named_parts(joints, {}), strict=True):
         for name, formula in steps.named:
             assert sympy.count_ops(formula) < 60
             known[name] = sympy.N(formula.subs(known))

@@ -337,17 +337,22 @@ def test_the_source_in_matlab_gives_the_same_numbers(name):
 
 
 @pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
-def test_the_source_in_c_gives_the_same_numbers(tmp_path):
-    fam = formulas("anthropomorphic")
-    call = f"inverse_kinematics(1.5309, 1.5309, 0.25, {', '.join(map(repr, fam.robot.parameters.values()))}, q)"
+@pytest.mark.parametrize("name", ["anthropomorphic", "PRR", "ZYZ wrist"])  # acos; π − asin; entries of R
+def test_the_source_in_c_gives_the_same_numbers(name, tmp_path):
+    fam = formulas(name)
+    target = fam.task.value(fam.robot, [0.4, 0.9, 0.7])
+    flat = np.asarray(target, dtype=float).ravel()
+    given_numbers = [*(sign * flat[place] for place, sign in fam.places), *fam.robot.parameters.values()]
+    call = f"inverse_kinematics({', '.join(repr(float(value)) for value in given_numbers)}, q)"
     main = (
-        f"#include <stdio.h>\n{fam.c()}\nint main(void) {{ double q[4][3]; int n = {call};"
+        f"#include <stdio.h>\n{fam.c()}\nint main(void) {{ double q[{len(fam)}][3]; int n = {call};"
         ' for (int i = 0; i < n; i++) printf("%.12f %.12f %.12f\\n", q[i][0], q[i][1], q[i][2]); return 0; }\n'
     )
     (tmp_path / "main.c").write_text(main)
-    subprocess.run(["cc", "-std=c99", "main.c", "-lm", "-o", "main"], cwd=tmp_path, check=True)
+    strict = ["-std=c99", "-pedantic", "-Wall", "-Werror"]
+    subprocess.run(["cc", *strict, "main.c", "-lm", "-o", "main"], cwd=tmp_path, check=True)
     printed = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout
-    assert np.loadtxt(printed.splitlines()) == pytest.approx(fam.at([1.5309, 1.5309, 0.25]))
+    assert np.loadtxt(printed.splitlines()) == pytest.approx(fam.at(target))
 
 
 def test_latex_and_words_have_a_line_for_each_joint():
@@ -380,3 +385,19 @@ def test_conditions_are_written_as_in_a_book():
     assert "|(l3·sin(phi) − y)/l2| ≤ 1" in text
     assert "Abs" not in text
     assert "q2 is free where q3 = 0" in ik_formulas(load_robot("cylindrical"), PositionTask()).explain()
+
+
+def test_long_formulas_have_names_and_two_solutions_a_sign():
+    lines = ik_formulas(arm("planar_2r"), XY).explain().splitlines()
+    assert lines[1:4] == [
+        "  q2 = ±acos(c2), where |c2| ≤ 1",
+        "    c2 = −(l1² + l2² − x² − y²)/(2·l1·l2)",
+        "    the two are one where |c2| = 1",
+    ]
+    text = ik_formulas(ur5(), PoseTask()).explain()
+    assert max(map(len, text.splitlines())) < 160
+    offset = ik_formulas(dh(R(0, H, 0.4), R(0.8, 0, 0.2), R(0.7, 0, 0)), XYZ)
+    assert "q1 = atan2(−x, y) ± acos(−0.2/sqrt(x² + y²)), where x² + y² ≥ 0.04" in offset.explain()
+    assert r"\pm \operatorname{acos}" in offset.latex()
+    assert "(0.8 + 0.7·cos(q3))" in offset.explain()  # metres, as in the table
+    assert "q2 is free" not in offset.explain()  # 0.8² + 0.7² + 2 · 0.8 · 0.7 cos q3 has no zero

@@ -6,17 +6,17 @@ import numpy as np
 import sympy
 
 from robotics1.data_sheet.asked import UNLIMITED, Answer, Asked, open_slides
-from robotics1.data_sheet.formula_steps import Steps, shortened
 from robotics1.data_sheet.markup import equation, escaped, folded, note, paragraphs, table
 from robotics1.errors import FormulaError, TaskError
 from robotics1.ik.closed_form.family import IKFormulas
 from robotics1.ik.closed_form.find import ik_formulas
-from robotics1.ik.closed_form.peeling import JointFormula
+from robotics1.ik.closed_form.named_parts import NamedParts, in_named_parts
 from robotics1.ik.result import IKStatus
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solutions import ik_solutions
 from robotics1.notation import count, joint_value
 from robotics1.robot.box import joint_box
+from robotics1.symbolic.writing.decimals import lengths_in
 
 POSES = 20  # reached ones, at which solutions are counted
 COUNTING = 6.0  # s
@@ -47,21 +47,21 @@ def _formulas(found: IKFormulas) -> str:
         if "r11" in target
         else f"The target is ({target}). Joint after joint:"
     )
-    for name, joint, steps in zip(found.names, found.joints, shortened(found.joints), strict=True):
-        text += _joint(name, joint, steps)
+    parts = in_named_parts(found.joints, lengths_in(found.robot, found.task))
+    for name, joint, named in zip(found.names, found.joints, parts, strict=True):
+        text += _joint(name, str(joint.q), named)
     return text + note("Verified: these formulas were compared with Pinocchio at random q before they were printed.")
 
 
-def _joint(name: str, joint: JointFormula, steps: Steps) -> str:
+def _joint(name: str, symbol: str, parts: NamedParts) -> str:
     """Return the formulas of a joint, after what they use."""
-    symbol = str(joint.q)
     text = f"<h3>{escaped(symbol if symbol == name else f'{symbol} ({name})')}</h3>"
-    text += "".join(equation(str(u), formula) for u, formula in steps.named)
-    text += "<p>or</p>".join(equation(symbol, option) for option in steps.options)
+    text += "".join(equation(str(u), formula) for u, formula in parts.named)
+    text += "<p>or</p>".join(equation(symbol, option) for option in parts.options)
     conditions = (
-        ("It exists where", joint.exists_if, sympy.true),
-        ("The two are one where", joint.double_if, sympy.false),
-        ("It is free where", joint.free_if, sympy.false),
+        ("It exists where", parts.exists_if, sympy.true),
+        ("The two are one where", parts.double_if, sympy.false),
+        ("It is free where", parts.free_if, sympy.false),
     )
     unusual = "".join(f"<p>{label}</p>{equation('', c)}" for label, c, usual in conditions if c != usual)
     return text + (folded("When it exists", unusual) if unusual else "")

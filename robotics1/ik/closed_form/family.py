@@ -10,15 +10,16 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.ik.closed_form.in_the_target import InTheTarget
-from robotics1.ik.closed_form.peeling import JointFormula
+from robotics1.ik.closed_form.joint_formula import JointFormula
 from robotics1.ik.closed_form.source import c_source, latex_source, matlab_source, python_source
+from robotics1.ik.closed_form.words import sentences
 from robotics1.inputs import Array
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
-from robotics1.symbolic.writing.printing import line_text
 from robotics1.tasks.task import Task
 
 LONG = 80  # operations of a condition that is not expanded
+CONSISTENT = 1e-5  # [m or rad] of a target that joints have
 SHORT = 3  # joints, up to which a formula in the target alone is simplified where it is put together
 
 
@@ -138,7 +139,7 @@ class IKFormulas(Frozen):
                 for found_of, is_free in ((joint.free_if, True), (joint.double_if, False)):
                     is_short = len(self.joints) <= SHORT
                     condition = _short(branch.in_the_target(found_of)) if is_short else found_of
-                    if condition.free_symbols - self._constants:
+                    if condition.free_symbols - self.constants:
                         case = SingularTarget(condition, name, is_free)
                         found.setdefault((str(condition), name, is_free), case)
         return tuple(found.values())
@@ -157,7 +158,8 @@ class IKFormulas(Frozen):
     def at(self, target: Any) -> Array:
         """Return the solutions of a target in numbers, (k, nq), the joints of `free_joints` at zero.
 
-        There are none of a target in which one of `constraints` is more than 1e-5 from zero.
+        There are none of a target that is more than 1e-5 [m or rad] from what the arm can have; where the task has more
+        rows than joints, forward kinematics decides.
 
         Raises:
             InputError: the target has the wrong form.
@@ -166,6 +168,9 @@ class IKFormulas(Frozen):
         found = self.function()([sign * flat[n] for n, sign in self.places])
         q = np.zeros((len(found), self.robot.nq))
         q[:, [self.robot.joint_names.index(name) for name in self.in_order]] = found
+        if len(self.joints) < self.task.rows:
+            errors = [np.abs(self.task.error(self.robot, p, target)).max() for p in q]
+            q = q[np.array(errors) <= CONSISTENT] if len(q) else q
         return q
 
     def function(self) -> Callable[..., Any]:
@@ -176,21 +181,7 @@ class IKFormulas(Frozen):
 
     def explain(self) -> str:
         """Return the formulas with their conditions, the singular targets and the free joints, in sentences."""
-        lines = [
-            f"{len(self)} solution{'' if len(self) == 1 else 's'} of {self.robot.name}, one joint after the other:"
-        ]
-        for name, joint in zip(self.names, self.joints, strict=True):
-            options = " or ".join(line_text(option) for option in joint.options)
-            condition = "" if joint.exists_if == sympy.true else f", where {_sentence(joint.exists_if)}"
-            lines.append(f"  {name} = {options}{condition}")
-            if joint.free_if != sympy.false and joint.free_if.free_symbols - self._constants:
-                lines.append(f"    {name} is free where {_sentence(joint.free_if)}")
-            if joint.double_if != sympy.false:
-                lines.append(f"    the two are one where {_sentence(joint.double_if)}")
-        lines += [f"  a target must have {line_text(e)} = 0" for e in self.constraints]
-        if self.free_joints:
-            lines.append(f"  joints that do not move the task: {', '.join(self.free_joints)}")
-        return "\n".join(lines)
+        return sentences(self)
 
     def python(self, name: str = "inverse_kinematics") -> str:
         """Return the source of a function of the target's numbers that returns the solutions, (k, n), with NumPy.
@@ -212,7 +203,8 @@ class IKFormulas(Frozen):
         return matlab_source(self, name)
 
     @property
-    def _constants(self) -> set[sympy.Symbol]:
+    def constants(self) -> set[sympy.Symbol]:
+        """The symbols of the robot's named lengths and angles."""
         return {sympy.Symbol(name, real=True) for name in self.robot.parameters}
 
     def _branch(self, choice: tuple[int, ...]) -> IKBranch:
@@ -241,16 +233,3 @@ def _short(condition: Any) -> Any:
     while e.is_Pow and e.exp.is_positive:
         _, e = e.base.as_coeff_Mul()
     return sympy.Eq(e, 0)
-
-
-def _sentence(condition: Any) -> str:
-    """Return a condition as text."""
-    if isinstance(condition, sympy.And):
-        return " and ".join(sorted(map(_sentence, condition.args)))
-    if isinstance(condition, sympy.core.relational.Relational):
-        symbol = {"==": "=", "<=": "≤", ">=": "≥", "!=": "≠"}.get(condition.rel_op, condition.rel_op)
-        lhs = condition.lhs
-        if isinstance(condition, sympy.Eq) and condition.rhs == 0 and lhs.could_extract_minus_sign():
-            lhs = -lhs
-        return f"{line_text(lhs)} {symbol} {line_text(condition.rhs)}"
-    return str(condition)

@@ -5,7 +5,7 @@ joint i is fixed in links i − 1 and i; where two axes meet, the point is fixed
 joints of a spherical wrist disappear from an equation.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -95,6 +95,14 @@ def with_the_frame_as_a_link(chain: Chain, links: Links) -> Links:
     step = Step(R, p, one, origin, one[:, 2], turns=False)
     behind = [step.point_behind(point) for point in links.points[-1]]
     return Links((*links.steps, step), chain.still, (*links.points, (origin, *behind)))
+
+
+def from_the_first_joint(chain: Chain, links: Links) -> Links:
+    """Return the links with the placement of the first joint as link 0."""
+    first, (one, origin) = links.steps[0], chain.still
+    steps = (replace(first, R=one, p=origin), *links.steps[1:])
+    points = tuple(np.asarray(first.R.T @ (point - first.p)) for point in links.points[0])
+    return Links(steps, links.tool, (points, *links.points[1:]))
 
 
 def _points(chain: Chain, steps: list[Step], i: int, tool: Matrix) -> tuple[Matrix, ...]:

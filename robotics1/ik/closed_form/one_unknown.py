@@ -190,4 +190,13 @@ def _quotient(a: sympy.Expr, b: sympy.Expr) -> sympy.Expr:
 
 def _vanishes(*values: sympy.Expr) -> Any:
     """Return the condition that all values are zero; false if one never is."""
-    return sympy.And(*(sympy.false if v.is_number and v != 0 else sympy.Eq(v, 0) for v in values if v != 0))
+    return sympy.And(*(sympy.false if _is_never_zero(v) else sympy.Eq(v, 0) for v in values if v != 0))
+
+
+def _is_never_zero(e: sympy.Expr) -> bool:
+    """Whether the number in a sum is larger than its sines and cosines can be together."""
+    number, waves = e.as_coeff_Add()
+    terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(waves)] if waves != 0 else []
+    if not all(isinstance(wave, sympy.sin | sympy.cos) for _, wave in terms):
+        return False
+    return bool(abs(number) > sum(abs(size) for size, _ in terms) * (1 + SMALL))

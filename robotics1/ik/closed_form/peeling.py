@@ -8,12 +8,14 @@ Source: Paul, Robot Manipulators, 1981, chapter 3; Pieper, The kinematics of man
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import sympy
 
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
+from robotics1.ik.closed_form.joint_formula import JointFormula
+from robotics1.ik.closed_form.links import from_the_first_joint
 from robotics1.ik.closed_form.one_polynomial import NoEquation, least_polynomial, shortest_two
 from robotics1.ik.closed_form.one_unknown import ROUNDING, OneUnknown, Solved, read, solve_one, solve_pair, turned
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
@@ -24,22 +26,6 @@ from robotics1.symbolic.writing.sums_of_angles import with_decimals, written
 VANISHES = 1e-9  # a coefficient at the trial point
 Equations = tuple[OneUnknown, ...]
 Numbers = dict[sympy.Symbol, float]
-
-
-class JointFormula(NamedTuple):
-    """A joint in the target's symbols and in the joints before it.
-
-    Attributes:
-        q: its symbol.
-        options: one or two formulas.
-        exists_if, double_if, free_if: when there are any, when the two are one, and when q is not determined.
-    """
-
-    q: sympy.Symbol
-    options: tuple[sympy.Expr, ...]
-    exists_if: Any
-    double_if: Any
-    free_if: Any
 
 
 @dataclass(eq=False)
@@ -67,6 +53,12 @@ class Peeling:
     def begin(self, R: Matrix) -> None:
         """Begin with these axes of the last link in the first."""
         R, p = self._named(R, self.part.p)
+        first, one = self.part.links.steps[0], self.chain.trig_ring.constant(1)
+        if any(f * f - one for f in first.R.flat if f):  # at an angle, where each entry would be a sum of three
+            turned, moved = first.R.T @ R, first.R.T @ (p - first.p)
+            if self._known(np.column_stack([turned, moved])) == self._known(np.column_stack([R, p])):
+                R, p = self._named(turned, moved)
+                self.part = replace(self.part, links=from_the_first_joint(self.chain, self.part.links))
         self.part = replace(self.part, R=R, p=p)
 
     def solve(self) -> tuple[JointFormula, ...]:

@@ -5,12 +5,13 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import sympy
-from sympy.printing.c import C99CodePrinter
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.octave import OctaveCodePrinter
 
+from robotics1.ik.closed_form.named_parts import in_named_parts
 from robotics1.names import printable
-from robotics1.symbolic.writing.other_languages import MATLAB_WORDS, identifier
+from robotics1.symbolic.writing.decimals import lengths_in
+from robotics1.symbolic.writing.other_languages import MATLAB_WORDS, c_printer, identifier
 from robotics1.symbolic.writing.printing import INDENT, USED, latex_text, spelled
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ def c_source(formulas: "IKFormulas", name: str) -> str:
     names = spelled(formulas.robot.parameters, {*target, *joints, *C_WORDS, "solutions", name})
     names = {key: re.sub(r"[^A-Za-z0-9_]", "_", word) for key, word in names.items()}
     names = dict(zip(names, spelled(names.values(), {*target, *joints}).values(), strict=True))
-    printer = C99CodePrinter()
+    printer = c_printer()
 
     def write(e: sympy.Expr) -> str:
         return str(printer.doprint(_renamed(e, names)))
@@ -146,11 +147,15 @@ def matlab_source(formulas: "IKFormulas", name: str) -> str:
 
 
 def latex_source(formulas: "IKFormulas") -> str:
-    """Return the formulas as lines of an environment of LaTeX."""
-    lines = []
-    for joint in formulas.joints:
-        both = r" \quad\text{or}\quad ".join(latex_text(option) for option in joint.options)
-        where = "" if joint.exists_if == sympy.true else rf" && {latex_text(joint.exists_if)}"
+    """Return the formulas as lines of an environment of LaTeX, with five digits."""
+    lines, lengths = [], lengths_in(formulas.robot, formulas.task)
+    for joint, parts in zip(formulas.joints, in_named_parts(formulas.joints, lengths), strict=True):
+        lines += [f"{latex_text(name)} &= {latex_text(formula)}" for name, formula in parts.named]
+        both = r" \quad\text{or}\quad ".join(map(latex_text, parts.options))
+        if parts.halves is not None:
+            middle, half = parts.halves
+            both = rf"{'' if middle == 0 else latex_text(middle)} \pm {latex_text(half)}"
+        where = "" if parts.exists_if == sympy.true else rf" && {latex_text(parts.exists_if)}"
         lines.append(f"{latex_text(joint.q)} &= {both}{where}")
     return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}"
 

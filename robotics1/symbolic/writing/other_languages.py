@@ -1,5 +1,6 @@
 """Formulas as functions of C and MATLAB (which GNU Octave reads too): common parts are computed once."""
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -28,6 +29,11 @@ Vectors = Mapping[str, Sequence[sympy.Symbol]]
 Lengths = Mapping[str, float | None]
 
 
+def c_printer() -> C99CodePrinter:
+    """Return SymPy's printer of C99 with a number for π: M_PI belongs to POSIX, not to the language."""
+    return C99CodePrinter({"math_macros": {sympy.pi: repr(math.pi)}})
+
+
 def c_function(name: str, formula: Any, vectors: Vectors, parameters: Lengths, summary: str) -> str:
     """Return the source of a C function `void name(const double *q, double l2, ..., double *out)`.
 
@@ -36,7 +42,7 @@ def c_function(name: str, formula: Any, vectors: Vectors, parameters: Lengths, s
     """
     entries, shape = _entries(formula)
     shared, entries, words = _prepared(entries, vectors, parameters, C_WORDS | {name, "out"})
-    printer = C99CodePrinter()
+    printer = c_printer()
     arguments = [f"const double *{vector}" for vector in vectors] + [f"double {words[p]}" for p in parameters]
     values = "".join(f"\n * {words[p]} = {value!r}" for p, value in parameters.items() if value is not None)
     lines = ["#include <math.h>", "", f"/* {_comment(summary)}; out: {' x '.join(map(str, shape))}, row by row{values}"]

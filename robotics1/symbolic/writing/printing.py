@@ -221,7 +221,8 @@ def line_text(formula: Any) -> str:
     if isinstance(formula, sympy.Equality):
         return f"{line_text(formula.lhs)} = {line_text(formula.rhs)}"
     formula = _with_short_numbers(formula)
-    text = re.sub(r"\*\*([2-9])\b", lambda power: "²³⁴⁵⁶⁷⁸⁹"[int(power[1]) - 2], _Line().doprint(formula))
+    text = _Line({"full_prec": False}).doprint(formula)
+    text = re.sub(r"\*\*([2-9])\b", lambda power: "²³⁴⁵⁶⁷⁸⁹"[int(power[1]) - 2], text)
     return re.sub(r"\bpi\b", "π", text.replace("*", "·").replace("-", "−"))
 
 

@@ -9,11 +9,11 @@ from typing import Any
 import sympy
 
 from robotics1.symbolic.writing.decimals import SAME, Lengths, scale_to_lengths
-from robotics1.symbolic.writing.printing import with_decimals
+from robotics1.symbolic.writing.printing import DIGITS, with_decimals
 
 
 def readable(formula: Any, lengths: Lengths) -> Any:
-    """Return a formula with decimals for long fractions, and factors whose coefficients are lengths.
+    """Return a formula with decimals for long fractions and lengths, and factors whose coefficients are lengths.
 
     Args:
         formula: an expression, a matrix, or an equation; one with 0 on the right loses its constant factor.
@@ -24,11 +24,15 @@ def readable(formula: Any, lengths: Lengths) -> Any:
     if isinstance(formula, sympy.Equality):
         left = _parts(formula.lhs, lengths)[1] if formula.rhs == 0 else [readable(formula.lhs, lengths)]
         return sympy.Eq(sympy.Mul(*left), readable(formula.rhs, lengths), evaluate=False)
-    if not isinstance(formula, sympy.Expr) or formula.is_Add:
-        return _whole(with_decimals(formula))
+    if isinstance(formula, sympy.core.relational.Relational | sympy.And | sympy.Function) and not _is_wave(formula):
+        return formula.func(*(readable(part, lengths) for part in formula.args))
+    if not isinstance(formula, sympy.Expr) or formula.is_Atom or _is_wave(formula):
+        return _decimals(formula, lengths)
+    if formula.is_Add:
+        return _alike(sympy.Add(*(readable(term, lengths) for term in formula.args)))
     constant, factors = _parts(formula, lengths)
     # SymPy would multiply a whole number into the only sum
-    return _whole(sympy.Mul(constant, *factors, evaluate=len(factors) != 1 or constant == 1))
+    return sympy.Mul(constant, *factors, evaluate=len(factors) != 1 or constant == 1)
 
 
 def _parts(e: sympy.Expr, lengths: Lengths) -> tuple[sympy.Expr, list[sympy.Expr]]:
@@ -43,8 +47,29 @@ def _parts(e: sympy.Expr, lengths: Lengths) -> tuple[sympy.Expr, list[sympy.Expr
             constant /= scale**power
             factors.append(scaled**power)
         else:
-            factors.append(with_decimals(factor))
-    return _whole(with_decimals(constant)), factors
+            factors.append(readable(base, lengths) ** power)
+    return _decimals(constant, lengths), factors
+
+
+def _is_wave(formula: Any) -> bool:
+    return isinstance(formula, sympy.sin | sympy.cos)
+
+
+def _decimals(formula: Any, lengths: Lengths) -> Any:
+    """Return a formula with decimals for long fractions and for lengths, and 1 for 1.0."""
+    fractions = {x for x in formula.atoms(sympy.Rational) if not x.is_Integer and abs(float(x)) in lengths}
+    return _whole(with_decimals(formula.xreplace({x: sympy.Float(x, DIGITS) for x in fractions})))
+
+
+def _alike(total: sympy.Expr) -> sympy.Expr:
+    """Return a sum in which, where one coefficient is a decimal, no other is a fraction."""
+    terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(total)]
+    if not any(coefficient.is_Float for coefficient, _ in terms):
+        return total
+    fractions = {x: sympy.Float(x, DIGITS) for x, rest in terms if x.is_Rational and not x.is_Integer}
+    return sympy.Add(
+        *(fractions.get(x, x) * rest if rest == 1 or not rest.is_number else x * rest for x, rest in terms)
+    )
 
 
 def _whole(formula: Any) -> Any:
@@ -54,19 +79,19 @@ def _whole(formula: Any) -> Any:
 
 
 def _with_lengths(total: sympy.Add, lengths: Lengths) -> tuple[sympy.Expr, sympy.Expr]:
-    """Return k, and k times a sum with large whole coefficients, which are lengths then; else 1 and the sum."""
+    """Return k, and k times a sum with whole coefficients, which are lengths then; else 1 and the sum."""
     k = scale_to_lengths([total], lengths)
     if k is None:
-        return sympy.S.One, with_decimals(total)
+        return sympy.S.One, readable(total, lengths)
     largest = max((term.as_coeff_Mul()[0] for term in total.args), key=abs)
     k = k if largest > 0 else -k
-    return k, sympy.Add(*(with_decimals(k * term) for term in total.args))
+    return k, _alike(sympy.Add(*(_decimals(k * term, lengths) for term in total.args)))
 
 
 def readable_vector(column: sympy.Matrix, lengths: Lengths) -> sympy.Matrix:
-    """Return a vector of a basis, whose length is free, with lengths for large whole coefficients."""
+    """Return a vector of a basis, whose length is free, with lengths for its whole coefficients."""
     expanded = column.applyfunc(sympy.expand)
     k = scale_to_lengths(list(expanded), lengths)
     if k is None:
-        return _whole(with_decimals(column))
-    return _whole(expanded.applyfunc(lambda entry: with_decimals(sympy.expand(k * entry))))
+        return _decimals(column, lengths)
+    return expanded.applyfunc(lambda entry: _decimals(sympy.expand(k * entry), lengths))
