@@ -7,8 +7,9 @@ import pytest
 from brute_force import all_solutions, apart
 from hypothesis import given, settings, strategies as st
 
-from robotics1 import InputError, PoseTask, PositionTask, forward_kinematics, ik_solutions, robot_from_dh
+from robotics1 import InputError, PoseTask, PositionTask, forward_kinematics, ik_solutions, load_robot, robot_from_dh
 from robotics1.ik import IKStatus, SolutionSolver
+from robotics1.orientation import nearest_rotation
 
 H = pi / 2
 XYZ, POSE = PositionTask(), PoseTask()
@@ -87,6 +88,30 @@ def test_the_orthogonal_arm_has_four_solutions_and_two():
     counts = {len(ik_solutions(robot, XYZ, [x, 0, z])) for x in (2.5, 3.0) for z in (0.0, 0.5, 1.5)}
     assert 4 in counts
     assert_as_brute_force(ORTHOGONAL, XYZ, np.array([0.3, -1.2, 2.0]))
+
+
+def test_the_orthogonal_arm_has_the_four_solutions_that_wenger_prints():
+    """a1 = 1, a2 = 2, a3 = 1.5, d2 = 1 at (2.5, 0, 0.6), in degrees."""
+    found = ik_solutions(robot_of(ORTHOGONAL), XYZ, [2.5, 0, 0.6])
+    printed = [
+        [-164.56, -170.02, -12.89],
+        [-101.52, -158.19, 104.88],
+        [-50.92, -46.17, 141.16],
+        [10.13, -22.33, -106.28],
+    ]
+    assert np.degrees(found.q) == pytest.approx(np.array(printed), abs=0.02)
+    assert (found.complete, found.status) == (True, IKStatus.FINITE)
+
+
+def test_a_ur5_has_eight_solutions_among_them_the_printed_one():
+    """A frame of three digits from the tests of compas_fab, whose x axis is the tool's z axis here."""
+    robot, T = load_robot("ur5"), np.eye(4)
+    z, x = np.array([0.371, -0.292, -0.882]), -np.array([0.113, 0.956, -0.269])
+    T[:3, :3] = nearest_rotation(np.column_stack([x, np.cross(z, x), z]), tolerance=0.01).rotation
+    T[:3, 3] = 0.381, 0.093, 0.382
+    found = ik_solutions(robot, POSE, T)
+    assert (len(found), len(set(found.labels)), found.complete) == (8, 8, True)
+    assert apart("RRRRRR", np.array([0.022, 4.827, 1.508, 1.126, 1.876, 3.163]), found.q).min() < 2e-3
 
 
 @given(st.integers(0, 100_000), st.sampled_from([2, 3]))

@@ -207,3 +207,17 @@ def test_a_prismatic_joint_without_limits_has_no_bound_and_goes_as_far_as_it_mus
     found = reached(slide, PositionTask(), target)
     assert forward_kinematics(slide, found.q).translation == pytest.approx(target, abs=1e-6)
     assert abs(found.q[1]) == pytest.approx(2, abs=0.7)
+
+
+@pytest.mark.parametrize("far", [1e160, 1e308])
+@pytest.mark.parametrize(
+    ("name", "task"), [("six_r", PoseTask()), ("general", PoseTask()), ("spatial", XYZ), ("planar_2r", PoseTask())]
+)
+def test_a_target_whose_square_is_no_number_is_out_of_reach(name, task, far):
+    rows = [("R", *row, 0) for row in np.random.default_rng(3).uniform(-1, 1, (6, 3)).round(3)]
+    robot = robot_from_dh(rows) if name == "general" else arm(name)
+    T = np.eye(4)
+    T[0, 3] = far
+    found = ik_solutions(robot, task, T[:3, 3] if task is XYZ else T)
+    assert (found.status, found.complete) == (IKStatus.UNREACHABLE, True)
+    assert found.error_norm == pytest.approx(far)

@@ -148,6 +148,5 @@ def _of_own_joints(squares: Sequence[ClosedForm], chain: FixedChain, rows: Seque
 
 def _still(longer: FixedChain, x: Array, goal: Array, n: int) -> npt.NDArray[np.bool_]:
     """Return in which solutions (k, ...) all joints after the first n stand at 0."""
-    unit = longer.length + float(np.linalg.norm(goal[:3, 3] - longer.P[0][:3, 3])) or 1.0
-    added = np.where(longer.prismatic[n:], x[:, n:] / unit, np.sin(0.5 * x[:, n:]))
+    added = np.where(longer.prismatic[n:], x[:, n:] / longer.unit(goal), np.sin(0.5 * x[:, n:]))
     return np.asarray(np.abs(added).max(axis=1, initial=0.0) < STILL)

@@ -35,9 +35,13 @@ class FixedChain:
     coordinate: tuple[int, ...]
     length: float
 
+    def unit(self, goal: Array) -> float:
+        """Return the length of the arm and of its way to a goal [m], whose square may be no number."""
+        return self.length + float(np.hypot.reduce(goal[:3, 3] - self.P[0][:3, 3])) or 1.0
+
     def scaled(self, goal: Array) -> tuple[list[Array], Array, float]:
         """Return the placements and a goal, (4, 4), with lengths of about 1, and what is one of them [m]."""
-        unit = self.length + float(np.linalg.norm(goal[:3, 3] - self.P[0][:3, 3])) or 1.0
+        unit = self.unit(goal)
         scale = np.ones((4, 4))
         scale[:3, 3] = unit
         return [P / scale for P in self.P], goal / scale, unit
@@ -67,7 +71,7 @@ class FixedChain:
         Some rows of (p_d − p, log3(R_d Rᵀ)) vanish there. The rotation that is missing is small, so that it is read
         from the skew part of R_d Rᵀ.
         """
-        length = self.length + float(np.linalg.norm(goal[:3, 3] - self.P[0][:3, 3])) or 1.0
+        length = self.unit(goal)
         row_units = np.array([length] * 3 + [1.0] * 3)[list(rows)]
         units = np.where(self.prismatic, length, 1.0)
         best, least = x, np.full(len(x), np.inf)
