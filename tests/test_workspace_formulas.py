@@ -1,5 +1,6 @@
 """Formulas of workspaces: those of the books, and numbers at other lengths."""
 
+from cmath import exp
 from math import atan2, cos, pi, radians
 
 import pytest
@@ -138,3 +139,32 @@ def test_an_arm_of_skew_axes_has_no_formula_and_is_told_so():
     limited = [("R", "d", pi / 2, 0, 0), ("R", "l1", 0, 0, 0), ("R", "l2", 0, 0, 0)]
     with pytest.raises(r1.TaskError, match="no formula is known"):
         workspace_formulas(named(limited, lower=[-1, -1, 0.1], upper=[1, 1, 2]), XYZ)
+
+
+BENT = abs(0.5 + 0.3 * exp(1.2j) + 0.15 * exp(2.4j))  # two joints at 1.2 rad
+
+
+def test_three_links_with_limits_are_nearest_where_the_last_two_are_bent_most():
+    known = workspace_formulas(links(3, lower=[-0.5] * 3, upper=[1.2] * 3), XY)
+    assert known.number(known.r_min) == pytest.approx(BENT, rel=1e-12)
+    assert str(known.r_max) == "l1 + l2 + l3"
+    assert known.area is None
+    assert known.conditions[0] == "r_min holds where q2 = q2_max and q3 = q3_max."
+
+
+def test_three_links_of_which_the_first_turns_fully_have_the_area_of_their_annulus():
+    known = workspace_formulas(links(3, lower=[-3.2, -0.5, -0.5], upper=[3.2, 1.2, 1.2]), XY)
+    assert known.number(known.area) == pytest.approx(pi * (0.95**2 - BENT**2), rel=1e-12)
+
+
+def test_a_circle_along_two_strokes_is_a_rounded_rectangle():
+    """s t + 2 R (s + t) + π R²."""
+    text = """<robot name="ppr"><link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="tool"/>
+    <joint name="q1" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="1 0 0"/>
+    <limit lower="0" upper="2" velocity="1" effort="1"/></joint>
+    <joint name="q2" type="prismatic"><parent link="b"/><child link="c"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="0.5" velocity="1" effort="1"/></joint>
+    <joint name="q3" type="continuous"><parent link="c"/><child link="d"/><axis xyz="0 0 1"/></joint>
+    <joint name="end" type="fixed"><parent link="d"/><child link="tool"/><origin xyz="0.3 0 0"/></joint></robot>"""
+    known = workspace_formulas(r1.load_robot(text), XY)
+    assert known.number(known.area) == pytest.approx(2 * 1.5 + 2 * 0.3 * 3.5 + pi * 0.3**2, rel=1e-12)

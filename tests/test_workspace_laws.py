@@ -34,6 +34,19 @@ def points_around(ws, count, seed=0):
 # --- laws
 
 
+@pytest.mark.parametrize(("seed", "joints"), [(7016, 3), (7028, 4)])
+def test_a_boundary_with_a_tiny_arc_or_another_curve_beside_it_is_closed(seed, joints):
+    """Of one an arc is 5e-5 long, of the other two edges are 1e-7 apart: their sides must be looked at from near."""
+    _, arm = drawn_chain(seed, joints)
+    ws = workspace(arm, XY)
+    q = samples(arm, 400)
+    assert all(ws.contains(XY.value(arm, x)) for x in q)
+    places = points_around(ws, 2000)
+    low, high = places.min(axis=0), places.max(axis=0)
+    share = np.mean([ws.contains(p) for p in places])
+    assert ws.area == pytest.approx(share * np.prod(high - low), rel=0.15)
+
+
 @given(SEEDS)
 def test_areas_times_solutions_are_the_integral_of_det_j(seed):
     """∫ N(p) dp = ∫ |det J| dq: no area is lost or counted twice. det J does not depend on the first joint."""

@@ -1,6 +1,7 @@
 """The regions into which critical curves divide the plane, each with the number of its solutions."""
 
 from cmath import phase
+from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from math import tau
@@ -11,6 +12,7 @@ from robotics1.workspaces.critical_curves import CriticalCurve
 from robotics1.workspaces.pieces import Piece, meeting_points
 
 BESIDE = 1e-6  # how far from a piece its sides are looked at, when the arm is one long
+NEARER = (0.1, 0.01, 0.001, 10.0, 0.3)  # times that distance, one after the other where the numbers do not agree
 PARALLEL = 1e-5  # rad between tangents that count as one
 
 
@@ -63,16 +65,37 @@ Loop = tuple[Edge, ...]
 
 
 def dividers(pieces: Iterable[Piece], count: Callable[[complex], int]) -> list[Divider]:
-    """Return the pieces on whose two sides the numbers of solutions differ."""
-    found = []
-    for piece in pieces:
-        curve = piece.curve
-        middle, across = curve.point(curve.length / 2), 1j * curve.tangent(curve.length / 2)
-        step = min(BESIDE, 0.01 * curve.size**2)
-        divider = Divider(piece, count(middle + step * across), count(middle - step * across))
-        if divider.left != divider.right:
-            found.append(divider)
-    return found
+    """Return the pieces on whose two sides the numbers of solutions differ.
+
+    Once around a vertex the changes of the number make up 0. Where they do not, another curve is nearer to a piece than
+    the points at which its sides were looked at, or these are too near to it; so other points are taken there.
+    """
+    listed = list(pieces)
+    found = [_divider(piece, count, 1.0) for piece in listed]
+    for nearer in NEARER:
+        open_at = _unbalanced(found)
+        if not open_at:
+            break
+        for i, piece in enumerate(listed):
+            if piece.start in open_at or piece.end in open_at:
+                found[i] = _divider(piece, count, nearer)
+    return [divider for divider in found if divider.left != divider.right]
+
+
+def _divider(piece: Piece, count: Callable[[complex], int], nearer: float) -> Divider:
+    curve = piece.curve
+    middle, across = curve.point(curve.length / 2), 1j * curve.tangent(curve.length / 2)
+    step = nearer * min(BESIDE, 0.01 * curve.size**2 / min(curve.radius, 1.0))
+    return Divider(piece, count(middle + step * across), count(middle - step * across))
+
+
+def _unbalanced(divided: Iterable[Divider]) -> set[int]:
+    """Return the vertices around which the changes of the number of solutions do not make up 0."""
+    change: Counter[int] = Counter()
+    for divider in divided:
+        change[divider.piece.start] += divider.left - divider.right
+        change[divider.piece.end] -= divider.left - divider.right
+    return {vertex for vertex, total in change.items() if total}
 
 
 def loops(divided: Iterable[Divider]) -> list[Loop]:

@@ -5,7 +5,7 @@ lengths from k on.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from math import pi, tau
 from typing import Any
@@ -82,11 +82,11 @@ class PlaneFormulas:
             self._mean(self.speed_squared(k), [self.q[self.joints[j].number] for j in turning if j > k])
             for k in turning
         ]
-        return [_root(a - b) for a, b in zip(sums, [*sums[1:], 0], strict=True)]
+        return [root_of(a - b) for a, b in zip(sums, [*sums[1:], 0], strict=True)]
 
-    def centre(self) -> list[Any]:
-        """Return where the first joint of the chain, a revolute one, is in the plane."""
-        return [self._mean(row, [self.q[self.joints[0].number]]) for row in self.value]
+    def centre(self, k: int = 0) -> list[Any]:
+        """Return where joint k of the chain, a revolute one, is in the plane: that of the first does not move."""
+        return [self._mean(row, [self.q[self.joints[k].number]]) for row in self.value]
 
     def squared_mean(self, k: int, over: int) -> Any:
         """Return the mean of |∂p/∂qₖ|² over the angle of a joint of the chain."""
@@ -98,7 +98,7 @@ class PlaneFormulas:
         return sympy.simplify(sympy.expand(sum(values) / len(picks)))
 
 
-def _root(square: Any) -> Any:
+def root_of(square: Any) -> Any:
     """Return the root of a square of a length, whose names are positive."""
     square = sympy.factor(sympy.simplify(square))
     positive = {s: sympy.Symbol(s.name, positive=True) for s in square.free_symbols if "_m" not in s.name}
@@ -113,7 +113,7 @@ def closed_form(arm: PlaneFormulas) -> ClosedForm | None:
         return _links(arm)
     cases: dict[str, Callable[[PlaneFormulas], ClosedForm | None]] = {
         "RR": _about_the_first, "RP": _about_the_first, "PP": _parallelogram, "PR": _swept_circle, "PRR": _swept_circle,
-        "RPR": _slide_between_turns, "RRP": _slide_after_turns,
+        "RPR": _slide_between_turns, "RRP": _slide_after_turns, "PPR": _swept_along_two,
     }  # fmt: skip
     return cases[arm.kinds](arm) if arm.kinds in cases else None
 
@@ -137,7 +137,7 @@ def _about_the_first(arm: PlaneFormulas) -> ClosedForm | None:
     q2, joint = arm.q[arm.joints[1].number], arm.joints[1]
     square = arm.speed_squared(0)
     low, high = ({q2: arm.end(1, name)} for name in ("min", "max"))
-    ends = [_root(sympy.simplify(square.subs(low))), _root(sympy.simplify(square.subs(high)))]
+    ends = [root_of(sympy.simplify(square.subs(low))), root_of(sympy.simplify(square.subs(high)))]
     if joint.revolute:
         lengths = arm.lengths()
         if (
@@ -151,10 +151,8 @@ def _about_the_first(arm: PlaneFormulas) -> ClosedForm | None:
         crosses = stretched or folded
     else:
         foot = sympy.solve(sympy.diff(square, q2), q2)[0]
-        lengths = [_root(sympy.simplify(square.subs(q2, foot)))]
-        if not foot.is_number:
-            return None
-        crosses = joint.lower < float(foot) < joint.upper
+        lengths = [root_of(sympy.simplify(square.subs(q2, foot)))]
+        crosses = joint.lower < arm.number(foot) < joint.upper
         outer = sympy.Max(*ends)
         inner = lengths[0] if crosses else sympy.Min(*ends)
     first = arm.joints[0]
@@ -204,7 +202,7 @@ def _inside(joint: PlanarJoint, angle: float) -> bool:
 
 def _slide_between_turns(arm: PlaneFormulas) -> ClosedForm | None:
     """Return the annulus of a circle of full turns whose centre is at distances c(q2) from the first joint."""
-    link = _root(arm.speed_squared(2))
+    link = root_of(arm.speed_squared(2))
     square = sympy.simplify(arm.squared_mean(0, 2) - link**2)
     return _annulus_of_two(arm, 1, square, link)
 
@@ -212,7 +210,7 @@ def _slide_between_turns(arm: PlaneFormulas) -> ClosedForm | None:
 def _slide_after_turns(arm: PlaneFormulas) -> ClosedForm | None:
     """Return the annulus of a link that turns fully, and a tip at distances t(q3) from its end."""
     square = sympy.simplify(arm.speed_squared(1))
-    link = _root(sympy.simplify(arm.squared_mean(0, 1) - square))
+    link = root_of(sympy.simplify(arm.squared_mean(0, 1) - square))
     return _annulus_of_two(arm, 2, square, link)
 
 
@@ -221,11 +219,11 @@ def _annulus_of_two(arm: PlaneFormulas, slide: int, square: Any, link: Any) -> C
     joint = arm.joints[slide]
     q = arm.q[joint.number]
     foot = sympy.solve(sympy.diff(square, q), q)[0]
-    if not foot.is_number or not all(j.circular for j in arm.joints if j.revolute):
+    if not all(j.circular for j in arm.joints if j.revolute):
         return None
-    ends = [_root(sympy.simplify(square.subs(q, arm.end(slide, name)))) for name in ("min", "max")]
-    crosses = joint.lower < float(foot) < joint.upper
-    least = _root(sympy.simplify(square.subs(q, foot))) if crosses else sympy.Min(*ends)
+    ends = [root_of(sympy.simplify(square.subs(q, arm.end(slide, name)))) for name in ("min", "max")]
+    crosses = joint.lower < arm.number(foot) < joint.upper
+    least = root_of(sympy.simplify(square.subs(q, foot))) if crosses else sympy.Min(*ends)
     most = sympy.Max(*ends)
     inner, outer = sympy.Max(0, least - link, link - most), link + most
     return ClosedForm(inner, outer, sympy.pi * (outer**2 - inner**2), (link,))
@@ -248,3 +246,17 @@ def _swept_circle(arm: PlaneFormulas) -> ClosedForm | None:
     hole = sympy.Piecewise((lens, s < 2 * inner), (0, True))
     words = (f"There is no void if the stroke {s} is at least {2 * inner}.",)
     return ClosedForm(None, None, 2 * outer * s + sympy.pi * outer**2 - hole, tuple(lengths), words)
+
+
+def _swept_along_two(arm: PlaneFormulas) -> ClosedForm | None:
+    """Return the area of a full circle along two strokes s, t: s t |sin| + 2R(s + t) + πR², if it leaves no void."""
+    if not arm.joints[2].circular:
+        return None
+    plane = _parallelogram(replace(arm, joints=arm.joints[:2]))
+    a, b = (arm.value.diff(arm.q[joint.number]) for joint in arm.joints[:2])
+    s, t, radius = arm.stroke(0), arm.stroke(1), arm.lengths()[0]
+    diagonal = sympy.sqrt(s**2 + t**2 + 2 * s * t * sympy.Abs(sympy.simplify((a.T * b)[0])))
+    if 2 * arm.number(radius) > arm.number(diagonal):
+        return None
+    words = (f"It holds if there is no void: 2*{radius} is at most {diagonal}.",)
+    return ClosedForm(None, None, plane.area + 2 * radius * (s + t) + sympy.pi * radius**2, (radius,), words)

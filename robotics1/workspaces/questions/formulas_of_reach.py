@@ -21,6 +21,7 @@ from robotics1.tasks.task import Task
 from robotics1.workspaces.find import workspace
 from robotics1.workspaces.questions.closed_forms import ClosedForm, PlaneFormulas, closed_form
 from robotics1.workspaces.questions.forms_in_space import TurnedPlane, form_in_space, without_sign
+from robotics1.workspaces.questions.forms_of_radii import form_of_radii
 from robotics1.workspaces.reading import ReadArm, moving_point, plane_beside_axis, read_arm
 
 AGREE = 1e-9  # relative, between a formula and the exact workspace
@@ -64,7 +65,8 @@ def workspace_formulas(
     """Return the radii and the area or volume of a workspace as formulas.
 
     Known are: planar arms of revolute joints that turn fully, r from Max(0, 2 l_max − Σ l) to Σ l; RR with limits and
-    RP, from the extremes of r(q2); RPR and RRP that turn fully; PP; PR and PRR along a stroke; these times a slide
+    RP, from the extremes of r(q2); RPR and RRP that turn fully; PP; PR, PRR and PPR along strokes; the radii of any
+    other planar chain that begins to turn, with limits, and its area if it is an annulus; these times a slide
     across their plane (SCARA, cylindrical, gantry); the spherical shells of anthropomorphic and polar arms,
     4/3 π (R³ − r³), with q1 limited too, also where the shoulder is beside the axis of joint 1 in the arm's plane or
     across it; the sector of a shell of a polar arm with limits. Each formula is compared with the exact workspace, at
@@ -89,7 +91,10 @@ def workspace_formulas(
         values |= {f"{q}_min": axis.lower, f"{q}_max": axis.upper}
     found = None
     if arm is not None:
-        flat = closed_form(_plane(arm, symbolic, values))
+        plane = _plane(arm, symbolic, values)
+        flat = closed_form(plane)
+        if flat is None and arm.base is None:
+            flat = form_of_radii(plane, workspace(robot, task, box=box))
         found = None if flat is None else _sized(arm, flat, symbolic, values)
     if found is None:
         raise TaskError(
