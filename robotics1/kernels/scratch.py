@@ -10,7 +10,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
-from robotics1.kernels.compilation import COMPILED
+from robotics1.kernels.compilation import COMPILED, numba
 
 Shape = int | tuple[int, ...]  # of numbers that the compiler sees
 
@@ -54,6 +54,6 @@ def _on_the_stack(of: str) -> Callable[..., Any]:
     return stack
 
 
-if COMPILED:
+if COMPILED and not numba.config.DISABLE_JIT:
     globals()["scratch"] = _on_the_stack("float64")
     globals()["scratch_indices"] = _on_the_stack("int64")
