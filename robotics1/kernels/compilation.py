@@ -29,7 +29,7 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
             fifth of its time.
         inner: only other kernels call it: the way in from Python, a seventh of the compilation, is left out.
-            Unless it makes arrays, it counts no references to its arrays, which would take a sixth of the time.
+            Unless it makes or returns arrays, it counts no references to its arrays, which would take a sixth of the time.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
     if COMPILED:
@@ -46,7 +46,8 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         from robotics1.kernels.machine_code import MachineCode
 
         makes_arrays = not {"empty", "zeros"}.isdisjoint(function.__code__.co_names)
-        counted = {"_nrt": makes_arrays or not inner}
+        returns_arrays = "ndarray" in repr(function.__annotations__.get("return"))  # which the caller then lets go
+        counted = {"_nrt": makes_arrays or returns_arrays or not inner}
         dispatcher = numba.njit(**options, **counted)(function)
         with suppress(RuntimeError):  # "no locator available": there is no directory to write to
             dispatcher._cache = MachineCode(function)
