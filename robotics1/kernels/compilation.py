@@ -29,7 +29,7 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         inline: write the machine code into that of each caller: for the parts of a step, whose calls would take a
             fifth of its time.
         inner: only other kernels call it: the way in from Python, a seventh of the compilation, is left out.
-            Unless it makes or returns arrays, it counts no references to its arrays, which would take a sixth of the time.
+            Unless it makes or returns arrays, it counts no references, which would take a sixth of the time.
         contract: allow a·b + c in one rounding (fused), which is faster, and sums in another order; NaN stays NaN.
     """
     if COMPILED:
