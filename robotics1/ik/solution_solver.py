@@ -124,7 +124,7 @@ class SolutionSolver:
             with numbered(i):
                 careful[i] = self._carefully(listed[i]) if found is None else found
             answers[i, [INSIDE, COUNT]] = 0.0
-        inside, counts = answers[:, [INSIDE, COUNT]].T.astype(np.int64)
+        inside, counts = answers[:, INSIDE : COUNT + 1].astype(np.int64).T
         return self._batch(q, inside, counts, answers[:, ERROR].copy(), careful)
 
     def solve_at(self, target: Any, joint: str, values: npt.ArrayLike) -> IKSolutionsBatch:
@@ -156,12 +156,12 @@ class SolutionSolver:
         before, behind = moves
         q, answers = self._compiled.solve_here(before @ self._goal_of(target, self._goal) @ behind)
         q[:, :, number] = array[:, None]
-        unknown, error = answers[:, COUNT] < 0, answers[:, ERROR].copy()
-        doubt = (unknown & np.isnan(error)) | (answers[:, EDGE] < BOUNDARY)
-        answers[unknown | doubt, :ERROR] = 0.0
-        inside, counts = answers[:, [INSIDE, COUNT]].T.astype(np.int64)
-        found = {int(i): find(int(i)) for i in np.flatnonzero(doubt)}
-        missed = np.flatnonzero(unknown & ~doubt)
+        inside, counts = answers[:, INSIDE : COUNT + 1].astype(np.int64).T
+        error = answers[:, ERROR].copy()
+        doubt = np.isnan(error) | (answers[:, EDGE] < BOUNDARY)
+        missed = np.flatnonzero((counts < 0) & ~doubt)
+        found = {i: find(i) for i in np.flatnonzero(doubt).tolist()}
+        inside[doubt] = counts[doubt] = counts[missed] = 0
         error[missed] = np.inf
         later = LaterSolutions(found, missed.tolist(), find)
         return self._batch(q, inside, counts, error, found, later)

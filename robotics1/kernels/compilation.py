@@ -49,7 +49,7 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         from robotics1.kernels.one_program import KernelCompiler
 
         makes_arrays = not {"empty", "zeros"}.isdisjoint(function.__code__.co_names)
-        hands_back = "ndarray" in str(function.__annotations__["return"])  # what the caller then lets go, counted
+        hands_back = "ndarray" in repr(function.__annotations__.get("return"))  # which the caller then lets go
         counted = {"_nrt": makes_arrays or hands_back or not inner}
         dispatcher = numba.njit(pipeline_class=KernelCompiler, **options, **counted)(function)
         with suppress(RuntimeError):  # "no locator available": there is no directory to write to

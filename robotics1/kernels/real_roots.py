@@ -11,7 +11,7 @@ NEAR = 1e-3  # of a discriminant, beside its terms: roots that nearly meet are l
 NEARLY_ZERO = 1e-4  # of a polynomial at its extremes, beside its terms
 NEARLY_ZERO_AT_0 = 1e-7  # beside the largest coefficient: at t = 0 the constant is the only term
 EDGE = 1.0 + 1e-6  # where the middle ends: a root at ±1 is then found from both sides, and not missed by rounding
-SETTLED = 1e-13  # a step in a bracket behind which no other is needed: roots are polished by those who ask for them
+SETTLED = 1e-10  # a step in a bracket behind which no other is needed: roots are polished by those who ask for them
 MANY = 24  # roots that are kept
 UNKNOWN = -1  # instead of a number of roots
 
@@ -70,15 +70,18 @@ def bracketed_root(p: Array, degree: int, low: float, high: float, at_low: float
     t = 0.5 * (low + high)
     for _ in range(80):
         value, slope, _ = value_of(p, degree, t)
+        step = value / slope if slope != 0.0 else high - low
+        if abs(step) <= SETTLED:  # before the bracket is asked, whose end t may be
+            return min(max(t - step, low), high)
         if (value < 0.0) == (at_low < 0.0):
             low = t
         else:
             high = t
-        ahead = t - value / slope if slope != 0.0 else low
+        ahead = t - step
         if not low < ahead < high:
             ahead = 0.5 * (low + high)
-        if abs(ahead - t) <= SETTLED or value == 0.0:
-            return ahead if value != 0.0 else t
+        if abs(ahead - t) <= SETTLED:
+            return ahead
         t = ahead
     return t
 

@@ -25,8 +25,12 @@ def scratch_indices(shape: Shape) -> Indices:
     return np.empty(shape, dtype=np.int64)
 
 
-def _on_the_stack(of: str) -> Callable[..., Any]:
+def _on_the_stack(plain: Callable[..., Any], of: str) -> Callable[..., Any]:
     """Return what is called in compiled code instead: it makes room in the frame of the function that calls."""
+    from numba import config
+
+    if config.DISABLE_JIT:
+        return plain
     from numba.core import cgutils, types
     from numba.extending import intrinsic
     from numba.np.arrayobj import make_array, populate_array
@@ -55,5 +59,5 @@ def _on_the_stack(of: str) -> Callable[..., Any]:
 
 
 if COMPILED:
-    globals()["scratch"] = _on_the_stack("float64")
-    globals()["scratch_indices"] = _on_the_stack("int64")
+    globals()["scratch"] = _on_the_stack(scratch, "float64")
+    globals()["scratch_indices"] = _on_the_stack(scratch_indices, "int64")
