@@ -81,7 +81,7 @@ def _print_numbers(
     from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
     from robotics1.notation import vector
     from robotics1.singularities.rounding import rounded_configuration
-    from robotics1.tasks.task import unitless_factors
+    from robotics1.tasks.rows import unitless_factors
     from robotics1.terminal_tables import matrix_table
 
     if at is not None:

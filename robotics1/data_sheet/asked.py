@@ -10,7 +10,8 @@ from robotics1.notation import number
 from robotics1.results import Frozen
 from robotics1.robot.box import joint_box
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task, unitless_jacobian
+from robotics1.tasks.rows import unitless_jacobian
+from robotics1.tasks.task import Task
 
 DRAWN = 200  # configurations; one of them becomes the posture
 UNLIMITED = 1.0  # reaches, how far a slide without limits goes here to both sides

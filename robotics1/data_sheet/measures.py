@@ -11,7 +11,7 @@ from robotics1.plots.figures import new_axes
 from robotics1.singularities.scan import scan_singularities
 from robotics1.singularities.scan_result import SingularityScan
 from robotics1.tasks.position import PositionTask
-from robotics1.tasks.task import unitless_jacobian
+from robotics1.tasks.rows import unitless_jacobian
 from robotics1.viewer.arm_data import is_planar
 
 SCANNED = 100_000

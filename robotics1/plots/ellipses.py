@@ -20,6 +20,7 @@ from robotics1.robot.model import Robot
 from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipsoid
 from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.rows import constant_rows
 from robotics1.tasks.task import Task
 
 Kind = Literal["velocity", "force"]
@@ -112,10 +113,9 @@ def plot_ellipses(
 
 def _position_rows(task: Task) -> tuple[list[int], list[int]]:
     """Return which rows of the task are coordinates of the position, and of which axes."""
-    form = task.frame_map()
-    known = form is not None and form.S is not None and form.constant_rows and form.reference == "world"
-    S = np.asarray(form.S(np.zeros(3), np.eye(3)), float) if known and form is not None and form.S else np.zeros((0, 6))
-    units = [(i, k) for i, row in enumerate(S) for k in range(3) if np.array_equal(row, np.eye(6)[k])]
+    form, S = task.frame_map(), constant_rows(task)
+    known = np.zeros((0, 6)) if form is None or S is None or form.reference != "world" else S
+    units = [(i, k) for i, row in enumerate(known) for k in range(3) if np.array_equal(row, np.eye(6)[k])]
     if len(units) not in (2, 3):
         raise TaskError(
             "ellipses are drawn of two or three coordinates of a position in world axes, such as PositionTask('xy')"

@@ -22,7 +22,7 @@ from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike
-from robotics1.tasks.task import unitless_rows
+from robotics1.tasks.rows import unitless_rows
 from robotics1.trajectories.following.integration import integrated
 
 PRECISION = 1e-9  # of the integration, relative, and in radians and reaches

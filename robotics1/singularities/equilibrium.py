@@ -21,7 +21,7 @@ from robotics1.singularities.rounding import RoundedConfiguration, singularity_w
 from robotics1.singularities.spaces import RankStatus, echelon
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.pose import PoseTask
-from robotics1.tasks.task import unitless_factors, unitless_rows
+from robotics1.tasks.rows import unitless_factors, unitless_rows
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ from robotics1.inputs import Array
 from robotics1.kinematics import frame_jacobian
 from robotics1.robot.model import Robot
 from robotics1.symbolic.polynomials.time_limit import check_time
+from robotics1.tasks.rows import constant_rows
 from robotics1.tasks.task import Task
 
 
@@ -24,7 +25,7 @@ def jacobian_slopes(robot: Robot, task: Task, q: Array) -> Array:
     Source: Bruyninckx and De Schutter, Symbolic differentiation of the velocity mapping for a serial kinematic chain,
     Mechanism and Machine Theory 31, 1996.
     """
-    form, S = task.frame_map(), constant_rows(robot, task)
+    form, S = task.frame_map(), standing_rows(robot, task)
     order = None if form is None or S is None else _order_of_chain(robot, form.frame)
     if form is None or S is None or order is None:
 
@@ -43,16 +44,13 @@ def jacobian_slopes(robot: Robot, task: Task, q: Array) -> Array:
     return slopes
 
 
-def constant_rows(robot: Robot, task: Task) -> Array | None:
+def standing_rows(robot: Robot, task: Task) -> Array | None:
     """Return S, (m, 6), of a task ṙ = S V whose S is the same everywhere and whose axes stand still, else None."""
-    form = task.frame_map()
-    if form is None or form.S is None or not form.constant_rows:
-        return None
     try:
         task.check_integrable(robot)
     except TaskError:
         return None
-    return np.asarray(form.S(np.zeros(3), np.eye(3)), dtype=float)
+    return constant_rows(task)
 
 
 def _order_of_chain(robot: Robot, frame: str | None) -> list[int] | None:

@@ -18,7 +18,7 @@ from robotics1.kernels.singularity_measures import (
 )
 from robotics1.kinematics import reference_axes
 from robotics1.robot.model import Robot
-from robotics1.singularities.jacobian_slopes import constant_rows
+from robotics1.singularities.jacobian_slopes import standing_rows
 from robotics1.tasks.task import FrameMap, Task
 
 MOST_UNCOMPILED = 16_000_000  # entries of Jacobians: NumPy takes four seconds for them, as the compiler does
@@ -117,7 +117,7 @@ def measurement_of(robot: Robot, task: Task, rank: int, length: float, count: in
     if robot.nv == 0:
         return WithoutJoints()
     form = task.frame_map()
-    S = constant_rows(robot, task)
+    S = standing_rows(robot, task)
     if form is not None and S is not None:
         by_kernel = _kernel_measurement(robot, form, S, rank, length)
         return by_kernel if count is None else by_kernel.worth_compiling(count)

@@ -16,7 +16,8 @@ from robotics1.singularities.jacobian_slopes import jacobian_slopes
 from robotics1.singularities.result import SingularBranch
 from robotics1.singularities.spaces import vanishing_block
 from robotics1.symbolic.polynomials.time_limit import check_time
-from robotics1.tasks.task import Task, unitless_factors, unitless_jacobian
+from robotics1.tasks.rows import unitless_factors, unitless_jacobian
+from robotics1.tasks.task import Task
 
 ON_THE_SET = 1e-10  # σ_ρ of a configuration that is called singular, beside the usual σ₁
 MOVES = 1e-12  # σ₁ of a Jacobian without units that is not rounding

@@ -18,7 +18,7 @@ from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.spaces import RankStatus, Subspaces, subspaces_without_units, vanishing_block
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.tasks.task import unitless_factors
+from robotics1.tasks.rows import unitless_factors
 
 ROUNDS = 8  # of Newton's method, which converges quadratically from so near
 SLACK = 1e-6  # relative: how far beyond half a unit a singularity still counts as within

@@ -284,19 +284,3 @@ def turns_of(robot: Robot, task: Task) -> Array:
         return turns_of_followers(robot, [frame.name for frame in robot.own_model.frames])
     axes = [] if form.reference == "world" else [None if form.reference == "tool" else form.reference]
     return turns_of_followers(robot, [form.frame, *axes])
-
-
-def unitless_rows(robot: Robot, task: Task) -> Array:
-    """Return (m,) factors for the rows of a task: 1/reach for those in metres, else 1."""
-    return np.array([1 / robot.reach if unit == "m" else 1.0 for unit in task.row_units])
-
-
-def unitless_factors(robot: Robot, task: Task) -> Array:
-    """Return (m, nv) factors that take the units out of J: of rows in metres, and of joints that slide."""
-    columns = robot.units if robot.nq == robot.nv else np.ones(robot.nv)
-    return np.asarray(unitless_rows(robot, task)[:, None] * columns)
-
-
-def unitless_jacobian(robot: Robot, task: Task, q: ConfigurationLike) -> Array:
-    """Return J(q), (m, nv), without units: rows in metres and prismatic speeds are divided by the reach."""
-    return np.asarray(unitless_factors(robot, task) * task.jacobian(robot, q))

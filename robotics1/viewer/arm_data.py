@@ -15,7 +15,8 @@ from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.planar_pose import PlanarPoseTask
 from robotics1.tasks.pose import PoseTask
 from robotics1.tasks.position import PositionTask
-from robotics1.tasks.task import Task, unitless_jacobian, unitless_rows
+from robotics1.tasks.rows import constant_rows, unitless_jacobian, unitless_rows
+from robotics1.tasks.task import Task
 
 SAMPLES = 16  # random configurations, at which the usual σ₁ and the rank are measured
 FLAT = 1e-9  # of a rate out of the plane z = 0 that is rounding
@@ -56,14 +57,6 @@ def arm_data(robot: Robot, q: Array, task: Task | None) -> dict[str, Any]:
         "task": None if task is None else _task(robot, task),
         "chain": _chain(robot, shown_tool(robot) if task is None else _frame_of(robot, task)),
     }
-
-
-def constant_rows(task: Task) -> Array | None:
-    """Return S (m, 6) of a task ṙ = S V of one frame, with the same S everywhere: the page computes with such ones."""
-    form = task.frame_map()
-    if form is None or form.S is None or not form.constant_rows:
-        return None
-    return np.asarray(form.S(np.zeros(3), np.eye(3)), dtype=float)
 
 
 def default_task(robot: Robot) -> Task | None:

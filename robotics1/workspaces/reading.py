@@ -12,6 +12,7 @@ from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
 from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
+from robotics1.tasks.rows import constant_rows
 from robotics1.tasks.task import Task
 from robotics1.workspaces.axes import STRAIGHT, Axis, across, are_planar, axes_to, require_moving
 from robotics1.workspaces.planar_joints import CLOSED, PlanarJoint
@@ -93,11 +94,11 @@ def read_arm(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> Rea
 
 def position_rows(task: Task) -> tuple[Array, str | None]:
     """Return the directions whose coordinates the task is, (m, 3), and its frame."""
-    form = task.frame_map()
-    if form is not None and form.S is not None and form.constant_rows and form.reference == "world":
-        S = np.asarray(form.S(np.zeros(3), np.eye(3)), dtype=float)
-        if len(S) in (2, 3) and not S[:, 3:].any() and np.allclose(S[:, :3] @ S[:, :3].T, np.eye(len(S))):
-            return S[:, :3], form.frame
+    form, S = task.frame_map(), constant_rows(task)
+    if form is not None and S is not None and form.reference == "world" and len(S) in (2, 3):
+        n = S[:, :3]
+        if not S[:, 3:].any() and np.allclose(n @ n.T, np.eye(len(S))):
+            return n, form.frame
     raise TaskError(
         "a workspace is one of two or three coordinates of a point in world axes: use PositionTask('xy') of an "
         "arm in a plane, or PositionTask() of an arm in space, with point= beside the tool; a function of your own "

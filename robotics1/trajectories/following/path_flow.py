@@ -10,7 +10,8 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.named_derivatives import Side
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task, unitless_rows
+from robotics1.tasks.rows import unitless_rows
+from robotics1.tasks.task import Task
 from robotics1.trajectories.following.resolution import Resolution, Wish, resolved_acceleration, resolved_velocity
 
 SOFT = 1e-4  # σ/σ₁ below which an inverse without damping is softened; elsewhere it is exact

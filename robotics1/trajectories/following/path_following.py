@@ -17,7 +17,8 @@ from robotics1.inputs import Array, non_negative_numbers, real_array
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.tasks.task import Task, unitless_rows
+from robotics1.tasks.rows import unitless_rows
+from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, FollowingStatus
 from robotics1.trajectories.following.integration import Segment, integrated
 from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow
