@@ -40,6 +40,12 @@ class EndWalls:
                 found.append(Candidate(least, partial(self._followed_on_wall, q[i], at, point, k, least)))
         return found
 
+    def clearance(self, local: Array) -> float:
+        """Return what the distances of the open points of the grid, less their chords, are at least."""
+        points = [self._moved(local, end) for end in (self.range.lower, self.range.upper)]
+        far = np.stack([np.linalg.norm(self._grid[1] - point, axis=1) for point in points], axis=1)
+        return float(np.where(self._open, far - self._chords[:, None], np.inf).min())
+
     @cached_property
     def _grid(self) -> tuple[Array, Array, tuple[int, int]]:
         """The joints' values (k, 2), the points (k, 3), and the numbers of values of each."""

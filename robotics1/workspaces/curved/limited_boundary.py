@@ -28,7 +28,7 @@ class LimitedBoundary:
 
     def clearance(self, local: Array) -> float:
         """Return a length that the distance of a point (3,) is not below, but for what the grid does not show."""
-        return min((candidate.least for candidate in self._candidates(local)), default=np.inf)
+        return max(0.0, min(self._walls.clearance(local), self._curves.clearance(local)))
 
     def _candidates(self, local: Array) -> list[Candidate]:
         return [*self._walls.candidates(local), *self._curves.candidates(local)]

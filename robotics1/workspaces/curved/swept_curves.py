@@ -55,6 +55,14 @@ class SweptCurves:
                 found.append(Candidate(least, partial(self._followed_on_curve, curve, i, local, t, least)))
         return found
 
+    def clearance(self, local: Array) -> float:
+        """Return what the distances of the samples, less the longest chord of each curve, are at least."""
+        least = np.inf
+        for curve in self._curves:
+            chord = np.linalg.norm(np.diff(curve.z, axis=0), axis=1).max()
+            least = min(least, float((self._far(curve.z, curve.open, local) - chord).min()))
+        return least
+
     @cached_property
     def _curves(self) -> list[_Curve]:
         found = []
@@ -101,7 +109,8 @@ class SweptCurves:
         rho, angle = np.hypot(local[0], local[1]), np.arctan2(local[1], local[0])
         within = (angle - low) % tau
         turn = np.where(within <= high - low, 0.0, np.minimum(tau - within, within - (high - low)))
-        far = np.sqrt(z[:, 0] ** 2 + rho**2 - 2 * rho * z[:, 0] * np.cos(turn) + (z[:, 1] - local[2]) ** 2)
+        across = z[:, 0] ** 2 + rho**2 - 2 * rho * z[:, 0] * np.cos(turn)
+        far = np.sqrt(np.maximum(across, 0.0) + (z[:, 1] - local[2]) ** 2)
         return np.asarray(np.where(np.isnan(far), np.inf, far))
 
     def _far_from_curve(self, curve: _Curve, local: Array, whole: bool, t: Array) -> Array:
