@@ -4,6 +4,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from importlib import import_module
+from pathlib import Path
 from typing import Any, cast
 
 from robotics1.kernels.compilation import COMPILED, is_ready, threads
@@ -28,7 +29,7 @@ def compile_elsewhere(kernel: Callable[..., Any], types: str) -> None:
     code = getattr(kernel, "_cache", None)
     if not COMPILED or not hasattr(code, "holds_code") or is_ready(kernel) or threads() < 2:
         return
-    if not sys.executable or getattr(sys, "frozen", False):  # a frozen program is no interpreter
+    if not Path(sys.executable or "").stem.startswith("python"):  # a program that holds Python, such as Blender
         return
     function = cast(Any, kernel).py_func
     part = f"{function.__module__!r}, {function.__name__!r}, {types!r}"

@@ -111,7 +111,7 @@ class SampledPlace:
         return max(far - side, 0.0)
 
     def _from_boundary(self, p: npt.ArrayLike) -> tuple[float, float]:
-        """Return the distance of a point (m,), and the side of the cells it is told from [m]."""
+        """Return the distance of a point (m,), and the side of the cells, which bounds its error [m]."""
         local, inside = self.local(p), self.contains(p)
         if self.base is not None and not self.base.circular:
             return _far(self._in_space, local, inside), self._in_space.side
