@@ -57,7 +57,7 @@ def _check_parts(findings: Findings, owner: Element, element: Element) -> None:
             if meant:
                 findings.warn(owner, f"has <{part.tag}>{where}, which is not read; is <{meant[0]}> meant?", part)
         names = ATTRIBUTES.get(part.tag, ())
-        for attribute in part.attrib.keys() - set(names) if names else ():
+        for attribute in sorted(part.attrib.keys() - set(names)) if names else ():
             _check_attribute(findings, owner, part, attribute, set(names) - part.attrib.keys())
 
 
