@@ -49,19 +49,6 @@ def check_file(path: str | Path) -> None:
         raise InputError(f"{str(path)!r} cannot be written: {getattr(error, 'strerror', None) or error}") from error
 
 
-def make_folder(path: Path) -> None:
-    """Make a folder, and those above it, where there is none.
-
-    Raises:
-        InputError: something else has its name, or it must not be made there.
-    """
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"the folder {str(path)!r} cannot be made: {reason}") from error
-
-
 def _as_path(path: str | Path) -> Path:
     try:
         return Path(path)

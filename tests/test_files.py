@@ -12,7 +12,7 @@ from unittest import mock
 import pytest
 
 import robotics1 as r1
-from robotics1.files import make_folder, write_file
+from robotics1.files import write_file
 from robotics1.names import file_stem
 
 ROWS = [("R", 1.0, 0.0, 0.0, 0.0)]
@@ -225,13 +225,6 @@ def test_processes_that_write_one_page_all_succeed(tmp_path):
     assert [process.wait(timeout=60) for process in running] == [0, 0, 0]
     assert (tmp_path / "page").read_text() in [letter * 1000 for letter in "abc"]
     assert left_over(tmp_path) == ["page"]
-
-
-@posix
-def test_a_file_in_the_place_of_a_folder_is_an_input_error(tmp_path):
-    (tmp_path / "old").write_text("old")
-    with pytest.raises(r1.InputError, match="cannot be made"):
-        make_folder(tmp_path / "old" / "figures")
 
 
 @pytest.mark.parametrize(

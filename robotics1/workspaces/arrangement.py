@@ -43,11 +43,6 @@ class Edge:
         return self.divider.left if self.forward else self.divider.right
 
     @property
-    def other_count(self) -> int:
-        """The number of solutions on the right."""
-        return self.divider.right if self.forward else self.divider.left
-
-    @property
     def vertices(self) -> tuple[int, int]:
         """The numbers of the vertices that it goes from and to."""
         ends = self.divider.piece.start, self.divider.piece.end
