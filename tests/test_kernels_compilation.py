@@ -54,7 +54,8 @@ def test_half_of_a_kernel_is_compiled_by_another_process_and_found_on_disk(tmp_p
 
 @pytest.mark.sweep
 def test_where_the_other_process_fails_all_is_compiled_here(tmp_path):
-    q, _, hits = first_solver(tmp_path, "import sys\nsys.executable = '/bin/false'")
+    (tmp_path / "python").symlink_to("/bin/false")
+    q, _, hits = first_solver(tmp_path, f"import sys\nsys.executable = {str(tmp_path / 'python')!r}")
     assert hits == [0, 0]
     assert np.array(q) == pytest.approx(here(), rel=0, abs=1e-12)
 
@@ -95,3 +96,23 @@ def test_inner_kernels_are_linked_with_what_calls_them_when_compiled_and_when_re
         )  # fmt: skip
         answers.append(json.loads(done.stdout))
     assert answers == [[14.0 + 98.0, 1, 0], [14.0 + 98.0, 0, 1]]  # Σ x² + Σ x⁴; from disk, nothing is compiled
+
+
+FROM_PYTHON = """
+import numpy as np
+from robotics1.kernels.compilation import compiled
+from three_kernels import square
+
+print(compiled()(square.py_func)(3.0))
+"""
+
+
+def test_a_kernel_for_python_does_not_take_the_code_on_disk_that_only_kernels_can_call(tmp_path):
+    (tmp_path / "three_kernels.py").write_text(KERNELS)
+    (tmp_path / "from_python.py").write_text(FROM_PYTHON)
+    for program in ("three_kernels.py", "from_python.py"):
+        done = subprocess.run(
+            [sys.executable, program], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=120,
+            env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "cache")},
+        )  # fmt: skip
+    assert done.stdout.splitlines()[-1] == "9.0"

@@ -53,7 +53,7 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         counted = {"_nrt": makes_arrays or hands_back or not inner}
         dispatcher = numba.njit(pipeline_class=KernelCompiler, **options, **counted)(function)
         with suppress(RuntimeError):  # "no locator available": there is no directory to write to
-            dispatcher._cache = MachineCode(function)
+            dispatcher._cache = MachineCode(function, inner=inner)
         return cast(Function, dispatcher)
 
     return compile_later

@@ -27,12 +27,17 @@ class DamagedFile(Exception):  # noqa: N818 (it never leaves this module)
 class MachineCode(FunctionCache):  # type: ignore[misc]
     """Numba's cache of one function, which works without a file where there is no good one.
 
+    Args:
+        function: the kernel.
+        inner: whether only other kernels call it: such code has no way in from Python, which would crash in it.
+
     Raises:
         RuntimeError: there is no directory to write to.
     """
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    def __init__(self, function: Callable[..., Any], *, inner: bool) -> None:
         super().__init__(function)
+        self._inner = inner
         self.awaited: subprocess.Popen[bytes] | None = None  # the process that compiles it
         self._cache_file = CheckedFile(self._cache_path, self._impl.filename_base, _sources())
 
@@ -53,6 +58,9 @@ class MachineCode(FunctionCache):  # type: ignore[misc]
             with suppress(Exception):
                 self.flush()  # else the damaged index would stop the saving too
             return None
+
+    def _index_key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
+        return (*super()._index_key(signature, codegen), self._inner)
 
     def _wait(self) -> None:
         """Wait for another process to leave the machine code on disk; where it does not, it is compiled here."""
