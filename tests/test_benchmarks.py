@@ -186,7 +186,8 @@ def test_sampling_puts_the_tool_where_pinocchio_has_it(arm):
 
 def test_the_shares_of_a_peer_that_reaches_nothing_are_zero(arm):
     known = reachability_map(arm.robot, PoseTask(), [[0.4, 0.1, 0.3]], 4)
-    nothing = by_peer(arm, Solver(lambda target, q0: None, lambda T: T), known)
-    own = by_peer(arm, Solver(lambda target, q0: known.q[0], lambda T: T), known)
+    nothing, asked = by_peer(arm, Solver(lambda target, q0: None, lambda T: T), known, 60.0)
+    own, _ = by_peer(arm, Solver(lambda target, q0: known.q[0], lambda T: T), known, 60.0)
+    assert asked.all()
     assert not nothing.any()
     assert np.flatnonzero(own[0]).tolist() == [known.orientation[0]]  # q reaches the orientation that it belongs to

@@ -14,7 +14,7 @@ try:
 except ImportError:  # the kernels are plain Python on NumPy arrays, so they serve uncompiled: some 100 times slower
     numba = None
 
-COMPILED = numba is not None
+COMPILED = numba is not None and not numba.config.DISABLE_JIT
 log = logging.getLogger(__name__)
 KEPT = ", once; the machine code is kept for the next time"
 NOT_KEPT = ", in each process: no directory can be written to that would keep the machine code"

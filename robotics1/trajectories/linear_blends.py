@@ -1,5 +1,7 @@
 """Joints that move at constant velocities between via points, with a constant acceleration near each point."""
 
+from __future__ import annotations
+
 import numpy as np
 import numpy.typing as npt
 

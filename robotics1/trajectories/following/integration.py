@@ -7,6 +7,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from robotics1.angles import angles_of_an_iteration
 from robotics1.curves.named_derivatives import Side
 from robotics1.inputs import Array
 
@@ -27,6 +28,7 @@ class Segment:
     state: Any
 
 
+@angles_of_an_iteration()
 def integrated(
     rate: Rate,
     ends: Sequence[float],
