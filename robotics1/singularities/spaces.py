@@ -129,7 +129,7 @@ def subspaces(J: npt.ArrayLike, *, rounding: float | None = None) -> Subspaces:
 
 
 def subspaces_without_units(J: Array, scale: Array | float) -> Subspaces:
-    """Return the subspaces of a computed J (m, n). What counts as rounding is told by the singular values of
+    """Return the subspaces of a computed J (m, n). What counts as rounding follows from the singular values of
     `scale` * J, which has no units: so the rank of metres beside radians does not depend on the unit of length.
     """
     sigma = np.linalg.svd(scale * J, compute_uv=False)
