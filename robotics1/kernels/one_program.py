@@ -73,7 +73,7 @@ class InnerCode(JITCodeLibrary):  # type: ignore[misc]
 
     @property
     def codegen(self) -> "InnerCode":
-        """Return what Numba hands the environment of the function to: code that runs without the interpreter reads none."""
+        """Return what Numba hands the environment to; code that runs without the interpreter reads none."""
         return self
 
     def set_env(self, name: str, environment: object) -> None:
