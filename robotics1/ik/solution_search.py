@@ -81,7 +81,7 @@ class SolutionSearch(TaskDescent):
         return bool(np.all(free | ((q > box.lower + margin) & (q < box.upper - margin))))
 
     def stands_alone(self, q: Array) -> bool:
-        """Whether a double solution is seen to be on no curve of solutions: a fold, as of a stretched arm.
+        """Return whether no curve of solutions goes through a double one: a stretched arm has such a fold.
 
         With J v = 0 and uᵀ J = 0 a curve q + t v + O(t²) of solutions needs uᵀ (dJ/dv) v = 0.
         """
