@@ -48,3 +48,11 @@ def test_limits_that_are_none_are_refused(make, limits, sentence):
 def test_limits_in_degrees_are_asked_about(make):
     with pytest.warns(r1.RobotWarning, match=r"a limit has the angle -170, .* write radians\(-170\)"):
         make(lower=[-170, None], upper=[170, None])
+
+
+def test_a_limit_of_45_may_be_in_degrees_and_one_of_30_is_some_turns(recwarn):
+    rows = [("R", 1, 0, 0, 0)]
+    r1.robot_from_dh(rows, lower=[-30], upper=[30])
+    assert not recwarn
+    with pytest.warns(r1.RobotWarning, match=r"write radians\(45\)"):
+        r1.robot_from_dh(rows, lower=[-1], upper=[45])
