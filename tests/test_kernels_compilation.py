@@ -116,3 +116,20 @@ def test_a_kernel_for_python_does_not_take_the_code_on_disk_that_only_kernels_ca
             env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "cache")},
         )  # fmt: skip
     assert done.stdout.splitlines()[-1] == "9.0"
+
+
+def test_a_kernel_calls_its_own_copies_of_functions_so_that_it_rounds_as_it_does_alone():
+    from llvmlite.binding import Linkage
+    from numba import njit
+
+    from robotics1.kernels.one_program import KernelCompiler
+
+    options = {"pipeline_class": KernelCompiler, "nogil": True, "no_cfunc_wrapper": True}
+    inner = njit(**options, no_cpython_wrapper=True)(lambda x: np.sin(x) * np.linalg.det(np.eye(3)))
+    kernel = njit(**options)(lambda x: inner(x) + inner(2 * x))
+    assert kernel(0.5) == pytest.approx(np.sin(0.5) + np.sin(1.0), rel=1e-15)
+    (program,) = (compiled.library for compiled in kernel.overloads.values())
+    shared = {Linkage.linkonce_any, Linkage.linkonce_odr, Linkage.weak_any, Linkage.weak_odr}
+    functions = [each for each in program._final_module.functions if not each.is_declaration]
+    assert functions
+    assert not [each.name for each in functions if each.linkage in shared]

@@ -7,6 +7,7 @@ Python calls is optimized and translated together with them, once. It runs as fa
 
 from typing import Any
 
+from llvmlite.binding import Linkage
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags
 from numba.core.compiler_machinery import PassManager
@@ -40,8 +41,9 @@ class KernelCompiler(CompilerBase):  # type: ignore[misc]
     def define_pipelines(self) -> list[PassManager]:
         """Return the one pipeline, as Numba asks for it."""
         state = self.state
-        if state.library is None and state.flags.no_cpython_wrapper:
-            state.library = InnerCode(state.targetctx.codegen(), state.func_id.func_qualname)
+        if state.library is None:
+            code = InnerCode if state.flags.no_cpython_wrapper else WholeProgram
+            state.library = code(state.targetctx.codegen(), state.func_id.func_qualname)
             state.library.enable_object_caching()
         usual = DefaultPassBuilder.define_nopython_pipeline(state)
         pipeline = PassManager(usual.pipeline_name)
@@ -66,6 +68,20 @@ class SharedFlags(Flags):  # type: ignore[misc]
 
     def __hash__(self) -> int:
         return hash(self.handed_on)
+
+
+class WholeProgram(JITCodeLibrary):  # type: ignore[misc]
+    """What Python calls, with copies of all it calls that are its own.
+
+    Otherwise the loader takes for each function the copy of the kernel that was loaded first; as this one was optimized
+    with other callers, it rounds otherwise, and the last digits of an answer depend on what was asked before.
+    """
+
+    def _optimize_final_module(self) -> None:
+        for function in self._final_module.functions:
+            if not function.is_declaration and function.linkage == Linkage.linkonce_odr:
+                function.linkage = Linkage.internal
+        super()._optimize_final_module()
 
 
 class InnerCode(JITCodeLibrary):  # type: ignore[misc]
