@@ -18,6 +18,7 @@ from robotics1.names import printable
 if TYPE_CHECKING:
     from robotics1.inputs import Array
     from robotics1.robot.model import Robot
+    from robotics1.viewer.page import Page
 
 
 class PlainConsole(Console):
@@ -105,6 +106,11 @@ def write_json(answer: Any) -> None:
     sys.stdout.write("\n")
 
 
+def attributes(found: Any, names: str) -> dict[str, Any]:
+    """Return attributes of an answer by their names, which a text lists."""
+    return {name: getattr(found, name) for name in names.split()}
+
+
 def plain(value: Any) -> Any:
     """Return a value made of what JSON knows; NaN and infinity become null."""
     import numpy as np
@@ -121,13 +127,6 @@ def plain(value: Any) -> Any:
     if isinstance(value, np.bool_ | np.integer):
         return value.item()
     return value
-
-
-def in_degrees(robot: Robot, q: Array, degrees: bool) -> Array:
-    """Return q for printing: its angles in degrees where asked."""
-    import numpy as np
-
-    return np.where(robot.revolute, np.degrees(q), q) if degrees else q
 
 
 def units(robot: Robot) -> list[str]:
@@ -150,6 +149,18 @@ def say_outside_limits(console: Console, robot: Robot, q: Array) -> None:
     for name, value, low, high in zip(joint_names(robot), q, robot.lower, robot.upper, strict=True):
         if not low - 1e-9 <= value <= high + 1e-9:
             console.print(f"{name} = {value:.4g} is outside its limits [{low:.4g}, {high:.4g}]", style="yellow")
+
+
+def say_written(page: Page, *, json: bool, show: bool) -> None:
+    """Print the file of a page, and open it in the browser where asked."""
+    if json:
+        write_json({"files": [str(page.file)]})
+    else:
+        PlainConsole().print(f"wrote {page.file}", soft_wrap=True)
+    if show and page.file is not None:
+        import webbrowser
+
+        webbrowser.open(page.file.resolve().as_uri())
 
 
 @contextmanager
