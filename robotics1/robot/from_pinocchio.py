@@ -10,14 +10,12 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import InputError
-from robotics1.robot.building import build_model
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.frames import tool_frame
 from robotics1.robot.joints import Joint, Triple, placed
 from robotics1.robot.model import Robot
 from robotics1.robot.model_checks import check_limits, check_model
-from robotics1.robot.parameters import Parameters
-from robotics1.robot.urdf import Link, element, urdf_text
+from robotics1.robot.urdf import PLAIN, Link, element, numbers_text
 
 KINDS = {"R": "revolute", "P": "prismatic"}
 FREE = {"JointModelPlanar": "planar", "JointModelFreeFlyer": "floating"}
@@ -48,10 +46,7 @@ def robot_of_model(model: pin.Model, shapes: pin.GeometryModel | None = None, to
     if len(set(links)) < len(links):
         raise InputError("two frames of the model have one name, so that neither can be asked about")
     name = model.name or "robot"
-    made = build_model(name, dict.fromkeys(links, pin.Inertia.Zero()), joints)
-    parts = {link: Link(pin.Inertia.Zero()) for link in links} | _with_shapes(links, shapes)
-    text = urdf_text(name, parts, joints)
-    return Robot(name, made, joints, tool_frame(made, joints, tool), Parameters(None), text, Path(f"{name}.urdf"))
+    return robot_of_joints(name, joints, dict.fromkeys(links, PLAIN) | _with_shapes(links, shapes), tool=tool)
 
 
 def _tree(model: pin.Model) -> tuple[list[str], tuple[Joint, ...]]:
@@ -62,8 +57,7 @@ def _tree(model: pin.Model) -> tuple[list[str], tuple[Joint, ...]]:
     for frame in model.frames:
         parent = carried[frame.parentJoint]
         if frame.type in (pin.FrameType.BODY, pin.FrameType.OP_FRAME) and frame.name != parent:
-            joint = Joint(f"{frame.name} (fixed)", "fixed", parent, frame.name, leader=f"{frame.name} (fixed)")
-            fixed.append(placed(joint, frame.placement))
+            fixed.append(placed(Joint(f"{frame.name} (fixed)", "fixed", parent, frame.name), frame.placement))
     return [*carried, *(joint.child for joint in fixed)], (*joints, *fixed)
 
 
@@ -95,7 +89,7 @@ def _joint(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
         limits = {key: _without_placeholder(value) for key, value in limits.items()}
         check_limits(name, limits.get("lower", 0), limits.get("upper", 0), limits["max_velocity"], limits["max_effort"])
     parent = carried[model.parents[number]]
-    joint = replace(Joint(name, kind, parent, carried[number], axis=axis, leader=name), **limits)  # type: ignore[arg-type]
+    joint = replace(Joint(name, kind, parent, carried[number], axis=axis), **limits)  # type: ignore[arg-type]
     return placed(joint, model.jointPlacements[number])
 
 
@@ -119,7 +113,7 @@ def _follower(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
     motion = pin.log6(poses[1] * poses[0].inverse())
     turns = float(np.linalg.norm(motion.angular)) > STEP / 2
     kind = KINDS["R" if turns else "P"] if mimic.scaling != 0 else "fixed"
-    joint = Joint(name, kind, carried[model.parents[number]], carried[number], leader=name)
+    joint = Joint(name, kind, carried[model.parents[number]], carried[number])
     if kind == "fixed":
         return placed(joint, model.jointPlacements[number] * poses[0])
     axis = np.sign(mimic.scaling) * (motion.angular if turns else motion.linear)
@@ -153,7 +147,7 @@ def _with_shapes(links: Sequence[str], shapes: pin.GeometryModel | None) -> dict
         form = _form(shape)
         if form is not None:
             T = shape.placement
-            xyz, rpy = map(_written, (T.translation, pin.rpy.matrixToRpy(np.array(T.rotation))))
+            xyz, rpy = map(numbers_text, (T.translation, pin.rpy.matrixToRpy(np.array(T.rotation))))
             visual = element("visual", element("origin", xyz=xyz, rpy=rpy), element("geometry", form))
             drawn.setdefault(links[shape.parentJoint], []).append(visual)
     return {link: Link(pin.Inertia.Zero(), tuple(parts)) for link, parts in drawn.items()}
@@ -164,15 +158,11 @@ def _form(shape: Any) -> Element | None:
     form, path = shape.geometry, str(shape.meshPath)
     match type(form).__name__:
         case "Box":
-            return element("box", size=_written(2 * np.array(form.halfSide)))
+            return element("box", size=numbers_text(2 * np.array(form.halfSide)))
         case "Sphere":
             return element("sphere", radius=repr(float(form.radius)))
         case "Cylinder":
             return element("cylinder", radius=repr(float(form.radius)), length=repr(2 * float(form.halfLength)))
     if path and Path(path).suffix:
-        return element("mesh", filename=path, scale=_written(np.ravel(shape.meshScale)))
+        return element("mesh", filename=path, scale=numbers_text(np.ravel(shape.meshScale)))
     return None
-
-
-def _written(values: Any) -> str:
-    return " ".join(repr(float(value) + 0.0) for value in values)

@@ -10,9 +10,9 @@ from robotics1.angles import warn_of_degrees
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_array, real_number
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.joints import Joint, placed
+from robotics1.robot.joints import Joint, free_name, placed
 from robotics1.robot.placements import homogeneous
-from robotics1.robot.urdf import Link
+from robotics1.robot.urdf import PLAIN, Link
 
 
 def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...]:
@@ -49,7 +49,7 @@ def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...
 
 def _fixed(joint: Joint, motion: pin.SE3) -> Joint:
     at_value = placed(joint, joint.placement * motion)
-    return Joint(joint.name, "fixed", joint.parent, joint.child, at_value.xyz, at_value.rpy, leader=joint.name)
+    return Joint(joint.name, "fixed", joint.parent, joint.child, at_value.xyz, at_value.rpy)
 
 
 def _along_axis(joint: Joint, q: float) -> pin.SE3:
@@ -115,12 +115,9 @@ def rebase(
     while link in above and above[link].kind == "fixed":
         T, link = above[link].placement * T, above[link].parent
     if link not in above:
-        world = "world"
-        while world in {*links, *(joint.name for joint in joints)}:
-            world += "_"
-        name = f"{world}_to_{link}"
-        mount = placed(Joint(name, "fixed", world, link, leader=name), T.inverse())
-        return {world: Link(pin.Inertia.Zero()), **links}, (*joints, mount)
+        world = free_name("world", {*links, *(joint.name for joint in joints)})
+        mount = placed(Joint(f"{world}_to_{link}", "fixed", world, link), T.inverse())
+        return {world: PLAIN, **links}, (*joints, mount)
     kept = {base}
     while more := {joint.child for joint in joints if joint.parent in kept} - kept:
         kept |= more

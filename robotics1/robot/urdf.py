@@ -6,7 +6,7 @@ numbers, the elements of other programs. What is neither kinematics nor shape no
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,6 +29,8 @@ class Link:
     inertia: pin.Inertia
     parts: tuple[ET.Element, ...] = ()
 
+
+PLAIN = Link(pin.Inertia.Zero())  # without inertia and shapes
 
 # --- reading
 
@@ -61,7 +63,7 @@ def _joint(joint: ET.Element) -> Joint:
         max_effort=_limit(limit, "effort", np.inf),
         friction=_numbers(dynamics, "friction", "0")[0],
         damping=_numbers(dynamics, "damping", "0")[0],
-        leader=name if mimic is None else mimic.get("joint", ""),
+        leader="" if mimic is None else mimic.get("joint", ""),
         multiplier=_numbers(mimic, "multiplier", "1")[0],
         offset=_numbers(mimic, "offset", "0")[0],
     )
@@ -173,14 +175,14 @@ def _joint_element(joint: Joint) -> ET.Element:
     parts = [
         element("parent", link=joint.parent),
         element("child", link=joint.child),
-        element("origin", xyz=_written(joint.xyz), rpy=_written(joint.rpy)),
+        element("origin", xyz=numbers_text(joint.xyz), rpy=numbers_text(joint.rpy)),
     ]
     if kind == "planar":
         parts.append(element("axis", xyz="0 0 1"))
     if kind in ("revolute", "prismatic"):
         rates = {"velocity": joint.max_velocity, "effort": joint.max_effort}
         limits = {key: repr(value) if math.isfinite(value) else f"{WITHOUT_LIMIT:g}" for key, value in rates.items()}
-        parts.append(element("axis", xyz=_written(joint.axis)))
+        parts.append(element("axis", xyz=numbers_text(joint.axis)))
         if kind == "revolute" and math.isinf(joint.lower) and math.isinf(joint.upper):
             kind = "continuous"
         else:
@@ -202,5 +204,6 @@ def _ends(lower: float, upper: float) -> dict[str, str]:
     return {"lower": repr(low), "upper": repr(high)}
 
 
-def _written(values: Sequence[float]) -> str:
-    return " ".join(repr(value + 0.0) for value in values)
+def numbers_text(values: Iterable[float]) -> str:
+    """Return numbers as an attribute has them."""
+    return " ".join(repr(float(value) + 0.0) for value in values)

@@ -13,8 +13,8 @@ from robotics1.curves.symbolic_path import formula_of
 from robotics1.dh.entries import Limits, joint_limits
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_number
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.checking import MOST_DEGREES
-from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
 from robotics1.tasks.function import FunctionTask
@@ -61,7 +61,7 @@ def robot_from_formula(
     listed, parent = [], BASE
     for i, (letter, a, b) in enumerate(zip(joints, low.tolist(), high.tolist(), strict=True), 1):
         link = "end" if i == n else f"link{i}"
-        listed.append(Joint(f"q{i}", KINDS[letter], parent, link, axis=(0, 0, 1), lower=a, upper=b, leader=f"q{i}"))
+        listed.append(Joint(f"q{i}", KINDS[letter], parent, link, axis=(0, 0, 1), lower=a, upper=b))
         parent = link
     plain = robot_of_joints("formula", listed)
     known = {entry.name: getattr(plain, entry.name) for entry in fields(plain) if entry.init}

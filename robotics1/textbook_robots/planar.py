@@ -11,9 +11,9 @@ from robotics1.dh.entries import Limits, joint_limits, named_values, number_or_n
 from robotics1.dh.joints import named_placement
 from robotics1.errors import InputError
 from robotics1.inputs import by_name, true_or_false
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Parameters, Placements, constant_placements
@@ -116,7 +116,7 @@ class PlanarArm:
         def add(joint: Joint) -> None:
             nonlocal at, x
             length = value_of(x, self.parameters)
-            found.append((replace(joint, xyz=(length, 0.0, 0.0), parent=at, leader=joint.leader or joint.name), x))
+            found.append((replace(joint, xyz=(length, 0.0, 0.0), parent=at), x))
             at, x = joint.child, 0.0
 
         for i, (letter, (low, high)) in enumerate(zip(self.letters, self.limits, strict=True), 1):
