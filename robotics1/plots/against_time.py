@@ -13,7 +13,8 @@ from robotics1.curves.given import as_curve, as_law
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, text
 from robotics1.plots.figures import (
-    drawn,
+    draw_coordinates,
+    drawn_over_time,
     legend_text,
     line_style,
     names_of,
@@ -78,17 +79,11 @@ def plot_trajectory(
     panels = panels_of(ax, derivatives + 1)
     same = len(set(units)) == 1
     for panel, quantity, per, curves in zip(panels, QUANTITIES, PER, values, strict=False):
-        for i, (name, unit) in enumerate(zip(names, units, strict=True)):
-            panel.plot(t, curves[:, i], label=name if same else f"{name} [{unit}{per}]", **line_style(i))
+        labels = names if same else [f"{name} [{unit}{per}]" for name, unit in zip(names, units, strict=True)]
+        draw_coordinates(panel, t, curves, labels, f"{quantity} [{units[0]}{per}]" if same else quantity)
         if bounds is not None and quantity != "position":
             _draw_bounds(panel, getattr(bounds, quantity))
-        panel.set(ylabel=f"{quantity} [{units[0]}{per}]" if same else quantity)
-        panel.grid(alpha=0.4)
-        if names:
-            panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    panels[0].set(title=title)
-    panels[-1].set(xlabel="t [s]")
-    return drawn(panels, file)
+    return drawn_over_time(panels, file, title)
 
 
 def plot_timing_law(
@@ -139,9 +134,7 @@ def plot_timing_law(
         panel.set(ylabel=f"{SYMBOLS[order]} [{unit}{PER[order]}]")
         panel.margins(y=0.12)
         panel.grid(alpha=0.4)
-    panels[0].set(title=title)
-    panels[-1].set(xlabel="t [s]")
-    return drawn(panels, file)
+    return drawn_over_time(panels, file, title)
 
 
 def _draw_bounds(panel: Any, bounds: Array) -> None:

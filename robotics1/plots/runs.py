@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from robotics1.errors import InputError
-from robotics1.plots.figures import drawn, legend_text, line_style, panels_of
+from robotics1.plots.figures import draw_coordinates, drawn_over_time, legend_text, panels_of
 from robotics1.robot.given import RobotLike, robot_from
 
 
@@ -46,15 +46,8 @@ def plot_run(
     curves = [("position", q, names), ("velocity", qdot, names)]
     curves += [(word, e, [f"e{i + 1}" for i in range(e.shape[1])]) for word, e in zip(titles, errors, strict=True)]
     for panel, (word, values, labels) in zip(panels, curves, strict=True):
-        for i, label in enumerate(labels):
-            panel.plot(t, values[:, i], label=label, **line_style(i))
-        panel.set(ylabel=word)
-        panel.grid(alpha=0.4)
-        if labels:
-            panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    panels[0].set(title=title)
-    panels[-1].set(xlabel="t [s]")
-    return drawn(panels, file)
+        draw_coordinates(panel, t, values, labels, word)
+    return drawn_over_time(panels, file, title)
 
 
 def _parts(run: Any) -> tuple[Any, Any, Any, tuple[Any, ...]]:

@@ -72,14 +72,11 @@ def _floating(what: str, value: Any) -> pin.SE3:
     """Return the motion by [x, y, z, qx, qy, qz, qw], by a `pin.SE3`, or by a matrix (4, 4)."""
     if _is_zero(value):
         return pin.SE3.Identity()
-    if isinstance(value, pin.SE3) or np.shape(value) == (4, 4):
-        T = homogeneous(what, value)
-    else:
+    if not (isinstance(value, pin.SE3) or np.shape(value) == (4, 4)):
         meaning = "[x, y, z, qx, qy, qz, qw] of a floating joint, a pin.SE3, a matrix (4, 4), or 0"
         q = real_array(what, value, (7,), meaning)
-        if abs(float(np.linalg.norm(q[3:])) - 1) > 1e-6:
-            raise InputError(f"{what} must hold a quaternion of length 1; its length is {np.linalg.norm(q[3:]):g}")
-        T = pin.SE3(pin.Quaternion(q[3:] / np.linalg.norm(q[3:])).toRotationMatrix(), q[:3])
+        value = (q[:3], q[3:])
+    T = homogeneous(what, value)
     _bounded(what, T.translation)
     return T
 

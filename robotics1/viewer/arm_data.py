@@ -175,11 +175,7 @@ def _frame_of(robot: Robot, task: Task) -> str:
 def _chain(robot: Robot, name: str) -> dict[str, Any]:
     """Return where the first joint on the way to a frame is, and how far from there the frame can be at most [m]."""
     frame = robot.own_model.frames[robot.frame_id(name)]
-    way: list[int] = []
-    number = frame.parentJoint
-    while number > 0:
-        way.insert(0, number)
-        number = robot.own_model.parents[number]
+    way = [*robot.own_model.supports[frame.parentJoint]][1:]  # without the world
     steps = [robot.own_model.jointPlacements[i].translation for i in way[1:]] + [frame.placement.translation]
     start = robot.own_model.jointPlacements[way[0]].translation if way else np.zeros(3)
     length = sum(float(np.linalg.norm(step)) for step in steps) + _travel(robot, name)
