@@ -86,16 +86,12 @@ def _joint(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
         limits = {"max_velocity": float(model.upperVelocityLimit[v]), "max_effort": float(model.upperEffortLimit[v])}
         if model_joint.nq == 1:
             limits |= {"lower": float(model.lowerPositionLimit[q]), "upper": float(model.upperPositionLimit[q])}
-        limits = {key: _without_placeholder(value) for key, value in limits.items()}
+        for key, value in limits.items():  # one beyond all that can be computed with stands for none
+            limits[key] = float(np.copysign(np.inf, value)) if abs(value) > LARGEST else value
         check_limits(name, limits.get("lower", 0), limits.get("upper", 0), limits["max_velocity"], limits["max_effort"])
     parent = carried[model.parents[number]]
     joint = replace(Joint(name, kind, parent, carried[number], axis=axis), **limits)  # type: ignore[arg-type]
     return placed(joint, model.jointPlacements[number])
-
-
-def _without_placeholder(value: float) -> float:
-    """Return a limit; what stands for none, as Pinocchio's largest number, is infinite."""
-    return float(np.copysign(np.inf, value)) if abs(value) > LARGEST else value
 
 
 def _follower(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:

@@ -35,7 +35,8 @@ def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...
             raise InputError(f"joint {name!r} cannot be locked: it has no coordinate of its own")
         joint, what = found[name], f"the value of locked joint {name!r}"
         if joint.kind in FREE:
-            found[name] = _fixed(joint, FREE[joint.kind](what, value))
+            still = isinstance(value, int | float) and value == 0
+            found[name] = _fixed(joint, pin.SE3.Identity() if still else FREE[joint.kind](what, value))
             continue
         q = _bounded(what, real_number(what, value))
         warn_of_degrees(what, np.array([q]), joint.kind == "revolute", joint.lower, joint.upper)
@@ -62,16 +63,12 @@ def _along_axis(joint: Joint, q: float) -> pin.SE3:
 
 def _planar(what: str, value: Any) -> pin.SE3:
     """Return the motion by [x, y, θ] in the plane."""
-    if _is_zero(value):
-        return pin.SE3.Identity()
     x, y, theta = _bounded(what, real_array(what, value, (3,), "[x, y, theta] of a planar joint, or 0"))
     return pin.SE3(pin.AngleAxis(theta, np.array([0.0, 0.0, 1.0])).toRotationMatrix(), np.array([x, y, 0.0]))
 
 
 def _floating(what: str, value: Any) -> pin.SE3:
     """Return the motion by [x, y, z, qx, qy, qz, qw], by a `pin.SE3`, or by a matrix (4, 4)."""
-    if _is_zero(value):
-        return pin.SE3.Identity()
     if not (isinstance(value, pin.SE3) or np.shape(value) == (4, 4)):
         meaning = "[x, y, z, qx, qy, qz, qw] of a floating joint, a pin.SE3, a matrix (4, 4), or 0"
         q = real_array(what, value, (7,), meaning)
@@ -79,10 +76,6 @@ def _floating(what: str, value: Any) -> pin.SE3:
     T = homogeneous(what, value)
     _bounded(what, T.translation)
     return T
-
-
-def _is_zero(value: Any) -> bool:
-    return isinstance(value, int | float) and value == 0
 
 
 def _bounded(what: str, value: Any) -> Any:
