@@ -23,7 +23,6 @@ from robotics1.cli.uncompiled import run_without_compiler
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from robotics1.singularities.reduction import Measure
     from robotics1.singularities.scan_result import SingularityScan
 
 EXAMPLES = ("scan prr --samples 1e5", "scan ur5 --samples 1e6 --refine 10", "scan planar_2r --box q1=-1:pi/2")
@@ -127,20 +126,19 @@ def _as_json(scan: SingularityScan) -> dict[str, Any]:
     """Return the scan as what JSON knows."""
     from robotics1.cli.output import attributes, units
 
+    measures = {}
+    for measure in scan.measures:
+        edges, counts = scan.histogram(measure)
+        quantiles = {f"{p:g}": scan.quantile(p, measure) for p in QUANTILES}
+        measures[measure] = {"quantiles": quantiles, "histogram": {"edges": edges, "counts": counts}}
     return {
         "units": {"q": units(scan.robot)},
         "robot": scan.robot.name,
         "rows": scan.task.row_names,
         **attributes(scan, "method seed count undefined rank length worst worst_values"),
-        "measures": {measure: _distribution(scan, measure) for measure in scan.measures},
+        "measures": measures,
         "refined": _refined(scan),
     }
-
-
-def _distribution(scan: SingularityScan, measure: Measure) -> dict[str, Any]:
-    edges, counts = scan.histogram(measure)
-    quantiles = {f"{p:g}": scan.quantile(p, measure) for p in QUANTILES}
-    return {"quantiles": quantiles, "histogram": {"edges": edges, "counts": counts}}
 
 
 def _refined(scan: SingularityScan) -> dict[str, Any] | None:

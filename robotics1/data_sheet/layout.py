@@ -20,18 +20,16 @@ class Part(NamedTuple):
 def laid_out(title: str, subtitle: str, parts: Sequence[Part]) -> str:
     """Return the page; titles, the subtitle and facts are texts, and are escaped here."""
     folder = files("robotics1.data_sheet") / "page"
+    links = [(part, f'<a href="#{part.name}">{escaped(part.title)}</a>') for part in parts]
     return Template((folder / "sheet.html").read_text(encoding="utf-8")).substitute(
         title=escaped(title),
         style=(folder / "sheet.css").read_text(encoding="utf-8"),
         subtitle=escaped(subtitle),
-        links="".join(f'<li><a href="#{part.name}">{escaped(part.title)}</a></li>' for part in parts),
-        facts="".join(_fact(part) for part in parts if part.fact),
+        links="".join(f"<li>{link}</li>" for _, link in links),
+        facts="".join(
+            f'<tr><th scope="row">{link}</th><td>{escaped(part.fact)}</td></tr>' for part, link in links if part.fact
+        ),
         sections="\n".join(
             f'<section id="{part.name}"><h2>{escaped(part.title)}</h2>{part.html}</section>' for part in parts
         ),
     )
-
-
-def _fact(part: Part) -> str:
-    link = f'<a href="#{part.name}">{escaped(part.title)}</a>'
-    return f'<tr><th scope="row">{link}</th><td>{escaped(part.fact)}</td></tr>'
