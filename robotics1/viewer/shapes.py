@@ -50,7 +50,9 @@ class Shapes:
             self._warn(f"{missing[0]}{more}. {HOW_TO_FIND} {INSTEAD}")
         elif not shapes and not unread:
             self.note(NO_SHAPES)
-        return [*shapes, *skeleton(robot)] if missing or unread or not shapes else shapes
+        if missing or unread or not shapes:
+            shapes += [shape for visual in skeleton(robot) for shape in self._drawn(visual)]
+        return shapes
 
     def _drawn(self, visual: Visual) -> list[dict[str, Any]]:
         """Return a plain shape, or the parts of a mesh: in their own colours, else in that of the robot's file."""
