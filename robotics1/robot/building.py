@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pinocchio as pin
 
-from robotics1.robot.joint_models import follower_model, joint_model
+from robotics1.robot.joint_models import ITSELF, follower_model, joint_model
 from robotics1.robot.joints import Joint, root_of
 from robotics1.robot.mimic import late_leaders, leaders_first
 
@@ -56,7 +56,7 @@ def _add_moving(model: pin.Model, parent: int, T: pin.SE3, joint: Joint, coordin
         follower = follower_model(model, joint, coordinate[joint.leader], joint.multiplier, joint.offset)
         return int(model.addJoint(parent, follower, T, joint.name))
     if joint.name in coordinate:
-        itself = f"{joint.name} (itself)"
+        itself = joint.name + ITSELF
         while model.existJointName(itself):
             itself += "_"
         return int(model.addJoint(parent, follower_model(model, joint, coordinate[joint.name], 1.0, 0.0), T, itself))

@@ -9,6 +9,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.least_squares import numeric_rank
 from robotics1.robot.box import joint_box
+from robotics1.robot.joint_models import joints_of
 from robotics1.robot.joints import tips
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
@@ -111,11 +112,9 @@ def _random_configurations(robot: Robot) -> Array:
 
 def _moving_joints(robot: Robot) -> list[dict[str, Any]]:
     """Return the joints of the model, each with the coordinate that it follows."""
-    named = {joint.name: joint for joint in robot.joints}
     coordinate = {name: i for i, name in enumerate(robot.joint_names)}
     joints = []
-    for i in range(1, robot.own_model.njoints):
-        joint = named[robot.own_model.names[i]]
+    for i, joint in enumerate(joints_of(robot.own_model, robot.joints), 1):
         joints.append(
             {
                 "name": joint.name,

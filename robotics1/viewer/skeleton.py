@@ -7,6 +7,7 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.inputs import Array
+from robotics1.robot.joint_models import joints_of
 from robotics1.robot.model import Robot
 from robotics1.robot.visuals import Box, Color, Cylinder, Sphere, Visual
 
@@ -25,9 +26,10 @@ def skeleton(robot: Robot) -> list[Visual]:
     """Return the shapes of the skeleton."""
     w = THICK * (robot.fixed_length if robot.fixed_length > 1e-6 else robot.reach)
     shapes = [_rod(0, -w * Z, 0 * Z, 1.5 * w, BASE, "base")]
-    named = {joint.name: joint for joint in robot.joints}
-    for i in range(1, robot.own_model.njoints):
-        joint = named[robot.own_model.names[i]]
+    joints = joints_of(robot.own_model, robot.joints)
+    for i, joint in enumerate(joints, 1):
+        if joint in joints[i:]:  # a coordinate that carries nothing
+            continue
         axis = np.array(joint.axis)
         place = robot.own_model.jointPlacements[i]
         above = robot.own_model.parents[i]
