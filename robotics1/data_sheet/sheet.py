@@ -10,8 +10,7 @@ import numpy.typing as npt
 
 from robotics1.data_sheet.asked import Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS, WRITTEN, Section
-from robotics1.data_sheet.layout import Part, laid_out
-from robotics1.data_sheet.markup import note
+from robotics1.data_sheet.markup import Part, laid_out, note
 from robotics1.data_sheet.worker import NoAnswer, Worker
 from robotics1.errors import InputError
 from robotics1.files import check_file

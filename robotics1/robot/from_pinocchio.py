@@ -1,5 +1,6 @@
 """A robot made of a model of Pinocchio, and of its shapes."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -11,10 +12,11 @@ import pinocchio as pin
 
 from robotics1.errors import InputError
 from robotics1.robot.assembly import robot_of_joints
+from robotics1.robot.checking import MOST_DEGREES, MOST_LINKS
 from robotics1.robot.findings import LARGEST
 from robotics1.robot.joints import Joint, Triple, placed
 from robotics1.robot.model import Robot
-from robotics1.robot.model_checks import check_limits, check_model
+from robotics1.robot.placements import ROTATION_TOLERANCE
 from robotics1.robot.urdf import PLAIN, Link, element, numbers_text
 
 KINDS = {"R": "revolute", "P": "prismatic"}
@@ -22,6 +24,7 @@ FREE = {"JointModelPlanar": "planar", "JointModelFreeFlyer": "floating"}
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 WORLD = "universe"
 SAME_PLACE = 1e-12  # of a link and its joint
+NO_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")  # characters that no URDF can hold
 STEP = 0.5  # of a follower, by which its axis is found [rad or m]
 
 
@@ -39,7 +42,7 @@ def robot_of_model(model: pin.Model, shapes: pin.GeometryModel | None = None, to
     Raises:
         InputError: the model has a joint of another kind, or two links of one name.
     """
-    check_model(model)
+    _check_model(model)
     if not isinstance(shapes, pin.GeometryModel | None):
         raise InputError(f"the shapes of a pin.Model are a pin.GeometryModel, not {type(shapes).__name__}")
     links, joints = _tree(model)
@@ -88,7 +91,9 @@ def _joint(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
             limits |= {"lower": float(model.lowerPositionLimit[q]), "upper": float(model.upperPositionLimit[q])}
         for key, value in limits.items():  # one beyond all that can be computed with stands for none
             limits[key] = float(np.copysign(np.inf, value)) if abs(value) > LARGEST else value
-        check_limits(name, limits.get("lower", 0), limits.get("upper", 0), limits["max_velocity"], limits["max_effort"])
+        _check_limits(
+            name, limits.get("lower", 0), limits.get("upper", 0), limits["max_velocity"], limits["max_effort"]
+        )
     parent = carried[model.parents[number]]
     joint = replace(Joint(name, kind, parent, carried[number], axis=axis), **limits)  # type: ignore[arg-type]
     return placed(joint, model.jointPlacements[number])
@@ -162,3 +167,49 @@ def _form(shape: Any) -> Element | None:
     if path and Path(path).suffix:
         return element("mesh", filename=path, scale=numbers_text(np.ravel(shape.meshScale)))
     return None
+
+
+# --- the numbers of a model, which nothing has read before, and of which Pinocchio takes any
+
+
+def _check_model(model: pin.Model) -> None:
+    """Check size, names and placements of a model.
+
+    Raises:
+        InputError: there is no joint, or more than can be computed with; a name is empty, or none that a file can
+            hold; a placement is not finite, is too large, or has no rotation.
+    """
+    if not model.njoints > 1:
+        raise InputError("the model has no joints")
+    if model.nv > MOST_DEGREES or model.njoints > MOST_LINKS:
+        most = f"at most {MOST_DEGREES} and {MOST_LINKS} can be computed with"
+        raise InputError(f"the model has {model.nv} degrees of freedom and {model.njoints} joints; {most}")
+    placements = [(f"joint {name!r}", T) for name, T in zip(model.names, model.jointPlacements, strict=True)]
+    for what, T in [*placements, *((f"frame {frame.name!r}", frame.placement) for frame in model.frames)]:
+        _check_placement(what, T)
+    for name in (*model.names, *(frame.name for frame in model.frames)):
+        if not name.strip() or NO_XML.search(name):
+            raise InputError(f"a joint or a frame of the model is called {name!r}, which can be no name in a file")
+
+
+def _check_limits(name: str, lower: float, upper: float, velocity: float, effort: float) -> None:
+    """Check the limits of a joint.
+
+    Raises:
+        InputError: lower is above upper, or one of the others is negative; or one is no number.
+    """
+    if not lower <= upper:
+        numbers = f"they are {lower:g} and {upper:g}"
+        raise InputError(f"the limits of joint {name!r} of the model must have lower ≤ upper; {numbers}")
+    if not (velocity >= 0 and effort >= 0):
+        numbers = f"they are {velocity:g} and {effort:g}"
+        raise InputError(f"velocity and effort of joint {name!r} of the model must have limits ≥ 0; {numbers}")
+
+
+def _check_placement(what: str, T: pin.SE3) -> None:
+    numbers, R = np.array(T.homogeneous), np.array(T.rotation)
+    if not np.abs(numbers).max() <= LARGEST:
+        place = f"is placed at {numbers[:3, 3].tolist()}"
+        raise InputError(f"{what} of the model {place}; at most {LARGEST:g} can be computed with")
+    if np.abs(R.T @ R - np.eye(3)).max() > ROTATION_TOLERANCE or np.linalg.det(R) < 0:
+        raise InputError(f"the placement of {what} of the model has no rotation: its columns must be orthonormal")
