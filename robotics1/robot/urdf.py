@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from robotics1.robot.checking_parts import MOMENTS, ON_AN_AXIS
+from robotics1.robot.checking_parts import MOMENTS, ON_AN_AXIS, lacking
 from robotics1.robot.joints import Joint, Triple
 from robotics1.robot.markup import linked
 from robotics1.robot.meshes import UNDRAWN
@@ -74,7 +74,7 @@ def read_links(root: ET.Element) -> dict[str, Link]:
     colors = _colors(root)
     links = {}
     for link in root.findall("link"):
-        inertial = [inertial for inertial in link.findall("inertial")[:1] if _is_whole(inertial)]
+        inertial = [inertial for inertial in link.findall("inertial")[:1] if not lacking(inertial)]
         shapes = [part for part in link if part.tag in SHAPES]
         for shape in shapes:
             _paint(shape, colors)
@@ -99,12 +99,6 @@ def _origin(part: ET.Element) -> tuple[Triple, Triple]:
 def _limit(limit: ET.Element | None, key: str, default: float) -> float:
     value = _numbers(limit, key, repr(default))[0]
     return np.inf if value >= WITHOUT_LIMIT else value
-
-
-def _is_whole(inertial: ET.Element) -> bool:
-    mass, inertia = inertial.find("mass"), inertial.find("inertia")
-    whole = mass is not None and mass.get("value") is not None and inertia is not None
-    return whole and all(inertia.get(name) is not None for name in MOMENTS)  # type: ignore[union-attr]
 
 
 def _inertia(inertials: Sequence[ET.Element]) -> pin.Inertia:
