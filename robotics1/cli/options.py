@@ -21,6 +21,9 @@ from robotics1.cli.arguments import named_texts, parse_names, parse_number, pars
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
     from robotics1.inputs import Array
     from robotics1.robot.model import Robot
     from robotics1.tasks.task import FrameTask
@@ -128,9 +131,8 @@ class TypedRobot:
             turning = _turning(robot)
             return robot.configuration({name: self._value(value, name in turning) for name, _, value in pairs})
         values = parse_vector(text, self.degrees)
-        if self.degrees and robot.nq == robot.nv and values.shape == robot.revolute.shape:
-            return robot.configuration(np.where(robot.revolute, np.radians(values), values))
-        return robot.configuration(values)
+        in_degrees = self.degrees and values.shape == (robot.nq,)
+        return robot.configuration(np.where(self._angles, np.radians(values), values) if in_degrees else values)
 
     def box(self, texts: Sequence[str] | None) -> dict[str, tuple[float, float]]:
         """Return joint → (lower, upper), each typed as q1=-1:pi/2.
@@ -170,7 +172,16 @@ class TypedRobot:
         """Return q for printing: its angles in degrees where asked."""
         import numpy as np
 
-        return np.where(self.robot.revolute, np.degrees(q), q) if self.degrees else q
+        return np.where(self._angles, np.degrees(q), q) if self.degrees else q
+
+    @cached_property
+    def _angles(self) -> npt.NDArray[np.bool_]:
+        """Which entries of q are angles, (nq,)."""
+        import numpy as np
+
+        from robotics1.cli.output import units
+
+        return np.array(units(self.robot)) == "rad"
 
     def _value(self, text: str, turns: bool) -> float:
         """Return the value of a joint as typed, of one that turns in degrees where asked."""

@@ -99,6 +99,7 @@ def _own_task(robot: "Robot", frame: str | None) -> "PositionTask":
 
     from robotics1.tasks.position import PositionTask
 
+    robot.require_single_coordinates("have a workspace")
     lower, upper = np.clip(robot.lower, -1, 1), np.clip(robot.upper, -1, 1)
     q = np.random.default_rng(0).uniform(lower, upper, (4, robot.nq))
     columns = np.hstack([PositionTask(frame=frame).jacobian(robot, one) for one in q])
