@@ -264,7 +264,8 @@ def carried(tmp_path):
             f'<robot name="{kind}"><link name="base"/><link name="body"/><link name="arm"/><link name="tool"/>'
             f'<joint name="m" type="{kind}"><parent link="base"/><child link="body"/>{axis}</joint>'
             f'<joint name="c" type="revolute"><parent link="body"/><child link="arm"/>{axis}{LIMIT}</joint>'
-            '<joint name="end" type="fixed"><parent link="arm"/><child link="tool"/><origin xyz="0.5 0 0"/></joint></robot>'
+            '<joint name="end" type="fixed"><parent link="arm"/><child link="tool"/><origin xyz="0.5 0 0"/></joint>'
+            "</robot>"
         )
         return path
 
@@ -280,8 +281,7 @@ def test_the_joint_behind_one_of_several_coordinates_turns_by_degrees(carried, k
     found = answer("fk", carried(kind), "--q", q, "--degrees")
     assert found["position"] == pytest.approx([0.5 * c, 0.5 * s, 0])
     assert found["units"]["q"] == [*units, "rad"]
-    assert "30.0000" not in (shown := run("fk", carried(kind), "--q", q, "--degrees")).stderr
-    assert "30)" in shown.stdout
+    assert "30)" in run("fk", carried(kind), "--q", q, "--degrees").stdout
 
 
 @pytest.mark.parametrize(("kind", "columns"), [("floating", np.eye(3, 6)), ("planar", np.eye(3, 2))])
@@ -292,9 +292,8 @@ def test_statics_and_jacobian_have_a_column_for_each_rate(carried, kind, columns
     assert np.array(found["jacobian"]) == pytest.approx(J)
     found = answer("statics", carried(kind), "--task", "position", "--force", "1,2,3")
     assert found["torque"] == pytest.approx(-J.T @ [1, 2, 3])
-    assert found["units"]["torque"] == ["N"] * (3 if kind == "floating" else 2) + ["N m"] * (
-        4 if kind == "floating" else 2
-    )
+    slides, turns = (3, 4) if kind == "floating" else (2, 2)
+    assert found["units"]["torque"] == ["N"] * slides + ["N m"] * turns
     for command in (["jacobian"], ["statics", "--force", "1,2,3"], ["manipulability"]):
         assert run(command[0], carried(kind), "--task", "position", *command[1:]).code == 0
 

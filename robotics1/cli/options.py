@@ -181,7 +181,7 @@ class TypedRobot:
 
         from robotics1.cli.output import units
 
-        return np.array(units(self.robot)) == "rad"
+        return np.array([unit == "rad" for unit in units(self.robot)])
 
     def _value(self, text: str, turns: bool) -> float:
         """Return the value of a joint as typed, of one that turns in degrees where asked."""
