@@ -203,6 +203,7 @@ def _labels(start: Any, n: int, rates: int, robot: RobotLike | None) -> tuple[li
         raise InputError(f"the trajectory has {n} coordinates and {rates} velocities; both must be as many")
     if robot is not None:
         robot = robot_from(robot)
+        robot.require_single_coordinates("have a motion of one number a joint")
         if robot.nv != n:
             raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
         return list(map(legend_text, robot.joint_names)), ["rad" if angle else "m" for angle in robot.revolute]

@@ -25,6 +25,7 @@ from robotics1.robot.postures import in_numbers, named_postures
 
 ConfigurationLike: TypeAlias = npt.ArrayLike | Mapping[str, float]  # also the name of a posture
 SMALLEST = 1e-100  # length of an arm [m]
+TURNING = {"revolute": (1,), "prismatic": (0,), "planar": (0, 0, 1), "floating": (0, 0, 0, 1, 1, 1)}  # rates of angles
 
 
 class RobotSource(Protocol):
@@ -191,8 +192,9 @@ class Robot(DescribedRobot):
 
     @property
     def units(self) -> Array:
-        """(nv,) what counts as one of each joint: 1 rad, or the reach [m]."""
-        return np.where(self.revolute, 1.0, self.reach)
+        """(nv,) what counts as one of each entry of q̇: 1 rad, or the reach [m]."""
+        turning = [turns for joint in self.moving_joints for turns in TURNING[joint.kind]]
+        return np.where(np.array(turning, dtype=bool), 1.0, self.reach)
 
     @cached_property
     def postures(self) -> Mapping[str, Array]:
