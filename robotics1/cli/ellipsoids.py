@@ -1,12 +1,11 @@
 """The command `robotics1 manipulability`."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from robotics1.cli.arguments import parse_vector
-from robotics1.cli.options import AsJson, Frame, Q, TaskName, TypedRobot, robot_command
+from robotics1.cli.options import AsJson, Figure, Frame, Q, TaskName, TypedRobot, robot_command
 
 if TYPE_CHECKING:
     from robotics1.singularities.dexterity import Manipulability, Transmission
@@ -24,7 +23,7 @@ def manipulability(
     task: TaskName = None,
     frame: Frame = None,
     along: Annotated[str | None, typer.Option(help="A direction u: how velocity and force are transmitted.")] = None,
-    figure: Annotated[Path | None, typer.Option(help="A file for the ellipses: .svg, .pdf or .png.")] = None,
+    figure: Figure = None,
     json: AsJson = False,
 ) -> None:
     """The velocity and force ellipsoids at q, w = √det(J Jᵀ), and the largest speed within the limits of the joints.

@@ -75,6 +75,7 @@ TaskName = Annotated[
     str | None, typer.Option("--task", help=f"The task: {', '.join(TASKS)}; by default by the kind of robot.")
 ]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+Figure = Annotated[Path | None, typer.Option("--figure", help="A file for the picture: .svg, .pdf or .png.")]
 OpenPage = Annotated[bool, typer.Option("--open", help="Open the page in the browser.")]
 Workers = Annotated[int | None, typer.Option(help="In how many threads; by default on all cores.")]
 Scheduler = Annotated[

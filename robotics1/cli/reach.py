@@ -12,6 +12,7 @@ import typer
 from robotics1.cli.arguments import named_texts, parse_number
 from robotics1.cli.options import (
     AsJson,
+    Figure,
     Frame,
     Scheduler,
     TaskName,
@@ -33,7 +34,6 @@ SHARES = (0.0, 0.1, 0.25, 0.5, 0.75, 1.0)  # of the orientations
 WIDTH = 30  # of a bar
 
 Grid = Annotated[list[str] | None, typer.Option("--grid", help="The values of a coordinate, as in x=-1:1:21 or z=0.3.")]
-Figure = Annotated[Path | None, typer.Option("--figure", help="A file for the picture of a slice: .svg, .pdf or .png.")]
 
 
 @robot_command

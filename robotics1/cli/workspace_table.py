@@ -1,13 +1,12 @@
 """The command `robotics1 workspace`."""
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from robotics1.cli.arguments import parse_vector
-from robotics1.cli.options import AsJson, Frame, RobotOfFormulas, robot_command
+from robotics1.cli.options import AsJson, Figure, Frame, RobotOfFormulas, robot_command
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
@@ -43,7 +42,6 @@ Symbolic = Annotated[bool, typer.Option("--formulas", help="Also the radii and t
 Dexterous = Annotated[
     bool, typer.Option("--dexterous", help="Also the points that are reached with every orientation.")
 ]
-Figure = Annotated[Path | None, typer.Option("--figure", help="A file for the picture: .svg, .pdf or .png.")]
 
 
 @robot_command
