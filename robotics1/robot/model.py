@@ -16,9 +16,9 @@ from robotics1.angles import warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.robot.building import restore_followers
 from robotics1.robot.description import DescribedRobot
 from robotics1.robot.frames import frame_number, links_of
-from robotics1.robot.joint_models import restore_followers
 from robotics1.robot.joints import Joint, joints_to, tips
 from robotics1.robot.parameters import Placements, constant_placements
 from robotics1.robot.postures import in_numbers, named_postures

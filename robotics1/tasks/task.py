@@ -15,8 +15,8 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array, text
 from robotics1.kinematics import forward_kinematics, frame_jacobian, is_batch, of_each, point_of_frame, reference_axes
 from robotics1.orientation.elementary import cross_matrix
+from robotics1.robot.box import turns_of_followers
 from robotics1.robot.given import RobotLike, robot_from
-from robotics1.robot.mimic import turns_of_followers
 from robotics1.robot.model import ConfigurationLike, Robot
 
 

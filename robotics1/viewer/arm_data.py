@@ -9,7 +9,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.least_squares import numeric_rank
 from robotics1.robot.box import joint_box
-from robotics1.robot.joint_models import joints_of
+from robotics1.robot.building import joints_of
 from robotics1.robot.joints import tips
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point

@@ -7,7 +7,7 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.inputs import Array
-from robotics1.robot.joint_models import joints_of
+from robotics1.robot.building import joints_of
 from robotics1.robot.model import Robot
 from robotics1.robot.visuals import Box, Color, Cylinder, Sphere, Visual
 
