@@ -3,7 +3,8 @@
 import os
 import secrets
 import stat
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from robotics1.errors import InputError
@@ -22,15 +23,8 @@ def write_file(path: str | Path, content: str | bytes) -> Path:
     """
     path = _as_path(path)
     data = content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
-    try:
-        target = Path(os.path.realpath(path))  # where a link points to
-        _refuse_unless_a_file_fits(path, target)
+    with _target(path) as target:
         _replace(target, data)
-    except (OSError, ValueError) as error:  # ValueError: a name with a null character
-        if isinstance(error, InputError):
-            raise
-        reason = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"{str(path)!r} cannot be written: {reason}") from error
     return path
 
 
@@ -40,12 +34,20 @@ def check_file(path: str | Path) -> None:
     Raises:
         InputError: as `write_file` has them.
     """
-    path = _as_path(path)
+    with _target(_as_path(path)):
+        pass
+
+
+@contextmanager
+def _target(path: Path) -> Iterator[Path]:
+    """Give the file that a path leads to, if one fits there; what then fails is an InputError."""
     try:
-        _refuse_unless_a_file_fits(path, Path(os.path.realpath(path)))
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
+        target = Path(os.path.realpath(path))  # where a link points to
+        _refuse_unless_a_file_fits(path, target)
+        yield target
+    except InputError:
+        raise
+    except (OSError, ValueError) as error:  # ValueError: a name with a null character
         raise InputError(f"{str(path)!r} cannot be written: {getattr(error, 'strerror', None) or error}") from error
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Literal
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -38,10 +39,9 @@ def forward_kinematics(
     number = robot.frame_id(frame)
     c = point_of_frame(point)
     if is_batch(q):
-        poses = [
-            forward_kinematics(robot, one, frame=frame, point=point).homogeneous for one in robot.configurations(q)
-        ]
-        return np.reshape(poses, (-1, 4, 4))
+        return of_each(
+            lambda one: forward_kinematics(robot, one, frame=frame, point=point).homogeneous, robot, q, (4, 4)
+        )
     pin.forwardKinematics(robot.own_model, robot.data, robot.configuration(q))
     T = pin.SE3(pin.updateFramePlacement(robot.own_model, robot.data, number))
     return T if c is None else pin.SE3(T.rotation, T.act(c))
@@ -94,15 +94,8 @@ def frame_jacobian(
     robot = robot_from(robot)
     number = robot.frame_id(frame)
     if is_batch(q):
-        options = {
-            "frame": frame,
-            "reference": reference,
-            "kind": kind,
-            "angular_first": angular_first,
-            "point": point,
-        }
-        every = [frame_jacobian(robot, one, **options) for one in robot.configurations(q)]  # type: ignore[arg-type]
-        return np.reshape(every, (len(every), 6, robot.nv))
+        J_at = partial(frame_jacobian, robot, frame=frame, reference=reference, kind=kind, point=point)
+        return of_each(partial(J_at, angular_first=angular_first), robot, q, (6, robot.nv))
     q = robot.configuration(q)
     J = pin.computeFrameJacobian(robot.own_model, robot.data, q, number, KINDS[one_of("kind", kind, tuple(KINDS))])
     J = J.reshape(6, robot.nv)  # Pinocchio drops the second axis of a single column
@@ -228,6 +221,12 @@ def is_batch(q: ConfigurationLike) -> bool:
         return not isinstance(q, str | Mapping) and np.ndim(q) == 2
     except (TypeError, ValueError):
         return False  # no array at all, which is said where it is read
+
+
+def of_each(f: Callable[[Array], npt.ArrayLike], robot: Robot, q: Any, shape: tuple[int, ...]) -> Array:
+    """Return what a function gives at each of several configurations (k, nq), (k, *shape)."""
+    values = [f(one) for one in robot.configurations(q)]
+    return np.reshape(np.asarray(values, dtype=float), (len(values), *shape))
 
 
 def _is(reference: str, name: str) -> bool:

@@ -256,7 +256,7 @@ WARNINGS = [
     Case("a missing mesh", SHAPE, '<mesh filename="bar.stl"/>', "mesh 'bar.stl' was not found", None, None),
     Case("a mesh of no package", SHAPE, '<mesh filename="package://p/a.stl"/>', "mesh 'package://p/a.stl'", None, None),
     Case("no inertia", INERTIAL, "", "robot 'arm' has links without inertia", 2, "arm"),
-    Case("no mass", '<mass value="2"/>', "", "has an <inertial> without mass or inertia", 12, "upper"),
+    Case("no mass", '<mass value="2"/>', "", "has an <inertial> that lacks mass or inertia", 12, "upper"),
     Case("a mass without value", '<mass value="2"/>', "<mass/>", "lacks the value of its mass", 12, "upper"),
     Case("half an inertia", ' iyz="0" izz="0.02"', "", "has an <inertial> that lacks iyz, izz", 12, "upper"),
     Case("a negative mass", 'value="2"', 'value="-2"', "link 'upper' has the mass -2", 12, "upper"),

@@ -245,3 +245,58 @@ UNITS = {
 def test_json_says_its_units(name):
     words, units = UNITS[name]
     assert answer(*words)["units"] == units
+
+
+# --- robots with joints of several coordinates
+
+
+LIMIT = '<limit lower="-1" upper="1" velocity="1" effort="1"/>'
+
+
+@pytest.fixture
+def carried(tmp_path):
+    """A link on a floating or planar joint, and an arm of one joint on it, whose tool is 0.5 m along x."""
+
+    def written(kind):
+        axis = '<axis xyz="0 0 1"/>'
+        path = tmp_path / f"{kind}.urdf"
+        path.write_text(
+            f'<robot name="{kind}"><link name="base"/><link name="body"/><link name="arm"/><link name="tool"/>'
+            f'<joint name="m" type="{kind}"><parent link="base"/><child link="body"/>{axis}</joint>'
+            f'<joint name="c" type="revolute"><parent link="body"/><child link="arm"/>{axis}{LIMIT}</joint>'
+            '<joint name="end" type="fixed"><parent link="arm"/><child link="tool"/><origin xyz="0.5 0 0"/></joint>'
+            "</robot>"
+        )
+        return path
+
+    return written
+
+
+@pytest.mark.parametrize(
+    ("kind", "q", "units"),
+    [("floating", "0,0,0,0,0,0,1,30", ["m"] * 3 + ["1"] * 4), ("planar", "0,0,1,0,30", ["m", "m", "1", "1"])],
+)
+def test_the_joint_behind_one_of_several_coordinates_turns_by_degrees(carried, kind, q, units):
+    c, s = np.cos(np.pi / 6), np.sin(np.pi / 6)
+    found = answer("fk", carried(kind), "--q", q, "--degrees")
+    assert found["position"] == pytest.approx([0.5 * c, 0.5 * s, 0])
+    assert found["units"]["q"] == [*units, "rad"]
+    assert "30)" in run("fk", carried(kind), "--q", q, "--degrees").stdout
+
+
+@pytest.mark.parametrize(("kind", "columns"), [("floating", np.eye(3, 6)), ("planar", np.eye(3, 2))])
+def test_statics_and_jacobian_have_a_column_for_each_rate(carried, kind, columns):
+    lever = [[0, 0, 0], [0, 0, 0.5], [0, -0.5, 0]] if kind == "floating" else [[0], [0.5], [0]]
+    J = np.hstack([columns[:, :3], lever, [[0], [0.5], [0]]])
+    found = answer("jacobian", carried(kind), "--task", "position")
+    assert np.array(found["jacobian"]) == pytest.approx(J)
+    found = answer("statics", carried(kind), "--task", "position", "--force", "1,2,3")
+    assert found["torque"] == pytest.approx(-J.T @ [1, 2, 3])
+    slides, turns = (3, 4) if kind == "floating" else (2, 2)
+    assert found["units"]["torque"] == ["N"] * slides + ["N m"] * turns
+    for command in (["jacobian"], ["statics", "--force", "1,2,3"], ["manipulability"]):
+        assert run(command[0], carried(kind), "--task", "position", *command[1:]).code == 0
+
+
+def test_a_robot_with_a_floating_joint_has_no_workspace(carried):
+    assert "only arms of revolute and prismatic joints" in run("workspace", carried("floating")).refusal

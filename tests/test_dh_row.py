@@ -104,7 +104,7 @@ def test_couplings_and_offsets_are_read_from_the_formulas():
     [
         (["q1*q2"], {}, "sum of numbers"),
         (["sin(q1)"], {}, "sum of numbers"),
-        (["k*q1"], {}, "'k' is no joint"),
+        (["k*q1"], {}, "'k' is neither a joint, q1 to q1, nor"),
         (["q3"], {"joints": 2}, "q1 to q2"),
         ("q1", {}, "one for each"),
         ([], {}, "one for each"),

@@ -8,9 +8,8 @@ import pytest
 import sympy
 from hypothesis import assume, given, strategies as st
 
-from robotics1 import FormulaError, IKStatus, TaskError, ik_solutions, robot_from_dh
+from robotics1 import FormulaError, IKStatus, PlanarPoseTask, PositionTask, TaskError, ik_solutions, robot_from_dh
 from robotics1.ik import ik_formulas
-from robotics1.tasks.given import robot_and_task
 
 KINDS = ["RR", "RP", "PR", "PP", "RRP", "RPR", "PRR", "RPP", "PRP", "PPR", "PPP"]
 PLANES = ["position:xy", "position:xz", "position:yz"]
@@ -46,7 +45,7 @@ def distinct(robot, found):
 @given(kind=st.sampled_from(KINDS), seed=st.integers(0, 2**20), plane=st.sampled_from(PLANES))
 def test_formulas_have_every_solution_of_a_target_and_none_of_one_that_is_not_reached(kind, seed, plane):
     rng = np.random.default_rng(seed)
-    robot, task = robot_and_task(drawn_arm(rng, kind), "position" if len(kind) == 3 else plane)
+    robot, task = drawn_arm(rng, kind), PositionTask("xyz" if len(kind) == 3 else plane.partition(":")[2])
     J = task.jacobian(robot, rng.uniform(-1, 1, robot.nq))
     moving = np.abs(J).max(axis=0) > 1e-9
     if np.linalg.matrix_rank(J[:, moving], tol=1e-9) < max(moving.sum(), 1):
@@ -72,7 +71,7 @@ def test_formulas_have_every_solution_of_a_target_and_none_of_one_that_is_not_re
 def test_a_frame_whose_x_axis_leaves_the_plane_turns_by_the_angle_of_its_projection():
     tool = pin.SE3(pin.rpy.rpyToMatrix(0.4, 0.7, 0.2), np.array([0.1, 0.0, 0.0])).homogeneous
     rows = [("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0), ("R", 0.1, 0, 0, 0)]
-    robot, task = robot_and_task(robot_from_dh(rows, tool_placement=tool), "planar-pose")
+    robot, task = robot_from_dh(rows, tool_placement=tool), PlanarPoseTask()
     q = np.array([0.4, -0.8, 1.1])
     found = ik_formulas(robot, task).at(task.value(robot, q))
     assert len(found) == 2

@@ -9,6 +9,7 @@ from hypothesis import given, strategies as st
 from joint_kinds import KINDS, mimic, own_pose, urdf, values_of
 from scipy.spatial.transform import Rotation
 
+import robotics1 as r1
 from robotics1 import InputError, RobotFileError, UnknownNameError, forward_kinematics, frame_jacobian, load_robot
 
 BEYOND_YOURDFPY = ("floating", "planar", "mimic of mimic", "long axes")  # it takes 1 m along (0, -2, 0) as 2 m
@@ -221,8 +222,8 @@ def test_a_joint_of_several_degrees_of_freedom_locked_at_0_stands_where_it_is_dr
         ("chassis", [1, nan, 2], "must be finite"),
         ("chassis", np.eye(4), r"must have shape \(3,\)"),
         ("carried", [0, 0, 0], r"\[x, y, z, qx, qy, qz, qw\] of a floating joint"),
-        ("carried", [0, 0, 0, 0, 0, 0, 2], "must hold a quaternion of length 1; its length is 2"),
-        ("carried", [0, 0, 0, 0, 0, 0, 0], "must hold a quaternion of length 1"),
+        ("carried", [0, 0, 0, 0, 0, 0, 2], "must be a quaternion .x, y, z, w. of length 1; its length is 2"),
+        ("carried", [0, 0, 0, 0, 0, 0, 0], "must be a quaternion .x, y, z, w. of length 1"),
         ("carried", 2 * np.eye(4), "must have the last row"),
         ("carried", np.diag([1, 1, -1, 1]), "is no rotation"),
         ("carried", "up", "must be an array of real numbers"),
@@ -324,3 +325,32 @@ def test_an_angle_and_a_whole_turn_more_are_one_place_of_a_continuous_joint(load
 def test_a_follower_with_the_same_limits_or_none_leaves_those_of_its_leader_alone(load, kind):
     robot = load(urdf(("a", "revolute", "base"), ("b", kind, "a", mimic("a")), ("tool", "fixed", "b")))
     assert (robot.lower.tolist(), robot.upper.tolist()) == ([-1.5], [2.0])
+
+
+# --- joints of several coordinates beside what wants one number a joint
+
+
+@pytest.fixture
+def floating(load):
+    return load(
+        '<robot name="f"><link name="base"/><link name="body"/><link name="tool"/>'
+        '<joint name="m" type="floating"><parent link="base"/><child link="body"/></joint>'
+        '<joint name="end" type="fixed"><parent link="body"/><child link="tool"/><origin xyz="0.5 0 0"/></joint>'
+        "</robot>"
+    )
+
+
+def test_a_floating_joint_has_three_rates_in_metres_and_three_in_radians(floating):
+    assert floating.units.tolist() == [0.5, 0.5, 0.5, 1, 1, 1]
+    panel = r1.plots.plot_ellipses(floating, "position:xy", floating.configuration("zero"))
+    *_, velocity, force = (line.get_xydata() - [0.5, 0] for line in panel.lines)
+    longest, shortest = np.hypot(0.5, 0.5), 0.5  # J J^T of a point at 0.5 m, slides in reaches: diag(0.25, 0.5)
+    assert np.ptp(velocity, axis=0)[1] / np.ptp(velocity, axis=0)[0] == pytest.approx(longest / shortest)
+    assert np.ptp(force, axis=0)[0] / np.ptp(force, axis=0)[1] == pytest.approx(longest / shortest)
+
+
+def test_a_motion_of_one_number_a_joint_is_refused_by_pages_and_plots(floating):
+    motion = r1.cubic(np.zeros(6), np.ones(6), 1.0)
+    for draw in (r1.animate, lambda robot, motion: r1.plots.plot_trajectory(motion, robot=robot)):
+        with pytest.raises(InputError, match="only arms of revolute and prismatic joints"):
+            draw(floating, motion)

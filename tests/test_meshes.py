@@ -13,7 +13,7 @@ import pytest
 from sweeps import core_first
 
 from robotics1.robot.sources import example_folder
-from robotics1.viewer.mesh_formats.files import read_pieces
+from robotics1.viewer.mesh_formats.files import read_parts
 from robotics1.viewer.meshes import read_mesh
 
 FOLDER = example_folder()
@@ -79,7 +79,7 @@ def test_a_mesh_has_the_box_of_pinocchios_reader_and_the_triangles_of_its_file(n
     corners, count = pinocchios(path)
     size = np.ptp(corners, axis=0).max()
     assert box(whole) == pytest.approx(corners, abs=1e-6 * size)
-    read = sum(len(piece.faces) for piece in read_pieces(path))
+    read = sum(len(piece.faces) for piece in read_parts(path))
     assert read == counted(path)
     assert 0.97 * count <= sum(len(part.faces) for part in whole) <= read
     colors = [part.color for part in whole]

@@ -1,10 +1,11 @@
 """The robots of the course in the page: what their files say is drawn, inside the window, and where FK says."""
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from arms import arm
 from dh_arms import H, P, R
-from pages import OpenPage
+from pages import OpenPage, data_behind
 
 import robotics1 as r1
 
@@ -86,3 +87,36 @@ def test_an_arm_is_whole_inside_the_window_and_its_tool_is_where_fk_says(browser
     page.picture(name.replace(" ", "_"))
     assert page.faults == []
     page.tab.close()
+
+
+# --- a leader that stands nearer the tip than the joint that mimics it
+
+
+def posed(joint, q):
+    """Return the motion of a joint of the page, (4, 4)."""
+    value = joint["multiplier"] * q[joint["coordinate"]] + joint["offset"]
+    turn, slide = (value, 0) if joint["kind"] == "revolute" else (0, value)
+    axis = np.array(joint["axis"])
+    place = np.vstack([np.reshape(joint["placement"], (3, 4)), [0, 0, 0, 1]])
+    return place @ pin.SE3(pin.exp3(turn * axis), slide * axis).homogeneous
+
+
+@pytest.mark.parametrize("multiplier", [1, -0.5])
+@pytest.mark.parametrize("kind", ["revolute", "prismatic"])
+def test_a_late_leader_moves_in_the_page_as_in_forward_kinematics(kind, multiplier):
+    limit = '<limit lower="-1" upper="1" velocity="1" effort="1"/>'
+    robot = r1.load_robot(
+        '<robot name="late"><link name="base"/><link name="first"/><link name="last"/>'
+        f'<joint name="follower" type="{kind}"><parent link="base"/><child link="first"/><origin xyz="0 0 0.2"/>'
+        f'<axis xyz="0 0 1"/>{limit}<mimic joint="leader" multiplier="{multiplier}" offset="0.1"/></joint>'
+        f'<joint name="leader" type="{kind}"><parent link="first"/><child link="last"/><origin xyz="0.3 0 0"/>'
+        f'<axis xyz="0 1 0"/>{limit}</joint></robot>'
+    )
+    arm = data_behind(r1.view(robot, [0.4]).html)["arms"][0]
+    poses = [np.eye(4)]
+    for joint in arm["joints"]:
+        poses.append(poses[joint["parent"] + 1] @ posed(joint, [0.4]))
+    tool = np.vstack([np.reshape(arm["tool"]["placement"], (3, 4)), [0, 0, 0, 1]])
+    expected = r1.forward_kinematics(robot, [0.4]).homogeneous
+    assert poses[arm["tool"]["joint"] + 1] @ tool == pytest.approx(expected, abs=1e-15)
+    assert [shape["link"] for shape in arm["shapes"]].count("last") == 2  # its drum, and the ball at its tip

@@ -91,7 +91,7 @@ def test_a_frame_is_refused_for_there_is_none(question):
         ((["9**9**9"], "R"), {}, r1.InputError, "exponent"),
         ((["sqrt(-1)*q1"], "R"), {}, r1.InputError, "real and finite"),
         (("q1", "R"), {}, r1.InputError, "formulas must be one for each row"),
-        (([], "R"), {}, r1.InputError, "there is none"),
+        (([], "R"), {}, r1.InputError, "they are \\[\\]"),
         ((["q1"], "X"), {}, r1.InputError, "letters R .revolute. and P"),
         ((["q1"], "R"), {"units": ("deg",)}, r1.InputError, "units must hold"),
         ((["q1"], "R"), {"lower": [1], "upper": [0]}, r1.InputError, "lower ≤ upper"),

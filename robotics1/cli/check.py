@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
-from robotics1.cli.arguments import loading_options, parse_number, read_text
-from robotics1.cli.options import AsJson, Locked, Packages, Parameters, RobotName, Tool, TypedDegrees
+from robotics1.cli.arguments import parse_number, read_text
+from robotics1.cli.options import AsJson, RobotOfFormulas, robot_command
 from robotics1.errors import InputError
 from robotics1.names import printable
 
@@ -29,16 +29,12 @@ EXAMPLES = (
 COLUMNS = ["type", "a", "alpha", "d", "theta"]
 
 
+@robot_command
 def check(
-    robot: RobotName,
+    arm: RobotOfFormulas,
     dh: Annotated[Path | None, typer.Option("--dh", help="A CSV file type,a,alpha,d,theta to compare with.")] = None,
     convention: Annotated[str, typer.Option(help="Of the DH table: standard or modified.")] = "standard",
-    packages: Packages = None,
-    lock: Locked = None,
     trusted: Annotated[bool, typer.Option("--trusted", help="Let a xacro read YAML and the environment.")] = False,
-    param: Parameters = None,
-    tool: Tool = None,
-    degrees: TypedDegrees = False,
     json: AsJson = False,
 ) -> None:
     """The verdict on a robot file, and what was understood of it."""
@@ -47,8 +43,7 @@ def check(
     from robotics1.robot.findings import AGREES
     from robotics1.robot.loading import check_robot
 
-    given = loading_options(robot, param, packages, lock, degrees)
-    found = check_robot(robot, tool=tool, trusted=trusted, **given)
+    found = check_robot(arm.source, trusted=trusted, **arm.loading)
     difference = None
     if dh is not None and found.robot is not None:
         difference = _difference_from(found.robot, robot_from_dh(read_dh_table(dh), convention=cast(Any, convention)))
@@ -98,28 +93,23 @@ def _difference_from(robot: Robot, other: Robot) -> float:
 
 def _as_json(found: RobotReport, dh_difference: float | None, sound: bool) -> dict[str, Any]:
     """Return the report as plain data."""
-    from robotics1.cli.output import units
+    from robotics1.cli.output import attributes, units
     from robotics1.robot.joints import tips
 
     answer: dict[str, Any] = {
         "path": str(found.path),
         "sound": sound,
-        "errors": [{"line": e.line, "element": e.element, "message": e.message} for e in found.errors],
-        "warnings": [{"line": w.line, "element": w.element, "message": w.message} for w in found.warnings],
+        "errors": [attributes(finding, "line element message") for finding in found.errors],
+        "warnings": [attributes(finding, "line element message") for finding in found.warnings],
         "fk_difference": found.fk_difference,
         "dh_difference": dh_difference,
     }
     robot = found.robot
     if robot is not None:
         answer |= {
-            "name": robot.name,
-            "nq": robot.nq,
-            "nv": robot.nv,
+            **attributes(robot, "name nq nv lower upper tool"),
             "joints": list(robot.joint_names),
             "units": {"q": units(robot), "parameters": "m"},
-            "lower": robot.lower,
-            "upper": robot.upper,
-            "tool": robot.tool,
             "tips": list(tips(robot.frame_names, robot.joints)),
             "parameters": dict(robot.parameters),
         }

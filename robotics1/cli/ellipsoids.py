@@ -1,12 +1,11 @@
 """The command `robotics1 manipulability`."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.arguments import parse_vector
+from robotics1.cli.options import AsJson, Figure, Frame, Q, TaskName, TypedRobot, robot_command
 
 if TYPE_CHECKING:
     from robotics1.singularities.dexterity import Manipulability, Transmission
@@ -17,18 +16,14 @@ EXAMPLES = (
 )
 
 
+@robot_command
 def manipulability(
-    robot: RobotName,
+    arm: TypedRobot,
     q: Q = None,
     task: TaskName = None,
     frame: Frame = None,
     along: Annotated[str | None, typer.Option(help="A direction u: how velocity and force are transmitted.")] = None,
-    figure: Annotated[Path | None, typer.Option(help="A file for the ellipses: .svg, .pdf or .png.")] = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: Degrees = False,
+    figure: Figure = None,
     json: AsJson = False,
 ) -> None:
     """The velocity and force ellipsoids at q, w = √det(J Jᵀ), and the largest speed within the limits of the joints.
@@ -42,22 +37,21 @@ def manipulability(
     from robotics1.singularities.polytopes import MOST, velocity_polytope
     from robotics1.viewer.arm_data import is_planar
 
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    values = arguments.configuration(arm, q, degrees)
-    what = arguments.task_for(arm, task or ("position:xy" if is_planar(arm) else "position"), frame)
-    found = at_configuration(arm, what, values)
-    passed = None if along is None else found.transmission(arguments.parse_vector(along))
-    bounded = 0 < arm.nv <= MOST and np.isfinite(arm.max_velocity).all()
-    fastest = velocity_polytope(arm, what, values).largest if bounded else None
+    robot, values = arm.robot, arm.configuration(q)
+    what = arm.task(task or ("position:xy" if is_planar(robot) else "position"), frame)
+    found = at_configuration(robot, what, values)
+    passed = None if along is None else found.transmission(parse_vector(along))
+    bounded = 0 < robot.nv <= MOST and np.isfinite(robot.max_velocity).all()
+    fastest = velocity_polytope(robot, what, values).largest if bounded else None
     if figure is not None:
         from robotics1.plots.ellipses import plot_ellipses
 
-        plot_ellipses(arm, what, values, file=figure, title=arm.name)
+        plot_ellipses(robot, what, values, file=figure, title=robot.name)
     if json:
-        write_json({"q": values, **_as_json(found, passed), "largest_speed": fastest, "units": {"q": units(arm)}})
+        write_json({"q": values, **_as_json(found, passed), "largest_speed": fastest, "units": {"q": units(robot)}})
         return
     out = PlainConsole()
-    say_outside_limits(out, arm, values)
+    say_outside_limits(out, robot, values)
     for line in _lines(found, passed):
         out.print(line, markup=False)
     if fastest is not None:
@@ -67,13 +61,14 @@ def manipulability(
 
 
 def _as_json(found: "Manipulability", passed: "Transmission | None") -> dict[str, Any]:
+    from robotics1.cli.output import attributes
+
     return {
-        "measure": found.measure,
-        "condition": found.condition,
+        **attributes(found, "measure condition"),
         "axes": found.velocity_ellipsoid.axes.T,
         "velocity_lengths": found.velocity_ellipsoid.lengths,
         "force_lengths": found.force_ellipsoid.lengths,
-        "transmission": None if passed is None else {"velocity": passed.velocity, "force": passed.force},
+        "transmission": None if passed is None else attributes(passed, "velocity force"),
         "status": found.status.name,
     }
 

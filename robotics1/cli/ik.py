@@ -6,8 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Frame, TaskName, TypedRobot, robot_command
 from robotics1.cli.uncompiled import run_without_compiler
 from robotics1.errors import InputError
 
@@ -65,8 +64,9 @@ USES = {  # option → the questions whose answer it changes
 }
 
 
+@robot_command
 def ik(
-    robot: RobotName,
+    arm: TypedRobot,
     target: Target = None,
     task: TaskName = None,
     method: Method = None,
@@ -80,11 +80,6 @@ def ik(
     formulas: Formulas = False,
     page: PageFile = None,
     frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """Inverse kinematics: all solutions or their formulas, one solution, many targets, or one method's iterations."""
@@ -98,8 +93,8 @@ def ik(
     given |= {"tolerance": tolerance, "max_iterations": max_iterations, "page": page}
     if formulas:
         _refuse_beside_formulas({"target": target, "targets": targets, "method": method, **given})
-        arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-        raise typer.Exit(0 if answers.formulas(arm, arguments.task_for(arm, task, frame), json=json) else 1)
+        answers.formulas(arm.robot, arm.task(task, frame), json=json)
+        return
     if (target is None) == (targets is None):
         raise InputError("give either --target, as in --target 1,-1,3, or --targets FILE with a target on each line")
     if method is not None:
@@ -108,23 +103,22 @@ def ik(
         raise InputError(f"--targets is for --method solve; {method!r} takes one --target")
     question = SOLVE if method == "solve" or targets is not None else ALL if method is None else ITERATE
     options = _used(question, given)
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    what = arguments.task_for(arm, task, frame)
-    start = None if q0 is None else arguments.configuration(arm, q0, degrees)
+    what = arm.task(task, frame)
+    start = None if q0 is None else arm.configuration(q0)
     if targets is not None:
-        wanted = answers.read_targets(targets, what, degrees)
-        done = answers.many_solutions(arm, what, wanted, start, options, degrees=degrees, json=json)
+        wanted = answers.read_targets(targets, what, arm.degrees)
+        done = answers.many_solutions(arm, what, wanted, start, options, json=json)
     else:
-        goal = answers.parse_target(what, target or "", degrees, by_default=task is None)
+        goal = answers.parse_target(what, target or "", arm.degrees, by_default=task is None)
         if question == ITERATE:
-            start = arguments.configuration(arm, None, degrees) if start is None else start
+            start = arm.configuration(None) if start is None else start
             options["method"] = method
         kinds: dict[str, Callable[..., bool]] = {
             ALL: answers.all_solutions,
             SOLVE: answers.one_solution,
             ITERATE: answers.iteration,
         }
-        done = kinds[question](arm, what, goal, start, options, degrees=degrees, json=json)
+        done = kinds[question](arm, what, goal, start, options, json=json)
     raise typer.Exit(0 if done else 1)
 
 

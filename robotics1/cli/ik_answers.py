@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from robotics1.cli.arguments import parse_vector, read_text
+from robotics1.cli.options import TypedRobot
 from robotics1.cli.output import (
     PlainConsole,
-    in_degrees,
+    attributes,
     joint_names,
     progress_bar,
     say_outside_limits,
@@ -104,28 +105,28 @@ def read_targets(path: Path, task: FrameTask, degrees: bool) -> list[Any]:
 
 
 def all_solutions(
-    robot: Robot, task: FrameTask, target: Any, _: None, options: dict[str, Any], *, degrees: bool, json: bool
+    arm: TypedRobot, task: FrameTask, target: Any, _: None, options: dict[str, Any], *, json: bool
 ) -> bool:
     """Print every solution, write a page of them if that is asked for, and return whether there is one."""
     from robotics1.ik.solutions import ik_solutions
 
     page = options.pop("page", None)
-    found = ik_solutions(robot, task, target, **options)
+    found = ik_solutions(arm.robot, task, target, **options)
     if page is not None and len(found):
         from robotics1.viewer.animation import view
 
-        view(robot, file=page, task=task, solutions=found)
+        view(arm.robot, file=page, task=task, solutions=found)
     if json:
         write_json(_solutions_as_json(found))
         return len(found) > 0
     out = PlainConsole()
     out.print(f"{found.status.value} ({len(found)} found by {found.method})")
     if len(found) or len(found.outside_limits):
-        _print_solutions(out, found, robot, degrees)
+        _print_solutions(out, found, arm)
     if len(found) > OF_A_FAMILY:
         out.print(f"and {len(found) - OF_A_FAMILY} more")
     if not len(found):
-        nearest = vector(in_degrees(robot, found.closest, degrees))
+        nearest = vector(arm.shown(found.closest))
         out.print(f"the nearest miss is |e| = {found.error_norm:.4g} at q = {nearest}")
         return False
     if found.free_joints:
@@ -135,10 +136,10 @@ def all_solutions(
     return True
 
 
-def _print_solutions(out: PlainConsole, found: IKSolutions, robot: Robot, degrees: bool) -> None:
+def _print_solutions(out: PlainConsole, found: IKSolutions, arm: TypedRobot) -> None:
     """Print the solutions as a table, and the posture of each in a column, or below where there are many joints."""
     inside = found.q[:OF_A_FAMILY]
-    q = in_degrees(robot, np.vstack([inside, found.outside_limits]), degrees)
+    q = arm.shown(np.vstack([inside, found.outside_limits]))
     labels = (*found.labels[: len(inside)], *found.labels_of(found.outside_limits))
     singular = (*found.singular[: len(inside)], *[False] * len(found.outside_limits))
     notes = []
@@ -146,8 +147,8 @@ def _print_solutions(out: PlainConsole, found: IKSolutions, robot: Robot, degree
         beside = ["singular"] * bool(flag) + ["outside the limits"] * (i >= len(inside))
         notes.append(", ".join((*names, *beside)))
     numbers = [(str(i + 1), *(number(float(value)) for value in values)) for i, values in enumerate(q)]
-    headings = ("", *joint_names(robot))
-    if any(notes) and robot.nq <= IN_COLUMNS:
+    headings = ("", *joint_names(arm.robot))
+    if any(notes) and arm.robot.nq <= IN_COLUMNS:
         rows = [(*row, note) for row, note in zip(numbers, notes, strict=True)]
         out.print(table((*headings, "posture"), rows, left=("posture",)))
         return
@@ -158,24 +159,16 @@ def _print_solutions(out: PlainConsole, found: IKSolutions, robot: Robot, degree
 
 
 def _solutions_as_json(found: IKSolutions) -> dict[str, Any]:
-    return {
+    answer: dict[str, Any] = {
         "status": found.status.name,
         "units": {"q": [] if found.robot is None else units(found.robot)},
-        "complete": found.complete,
-        "method": found.method,
-        "solutions": found.q,
-        "labels": found.labels,
-        "singular": found.singular,
-        "within_limits": found.within_limits,
-        "outside_limits": found.outside_limits,
-        "error_norm": found.error_norm,
-        "free_joints": found.free_joints,
-        "dimension": found.dimension,
     }
+    answer |= {"complete": found.complete, "method": found.method, "solutions": found.q}
+    return answer | attributes(found, "labels singular within_limits outside_limits error_norm free_joints dimension")
 
 
-def formulas(robot: Robot, task: FrameTask, *, json: bool) -> bool:
-    """Print the formulas of every solution, and return that there are some."""
+def formulas(robot: Robot, task: FrameTask, *, json: bool) -> None:
+    """Print the formulas of every solution."""
     from robotics1.ik.closed_form.find import ik_formulas
 
     found = ik_formulas(robot, task)
@@ -184,52 +177,44 @@ def formulas(robot: Robot, task: FrameTask, *, json: bool) -> bool:
         write_json({"branches": branches, "free_joints": found.free_joints, "latex": found.latex()})
     else:
         PlainConsole().say(found.explain())
-    return True
 
 
 def one_solution(
-    robot: Robot, task: FrameTask, target: Any, q0: Array | None, options: dict[str, Any], *, degrees: bool, json: bool
+    arm: TypedRobot, task: FrameTask, target: Any, q0: Array | None, options: dict[str, Any], *, json: bool
 ) -> bool:
     """Print the solution that is found robustly, or the nearest miss; and return which it is."""
     from robotics1.ik.solver import IKSolver
 
-    result = IKSolver(robot, task, **options)(target, q0)
+    result = IKSolver(arm.robot, task, **options)(target, q0)
     if json:
-        write_json(_as_json(result) | {"units": {"q": units(robot)}})
+        write_json(_as_json(result) | {"units": {"q": units(arm.robot)}})
         return result.converged
     out = PlainConsole()
     out.print(f"{result.status.name} after {count(result.starts, 'start')}: {result.status.value}")
     if not result.converged:
         out.print(f"the nearest miss is |e| = {result.error_norm:.4g} at")
-    out.print(matrix_table(in_degrees(robot, result.q, degrees)[:, None], joint_names(robot), ("q",)))
+    out.print(matrix_table(arm.shown(result.q)[:, None], joint_names(arm.robot), ("q",)))
     if result.converged:
         out.print(f"|e| = {result.error_norm:.2g} by forward kinematics")
     return result.converged
 
 
 def many_solutions(
-    robot: Robot,
-    task: FrameTask,
-    targets: Sequence[Any],
-    q0: Array | None,
-    options: dict[str, Any],
-    *,
-    degrees: bool,
-    json: bool,
+    arm: TypedRobot, task: FrameTask, targets: Sequence[Any], q0: Array | None, options: dict[str, Any], *, json: bool
 ) -> bool:
     """Print the solutions of many targets, and return whether all are reached."""
     from robotics1.ik.solver import IKSolver
 
     with progress_bar("solving", hidden=json) as progress:
-        batch = IKSolver(robot, task, **options).solve_batch(targets, q0, progress=progress)
+        batch = IKSolver(arm.robot, task, **options).solve_batch(targets, q0, progress=progress)
     if json:
         write_json([_as_json(batch[i]) for i in range(len(batch))])
     else:
-        _print_batch(batch, robot, degrees)
+        _print_batch(batch, arm)
     return bool(batch.converged.all())
 
 
-def _print_batch(batch: IKBatch, robot: Robot, degrees: bool) -> None:
+def _print_batch(batch: IKBatch, arm: TypedRobot) -> None:
     out = PlainConsole()
     out.print(f"{int(batch.converged.sum())} of {count(len(batch), 'target')} reached")
     for status in dict.fromkeys(batch.status[~batch.converged]):
@@ -237,7 +222,7 @@ def _print_batch(batch: IKBatch, robot: Robot, degrees: bool) -> None:
     missed_first = np.argsort(batch.converged, kind="stable")
     rows = []
     for i in sorted(missed_first[:OF_A_FILE].tolist()):
-        q = vector(in_degrees(robot, batch.q[i], degrees))
+        q = vector(arm.shown(batch.q[i]))
         rows.append((str(i + 1), batch.status[i].name, str(batch.starts[i]), f"{batch.error_norm[i]:.2g}", q))
     out.print(table(("target", "status", "starts", "|e|", "q"), rows, left=("status",)))
     if len(batch) > OF_A_FILE:
@@ -248,30 +233,28 @@ def _as_json(result: IKResult) -> dict[str, Any]:
     return {"status": result.status.name, "q": result.q, "error_norm": result.error_norm, "starts": result.starts}
 
 
-def iteration(
-    robot: Robot, task: FrameTask, target: Any, q0: Array, options: dict[str, Any], *, degrees: bool, json: bool
-) -> bool:
+def iteration(arm: TypedRobot, task: FrameTask, target: Any, q0: Array, options: dict[str, Any], *, json: bool) -> bool:
     """Print the table of an iteration, and return whether it converged."""
-    run = iterate_ik(robot, task, target, q0, **options)
+    run = iterate_ik(arm.robot, task, target, q0, **options)
     if json:
-        answer = {"units": {"q": units(robot)}, "status": run.status.name, "iterations": run.iterations, "q": run.q}
+        answer = {"units": {"q": units(arm.robot)}, "status": run.status.name, "iterations": run.iterations, "q": run.q}
         write_json(answer | {"within_limits": run.within_limits, "table": [row._asdict() for row in run.table]})
         return run.converged
     out = PlainConsole()
-    title = f"{run.method}, angles in {'degrees, |e| in radians' if degrees else 'radians'}"
-    out.print(iteration_table(_in_degrees(run, robot, task) if degrees else run, title))
+    title = f"{run.method}, angles in {'degrees, |e| in radians' if arm.degrees else 'radians'}"
+    out.print(iteration_table(_in_degrees(run, arm, task) if arm.degrees else run, title))
     out.print(f"{run.status.name} after {count(run.iterations, 'iteration')}: {run.status.value}")
-    say_outside_limits(out, robot, run.q)
+    say_outside_limits(out, arm.robot, run.q)
     return run.converged
 
 
-def _in_degrees(run: IKIteration, robot: Robot, task: FrameTask) -> IKIteration:
+def _in_degrees(run: IKIteration, arm: TypedRobot, task: FrameTask) -> IKIteration:
     """Return an iteration for printing, with its q, and r where it is a vector, in degrees."""
     angles = np.array(task.row_units) == "rad"
 
     def converted(row: IKIterate) -> IKIterate:
         is_vector = isinstance(row.r, np.ndarray) and row.r.shape == angles.shape
         r = np.where(angles, np.degrees(row.r), row.r) if is_vector else row.r
-        return row._replace(q=in_degrees(robot, row.q, True), r=r)
+        return row._replace(q=arm.shown(row.q), r=r)
 
     return replace(run, table=tuple(map(converted, run.table)))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.arguments import parse_names, parse_point
+from robotics1.cli.options import AsJson, Frame, Q, TaskName, TypedRobot, robot_command
 from robotics1.errors import FormulaError, InputError
 
 if TYPE_CHECKING:
@@ -32,16 +31,12 @@ EXAMPLES = (
 )
 
 
+@robot_command
 def jacobian(
-    robot: RobotName,
+    arm: TypedRobot,
     q: Q = None,
     task: TaskName = None,
     frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: Degrees = False,
     symbolic: Annotated[bool, typer.Option("--symbolic", help="Formulas instead of numbers; --q is not used.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Formulas in LaTeX.")] = False,
     python: Annotated[bool, typer.Option("--python", help="J as a Python function that needs NumPy alone.")] = False,
@@ -51,63 +46,62 @@ def jacobian(
     json: AsJson = False,
 ) -> None:
     """The Jacobian of a task, its rank and its subspaces; or its formulas, with determinant or minors."""
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    what = arguments.task_for(arm, task, frame, angles)
-    chosen = None if rows is None else arguments.parse_names(rows)
-    at = None if point is None else arguments.parse_point(point)
+    what = arm.task(task, frame, angles)
+    chosen = None if rows is None else parse_names(rows)
+    at = None if point is None else parse_point(point)
     if symbolic or latex or python:
         if latex and python:
             raise InputError("choose one of --latex and --python")
         from robotics1.symbolic.tasks.formula import formulas
 
-        _print_formulas(formulas(arm, what, point=at, rows=chosen), latex=latex, python=python, json=json)
+        _print_formulas(formulas(arm.robot, what, point=at, rows=chosen), latex=latex, python=python, json=json)
         return
-    _print_numbers(arm, what, arguments.configuration(arm, q, degrees), chosen, at, degrees=degrees, json=json)
+    _print_numbers(arm, what, arm.configuration(q), chosen, at, json=json)
 
 
 def _print_numbers(
-    arm: Robot,
+    arm: TypedRobot,
     what: FrameTask,
     values: Array,
     chosen: Sequence[str] | None,
     at: Sequence[float | str] | None,
     *,
-    degrees: bool,
     json: bool,
 ) -> None:
     """Print the Jacobian at a configuration, its rank and its subspaces."""
     import numpy as np
 
-    from robotics1.cli.output import PlainConsole, in_degrees, joint_names, say_outside_limits, units, write_json
+    from robotics1.cli.output import PlainConsole, joint_names, say_outside_limits, units, write_json
     from robotics1.notation import vector
     from robotics1.singularities.rounding import rounded_configuration
     from robotics1.tasks.rows import unitless_factors
     from robotics1.terminal_tables import matrix_table
 
+    robot = arm.robot
     if at is not None:
-        arm, what = _at_point(arm, what, at)
+        robot, what = _at_point(robot, what, at)
     places = list(range(what.rows))
     if chosen is not None:
         from robotics1.symbolic.tasks.formula import row_places
 
         places = list(row_places(what, chosen))
-    scale = unitless_factors(arm, what)[places]
-    found = rounded_configuration(lambda x: what.jacobian(arm, x)[places], arm, values, scale)
+    scale = unitless_factors(robot, what)[places]
+    found = rounded_configuration(lambda x: what.jacobian(robot, x)[places], robot, values, scale)
     J = found.spaces.J
     det = float(np.linalg.det(J)) if J.shape[0] == J.shape[1] else None
     if json:
         rows = [f"{what.row_units[i]}/s" for i in places]
-        write_json(_as_json(found, det) | {"units": {"q": units(arm), "rows": rows}})
+        write_json(_as_json(found, det) | {"units": {"q": units(robot), "rows": rows}})
         return
     out = PlainConsole()
-    say_outside_limits(out, arm, values)
+    say_outside_limits(out, robot, values)
     shown = tuple(what.row_names[i] for i in places)
-    title = f"J of ({', '.join(shown)}) at q = {vector(in_degrees(arm, values, degrees))}, world axes"
-    out.print(matrix_table(J, shown, joint_names(arm), title))
+    title = f"J of ({', '.join(shown)}) at q = {vector(arm.shown(values))}, world axes"
+    out.print(matrix_table(J, shown, joint_names(robot), title))
     _print_rank(out, found, det)
 
 
-def _at_point(arm: Robot, task: FrameTask, at: Sequence[float | str]) -> tuple[Robot, FrameTask]:
+def _at_point(robot: Robot, task: FrameTask, at: Sequence[float | str]) -> tuple[Robot, FrameTask]:
     """Return the robot and the task with a point of the frame instead.
 
     Raises:
@@ -116,12 +110,11 @@ def _at_point(arm: Robot, task: FrameTask, at: Sequence[float | str]) -> tuple[R
     from robotics1.notation import enumeration
     from robotics1.symbolic.kinematics.points import with_point
 
-    named = arm.parameters
-    arm, moved = with_point(arm, task.frame, at)
-    unvalued = [name for name in arm.parameters if name not in named]
+    placed, moved = with_point(robot, task.frame, at)
+    unvalued = [name for name in placed.parameters if name not in robot.parameters]
     if unvalued:
         raise InputError(f"{enumeration(unvalued)} of the point has no value; type a number, or ask for --symbolic")
-    return arm, replace(task, frame=moved)
+    return placed, replace(task, frame=moved)
 
 
 def _print_rank(out: PlainConsole, found: RoundedConfiguration, det: float | None) -> None:

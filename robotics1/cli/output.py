@@ -18,6 +18,13 @@ from robotics1.names import printable
 if TYPE_CHECKING:
     from robotics1.inputs import Array
     from robotics1.robot.model import Robot
+    from robotics1.viewer.page import Page
+
+
+SEVERAL = {  # kind of joint → unit → the entries of its q, and of its q̇
+    "planar": ({"m": "x y", "1": "cos sin"}, {"m": "x y", "rad": "θ"}),
+    "floating": ({"m": "x y z", "1": "qx qy qz qw"}, {"m": "x y z", "rad": "ωx ωy ωz"}),
+}
 
 
 class PlainConsole(Console):
@@ -105,6 +112,11 @@ def write_json(answer: Any) -> None:
     sys.stdout.write("\n")
 
 
+def attributes(found: Any, names: str) -> dict[str, Any]:
+    """Return attributes of an answer by their names, which a text lists."""
+    return {name: getattr(found, name) for name in names.split()}
+
+
 def plain(value: Any) -> Any:
     """Return a value made of what JSON knows; NaN and infinity become null."""
     import numpy as np
@@ -123,33 +135,53 @@ def plain(value: Any) -> Any:
     return value
 
 
-def in_degrees(robot: Robot, q: Array, degrees: bool) -> Array:
-    """Return q for printing: its angles in degrees where asked."""
-    import numpy as np
-
-    return np.where(robot.revolute, np.degrees(q), q) if degrees else q
-
-
 def units(robot: Robot) -> list[str]:
-    """Return the unit of each entry of q in JSON: rad or m."""
-    return ["rad" if turns else "m" for turns in robot.revolute]
+    """Return the unit of each entry of q in JSON: rad, m, or 1 of a sine, a cosine and a part of a quaternion."""
+    return [unit for _, unit in _entries(robot, 0)]
 
 
 def effort_units(robot: Robot) -> list[str]:
-    """Return the unit of each joint's torque or force in JSON: N m or N."""
-    return ["N m" if turns else "N" for turns in robot.revolute]
+    """Return the unit of each torque or force in JSON: N m or N."""
+    return ["N m" if unit == "rad" else "N" for _, unit in _entries(robot, 1)]
 
 
 def joint_names(robot: Robot) -> tuple[str, ...]:
-    """Return the names of the joints for printing, each on one line."""
-    return tuple(map(printable, robot.joint_names))
+    """Return a name for each entry of q̇, for printing: that of the joint, with a letter where it has several."""
+    return tuple(name for name, _ in _entries(robot, 1))
+
+
+def _entries(robot: Robot, order: int) -> list[tuple[str, str]]:
+    """Return name and unit of each entry of q, or for order 1 of q̇, in the order of Pinocchio."""
+    found = []
+    for joint in robot.moving_joints:
+        name = printable(joint.name)
+        several = SEVERAL.get(joint.kind)
+        if several is None:
+            found.append((name, "rad" if joint.kind == "revolute" else "m"))
+        else:
+            found += [
+                (f"{name} {letter}", unit) for unit, letters in several[order].items() for letter in letters.split()
+            ]
+    return found
 
 
 def say_outside_limits(console: Console, robot: Robot, q: Array) -> None:
     """Say which joints are beyond their limits."""
-    for name, value, low, high in zip(joint_names(robot), q, robot.lower, robot.upper, strict=True):
+    for (name, _), value, low, high in zip(_entries(robot, 0), q, robot.lower, robot.upper, strict=True):
         if not low - 1e-9 <= value <= high + 1e-9:
             console.print(f"{name} = {value:.4g} is outside its limits [{low:.4g}, {high:.4g}]", style="yellow")
+
+
+def say_written(page: Page, *, json: bool, show: bool) -> None:
+    """Print the file of a page, and open it in the browser where asked."""
+    if json:
+        write_json({"files": [str(page.file)]})
+    else:
+        PlainConsole().print(f"wrote {page.file}", soft_wrap=True)
+    if show and page.file is not None:
+        import webbrowser
+
+        webbrowser.open(page.file.resolve().as_uri())
 
 
 @contextmanager

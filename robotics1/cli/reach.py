@@ -9,9 +9,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
-from robotics1.cli.workers import Scheduler, Workers, opened_executor
+from robotics1.cli.arguments import named_texts, parse_number
+from robotics1.cli.options import (
+    AsJson,
+    Figure,
+    Frame,
+    Scheduler,
+    TaskName,
+    TypedRobot,
+    Workers,
+    opened_executor,
+    robot_command,
+)
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
@@ -25,11 +34,11 @@ SHARES = (0.0, 0.1, 0.25, 0.5, 0.75, 1.0)  # of the orientations
 WIDTH = 30  # of a bar
 
 Grid = Annotated[list[str] | None, typer.Option("--grid", help="The values of a coordinate, as in x=-1:1:21 or z=0.3.")]
-Figure = Annotated[Path | None, typer.Option("--figure", help="A file for the picture of a slice: .svg, .pdf or .png.")]
 
 
+@robot_command
 def reach(
-    robot: RobotName,
+    arm: TypedRobot,
     task: TaskName = None,
     step: Annotated[str | None, typer.Option(help="The step of a grid over the whole reach, in metres.")] = None,
     grid: Grid = None,
@@ -41,11 +50,6 @@ def reach(
     workers: Workers = None,
     scheduler: Scheduler = None,
     frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: Degrees = False,
     figure: Figure = None,
     page: Annotated[Path | None, typer.Option(help="A file for a page with the cells, .html.")] = None,
     json: AsJson = False,
@@ -54,14 +58,13 @@ def reach(
     from robotics1.cli.output import PlainConsole, progress_bar, write_json
     from robotics1.workspaces.reachability.map import reachability_map
 
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    asked = arguments.task_for(arm, task, frame)
+    robot, asked = arm.robot, arm.task(task, frame)
     turns = orientations if any(unit == "rad" for unit in asked.row_units) else 0
     with progress_bar("trying poses") as progress, opened_executor(workers, scheduler) as executor:
         known = reachability_map(
-            arm,
+            robot,
             asked,
-            _positions(grid, step, arm.reach),
+            _positions(grid, step, robot.reach),
             turns or None,
             starts=starts,
             seed=seed,
@@ -73,11 +76,11 @@ def reach(
     if figure is not None:
         from robotics1.plots.reachability import plot_reachability
 
-        plot_reachability(known, file=figure, title=arm.name)
+        plot_reachability(known, file=figure, title=robot.name)
     if page is not None:
         from robotics1.viewer.animation import view
 
-        view(arm, file=page, reach=known, caption=known.explain())
+        view(robot, file=page, reach=known, caption=known.explain())
     if json:
         write_json(_as_json(known))
         return
@@ -96,15 +99,15 @@ def _positions(grid: Sequence[str] | None, step: str | None, reach: float) -> An
     if grid and step is not None:
         raise InputError("--grid and --step are two ways to say the same: give one of them")
     if not grid:
-        return float(arguments.parse_number(step)) if step is not None else reach / STEPS
+        return parse_number(step) if step is not None else reach / STEPS
     import numpy as np
 
-    values = {}
-    for text in grid:
-        name, _, axis = text.partition("=")
-        numbers = [arguments.parse_number(number) for number in axis.split(":")] if axis else []
+    values: dict[str, Any] = {}
+    what, example = "no coordinate of a grid", "x=-1:1:21, or z=0.3"
+    for name, axis in named_texts(grid, what, example):
+        numbers = [parse_number(number) for number in axis.split(":")] if axis else []
         if len(numbers) not in (1, 3) or (len(numbers) == 3 and numbers[2] != max(1, round(numbers[2]))):
-            raise InputError(f"{text!r} is no coordinate of a grid; write it like x=-1:1:21, or z=0.3")
+            raise InputError(f"{f'{name}={axis}'!r} is {what}; write it like {example}")
         values[name] = numbers if len(numbers) == 1 else np.linspace(numbers[0], numbers[1], int(numbers[2]))
     return values
 
@@ -127,19 +130,10 @@ def _shares(known: ReachabilityMap) -> Table:
 
 def _as_json(known: ReachabilityMap) -> dict[str, Any]:
     """Return the map as what JSON knows, position by position; a map of millions is better read from its folder."""
-    return {
-        "units": {"positions": "m", "volume": "m^3"},
-        "robot": known.robot,
-        "rows": known.task,
-        "counts": {status.name: number for status, number in known.counts().items()},
-        "complete": known.complete,
-        "orientations": len(known.orientations),
-        "volume": known.volume,
-        "grid": known.grid,
-        "positions": known.positions,
-        "capability": known.capability,
-        "most_solutions": known.most_solutions,
-        "manipulability": known.manipulability,
-        "limit_margin": known.limit_margin,
-        "q": known.q,
-    }
+    from robotics1.cli.output import attributes
+
+    answer: dict[str, Any] = {"units": {"positions": "m", "volume": "m^3"}, "robot": known.robot, "rows": known.task}
+    answer["counts"] = {status.name: number for status, number in known.counts().items()}
+    answer |= {"complete": known.complete, "orientations": len(known.orientations)}
+    measured = "volume grid positions capability most_solutions manipulability limit_margin q"
+    return answer | attributes(known, measured)

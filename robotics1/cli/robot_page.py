@@ -7,20 +7,19 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import TASKS, AsJson, Degrees, Locked, Packages, Parameters, Q, RobotName, Tool
+from robotics1.cli.options import TASKS, AsJson, OpenPage, Q, TypedRobot, robot_command
 from robotics1.errors import InputError
 from robotics1.names import file_stem
 
 if TYPE_CHECKING:
-    from robotics1.robot.model import Robot
     from robotics1.viewer.page import Page
 
 EXAMPLES = ("view prr --q 0.3,0.6,0.7 --open", "view ur5 -o ur5.html", "view planar_2r --trajectory motion.csv --serve")
 
 
+@robot_command
 def view(
-    robot: RobotName,
+    arm: TypedRobot,
     q: Q = None,
     trajectory: Annotated[
         Path | None,
@@ -39,56 +38,39 @@ def view(
             "--out", "-o", help="The page to write; by default ROBOT.html, of the letters and digits of its name."
         ),
     ] = None,
-    show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
+    show: OpenPage = False,
     server: Annotated[
         bool, typer.Option("--serve", help="Write no file; show the page at an address of this computer until Ctrl-C.")
     ] = False,
     port: Annotated[int, typer.Option(help="The port of --serve; 0 takes a free one.", min=0, max=65535)] = 0,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """Write an offline page to play with a robot, or to watch a recorded motion."""
-    import webbrowser
+    from robotics1.cli.output import PlainConsole, say_outside_limits, say_written
 
-    from robotics1.cli.output import PlainConsole, say_outside_limits, write_json
-
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    file = None if server else page or Path(f"{file_stem(arm.name)}.html")
-    made = _page(arm, q, trajectory, task, file, degrees)
+    file = None if server else page or Path(f"{file_stem(arm.robot.name)}.html")
+    made = _page(arm, q, trajectory, task, file)
     if server:
         _serve(made, port, show)
         return
-    if json:
-        write_json({"files": [str(made.file)]})
-    else:
-        out = PlainConsole()
-        say_outside_limits(out, arm, arguments.configuration(arm, q, degrees))
-        out.print(f"wrote {made.file}", soft_wrap=True)
-    if show and made.file is not None:
-        webbrowser.open(made.file.resolve().as_uri())
+    if not json:
+        say_outside_limits(PlainConsole(), arm.robot, arm.configuration(q))
+    say_written(made, json=json, show=show)
 
 
-def _page(
-    arm: Robot, q: str | None, trajectory: Path | None, task: str | None, file: Path | None, degrees: bool
-) -> Page:
+def _page(arm: TypedRobot, q: str | None, trajectory: Path | None, task: str | None, file: Path | None) -> Page:
     """Return the page of a recorded motion, or of a configuration."""
-    from robotics1.cli.output import in_degrees
     from robotics1.notation import vector
     from robotics1.viewer.animation import animate, view as view_robot
     from robotics1.viewer.recording import read_recording
 
-    of_task = None if task is None else arguments.parse_task(task, None)
     if trajectory is None:
-        values = arguments.configuration(arm, q, degrees)
-        return view_robot(arm, values, file, task=of_task, caption=f"q = {vector(in_degrees(arm, values, degrees))}")
+        values = arm.configuration(q)
+        return view_robot(arm.robot, values, file, task=task, caption=f"q = {vector(arm.shown(values))}")
     if q is not None:
         raise InputError("give --q or --trajectory, not both")
-    times, recorded = read_recording(trajectory, arm)
-    return animate(arm, times=times, q=recorded, file=file, task=of_task, caption=trajectory.name)
+    times, recorded = read_recording(trajectory, arm.robot)
+    return animate(arm.robot, times=times, q=recorded, file=file, task=task, caption=trajectory.name)
 
 
 def _serve(page: Page, port: int, show: bool) -> None:

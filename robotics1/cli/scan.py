@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool
+from robotics1.cli.arguments import parse_number
+from robotics1.cli.options import (
+    AsJson,
+    Frame,
+    Scheduler,
+    TaskName,
+    TypedRobot,
+    Workers,
+    opened_executor,
+    robot_command,
+)
 from robotics1.cli.uncompiled import run_without_compiler
-from robotics1.cli.workers import Scheduler, Workers, opened_executor
 
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from robotics1.singularities.reduction import Measure
     from robotics1.singularities.scan_result import SingularityScan
 
 EXAMPLES = ("scan prr --samples 1e5", "scan ur5 --samples 1e6 --refine 10", "scan planar_2r --box q1=-1:pi/2")
@@ -26,8 +33,9 @@ SHOWN = 5  # configurations that are printed; JSON has all
 WIDTH = 30  # of a bar
 
 
+@robot_command
 def scan(
-    robot: RobotName,
+    arm: TypedRobot,
     task: TaskName = None,
     samples: Annotated[str, typer.Option(help="How many configurations, as 1e6; of a grid at most so many.")] = "1e6",
     measure: Annotated[
@@ -42,55 +50,40 @@ def scan(
     workers: Workers = None,
     scheduler: Scheduler = None,
     frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """How near to singular a task is, over millions of configurations."""
-    number = arguments.parse_number(samples)
+    number = parse_number(samples)
     if number <= FEW and refine == 0:
         run_without_compiler()
-    from robotics1.cli.output import write_json
+    from robotics1.cli.output import progress_bar, write_json
+    from robotics1.singularities.scan import scan_singularities
 
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    done = _run(
-        (workers, scheduler),
-        arm,
-        arguments.task_for(arm, task, frame),
-        samples=number,
-        measures=measure or ["sigma_min"],
-        method=method,
-        seed=seed,
-        refine=refine,
-        box=arguments.parse_box(arm, box, degrees),
-        length=arm.reach if length == "reach" else arguments.parse_number(length),
-        checkpoint=checkpoint,
-    )
+    robot = arm.robot
+    with progress_bar("scanning", "summing up") as progress, opened_executor(workers, scheduler) as executor:
+        done = scan_singularities(
+            robot,
+            arm.task(task, frame),
+            samples=number,
+            measures=cast(Any, measure or ["sigma_min"]),
+            method=cast(Any, method),
+            seed=seed,
+            refine=refine,
+            box=arm.box(box),
+            length=robot.reach if length == "reach" else parse_number(length),
+            checkpoint=checkpoint,
+            progress=progress,
+            executor=executor,
+        )
     if json:
         write_json(_as_json(done))
     else:
-        _print(done, degrees)
+        _print(done, arm)
 
 
-def _run(by: tuple[int | None, str | None], *asked: Any, **options: Any) -> SingularityScan:
-    """Scan with a progress bar, in so many threads or by a scheduler.
-
-    Raises:
-        Robotics1Error: what `scan_singularities` raises.
-    """
-    from robotics1.cli.output import progress_bar
-    from robotics1.singularities.scan import scan_singularities
-
-    with progress_bar("scanning", "summing up") as progress, opened_executor(*by) as executor:
-        return scan_singularities(*asked, progress=progress, executor=executor, **options)
-
-
-def _print(scan: SingularityScan, degrees: bool) -> None:
+def _print(scan: SingularityScan, arm: TypedRobot) -> None:
     """Print the scan in sentences, the worst configurations and a histogram."""
-    from robotics1.cli.output import PlainConsole, in_degrees
+    from robotics1.cli.output import PlainConsole
     from robotics1.notation import vector
     from robotics1.singularities.scan_result import symbols
 
@@ -99,7 +92,7 @@ def _print(scan: SingularityScan, degrees: bool) -> None:
         f"The {min(SHOWN, len(scan.worst))} nearest to singular, {symbols(scan)[scan.measures[0]]} and q:",
     ]
     for value, q in zip(scan.worst_values[:SHOWN], scan.worst, strict=False):
-        lines.append(f"  {value:<10.4g} {vector(in_degrees(scan.robot, q, degrees))}")
+        lines.append(f"  {value:<10.4g} {vector(arm.shown(q))}")
     out = PlainConsole()
     out.say("\n".join(lines))
     out.print(_histogram(scan))
@@ -131,32 +124,26 @@ def _histogram(scan: SingularityScan) -> Table:
 
 def _as_json(scan: SingularityScan) -> dict[str, Any]:
     """Return the scan as what JSON knows."""
-    from robotics1.cli.output import units
+    from robotics1.cli.output import attributes, units
 
+    measures = {}
+    for measure in scan.measures:
+        edges, counts = scan.histogram(measure)
+        quantiles = {f"{p:g}": scan.quantile(p, measure) for p in QUANTILES}
+        measures[measure] = {"quantiles": quantiles, "histogram": {"edges": edges, "counts": counts}}
     return {
         "units": {"q": units(scan.robot)},
         "robot": scan.robot.name,
         "rows": scan.task.row_names,
-        "method": scan.method,
-        "seed": scan.seed,
-        "count": scan.count,
-        "undefined": scan.undefined,
-        "rank": scan.rank,
-        "length": scan.length,
-        "measures": {measure: _distribution(scan, measure) for measure in scan.measures},
-        "worst": scan.worst,
-        "worst_values": scan.worst_values,
+        **attributes(scan, "method seed count undefined rank length worst worst_values"),
+        "measures": measures,
         "refined": _refined(scan),
     }
 
 
-def _distribution(scan: SingularityScan, measure: Measure) -> dict[str, Any]:
-    edges, counts = scan.histogram(measure)
-    quantiles = {f"{p:g}": scan.quantile(p, measure) for p in QUANTILES}
-    return {"quantiles": quantiles, "histogram": {"edges": edges, "counts": counts}}
-
-
 def _refined(scan: SingularityScan) -> dict[str, Any] | None:
+    from robotics1.cli.output import attributes
+
     if scan.refined is None:
         return None
     branches = scan.refined.branches
@@ -167,14 +154,10 @@ def _refined(scan: SingularityScan) -> dict[str, Any] | None:
                 "conditions": None if group.branch is None else [str(c) for c in branches[group.branch].conditions],
                 "values": dict(group.values),
                 "q": group.configurations,
-                "relative_sigmas": group.relative_sigmas,
-                "ranks": group.ranks,
-                "starts": group.starts,
+                **attributes(group, "relative_sigmas ranks starts"),
             }
             for group in scan.refined.groups
         ],
-        "unreached": scan.refined.unreached,
         "branches": len(branches),
-        "note": scan.refined.note,
-        "missed": scan.refined.missed,
+        **attributes(scan.refined, "unreached note missed"),
     }

@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, TaskName, Tool, TypedDegrees
+from robotics1.cli.options import AsJson, Frame, RobotOfFormulas, TaskName, robot_command
 from robotics1.errors import FormulaError, InputError
 
 if TYPE_CHECKING:
@@ -18,8 +17,9 @@ EXAMPLES = ("singularities planar_2r", "singularities ur5 --task pose", "singula
 BASES = {"null": r"\mathcal{N}(J)", "range": r"\mathcal{R}(J)", "left_null": r"\mathcal{N}(J^T)"}
 
 
+@robot_command
 def singularities(
-    robot: RobotName,
+    arm: RobotOfFormulas,
     task: TaskName = None,
     frame: Frame = None,
     method: Annotated[str, typer.Option(help="auto, symbolic or numeric.")] = "auto",
@@ -27,11 +27,6 @@ def singularities(
     intersections: Annotated[bool, typer.Option("--intersections", help="The rank where branches meet too.")] = False,
     latex: Annotated[bool, typer.Option("--latex", help="Conditions and bases in LaTeX.")] = False,
     python: Annotated[bool, typer.Option("--python", help="Conditions and bases as Python functions.")] = False,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: TypedDegrees = False,
     json: AsJson = False,
 ) -> None:
     """All singular configurations of a task: where, what is lost there, and what does not move the tool."""
@@ -43,11 +38,9 @@ def singularities(
         raise InputError("choose one of --latex and --python")
     if intersections and (latex or python):
         raise InputError("--intersections has neither LaTeX nor Python; leave out --latex or --python")
-    arm, out = arguments.parse_robot(robot, param, tool, packages, lock, degrees), PlainConsole()
+    robot, what, out = arm.robot, arm.task(task, frame), PlainConsole()
     with PlainConsole(stderr=True).status("searching"):
-        found = find_singularities(
-            arm, arguments.task_for(arm, task, frame), method=cast(Any, method), time_limit=time_limit
-        )
+        found = find_singularities(robot, what, method=cast(Any, method), time_limit=time_limit)
         if latex or python:
             text = _in_latex(found) if latex else _in_python(found)
             if json:
@@ -111,15 +104,12 @@ def _in_python(found: "SingularSet") -> str:
 
 
 def _as_json(found: "SingularSet") -> dict[str, Any]:
-    from robotics1.cli.output import units
+    from robotics1.cli.output import attributes, units
     from robotics1.singularities.other_lengths import parameter_conditions
 
     return {
         "units": {"q": units(found.robot)},
-        "method": found.method,
-        "complete": found.complete,
-        "note": found.note,
-        "generic_rank": found.generic_rank,
+        **attributes(found, "method complete note generic_rank"),
         "branches": _branches(found.branches),
         "outside_limits": _branches(found.outside),
         "parameter_conditions": [str(equation) for equation in parameter_conditions(found)],
@@ -127,14 +117,13 @@ def _as_json(found: "SingularSet") -> dict[str, Any]:
 
 
 def _branches(branches: "Iterable[SingularBranch]") -> list[dict[str, Any]]:
+    from robotics1.cli.output import attributes
+
     return [
         {
             "conditions": [str(condition) for condition in branch.conditions],
             "values": dict(branch.values),
-            "free_joints": branch.free_joints,
-            "dimension": branch.dimension,
-            "rank": branch.rank,
-            "q": branch.q,
+            **attributes(branch, "free_joints dimension rank q"),
             "null": branch.null.T,
             "left_null": branch.left_null.T,
             "formulas": _bases(branch),

@@ -4,9 +4,9 @@ from typing import Annotated
 
 import typer
 
-from robotics1.cli import arguments
+from robotics1.cli.arguments import parse_vector
 from robotics1.cli.jacobian import singularity_as_json
-from robotics1.cli.options import AsJson, Degrees, Frame, Locked, Packages, Parameters, Q, RobotName, TaskName, Tool
+from robotics1.cli.options import AsJson, Frame, Q, TaskName, TypedRobot, robot_command
 
 EXAMPLES = (
     "statics prr --task position:xy --q 0.5,pi/2,pi --force 3,1",
@@ -14,17 +14,13 @@ EXAMPLES = (
 )
 
 
+@robot_command
 def statics(
-    robot: RobotName,
+    arm: TypedRobot,
     force: Annotated[str, typer.Option(help="The force on the tool by the environment, one number a task row.")],
     q: Q = None,
     task: TaskName = None,
     frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
-    degrees: Degrees = False,
     json: AsJson = False,
 ) -> None:
     """The torques that balance a force on the tool, τ = −Jᵀ f."""
@@ -36,27 +32,25 @@ def statics(
     from robotics1.singularities.rounding import singularity_within_rounding
     from robotics1.singularities.statics import balancing_torque
 
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    values = arguments.configuration(arm, q, degrees)
-    what = arguments.task_for(arm, task, frame)
-    rounded = singularity_within_rounding(arm, what, values)
-    torque = balancing_torque(rounded.spaces.J, arguments.parse_vector(force))
+    robot, values = arm.robot, arm.configuration(q)
+    rounded = singularity_within_rounding(robot, arm.task(task, frame), values)
+    torque = balancing_torque(rounded.spaces.J, parse_vector(force))
     free, there = rounded.spaces.left_null, rounded.at_singularity
-    within = np.abs(torque) <= arm.max_effort
+    within = np.abs(torque) <= robot.max_effort
     if json:
         answer = {
             "q": values,
             "torque": torque,
             "within_limits": within,
             "forces_without_torque": free.T,
-            "units": {"q": units(arm), "torque": effort_units(arm)},
+            "units": {"q": units(robot), "torque": effort_units(robot)},
         }
         write_json(answer | {"status": rounded.status.name, "at_singularity": singularity_as_json(rounded)})
         return
     out = PlainConsole()
-    say_outside_limits(out, arm, values)
-    out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(joint_names(arm))}) [N m, for a prismatic joint N]")
-    for name, value, ok, limit in zip(joint_names(arm), torque, within, arm.max_effort, strict=True):
+    say_outside_limits(out, robot, values)
+    out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(joint_names(robot))}) [N m, for a prismatic joint N]")
+    for name, value, ok, limit in zip(joint_names(robot), torque, within, robot.max_effort, strict=True):
         if not ok:
             out.print(f"{name} would need {value:.4g}, beyond its effort limit {limit:.4g}", style="yellow")
     if free.size:

@@ -1,19 +1,18 @@
 """The command `robotics1 workspace`."""
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from robotics1.cli import arguments
-from robotics1.cli.options import AsJson, Frame, Locked, Packages, Parameters, RobotName, Tool, TypedDegrees
+from robotics1.cli.arguments import parse_vector
+from robotics1.cli.options import AsJson, Figure, Frame, RobotOfFormulas, robot_command
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
     from robotics1.robot.model import Robot
     from robotics1.tasks.position import PositionTask
-    from robotics1.workspaces.result import BoundaryCurve, Workspace
+    from robotics1.workspaces.result import Workspace
 
 EXAMPLES = ("workspace planar_2r", "workspace planar_2r --box q1=-1:1 --box q2=0.5:pi/2 --figure reach.svg")
 Boxes = Annotated[
@@ -43,25 +42,20 @@ Symbolic = Annotated[bool, typer.Option("--formulas", help="Also the radii and t
 Dexterous = Annotated[
     bool, typer.Option("--dexterous", help="Also the points that are reached with every orientation.")
 ]
-Figure = Annotated[Path | None, typer.Option("--figure", help="A file for the picture: .svg, .pdf or .png.")]
 
 
+@robot_command
 def workspace(
-    robot: RobotName,
+    arm: RobotOfFormulas,
     task: TaskName = None,
     box: Boxes = None,
     frame: Frame = None,
-    param: Parameters = None,
-    tool: Tool = None,
-    packages: Packages = None,
-    lock: Locked = None,
     point: Points = None,
     line: Line = None,
     slices: Slices = None,
     circle: Circle = False,
     dexterous: Dexterous = False,
     formulas: Symbolic = False,
-    degrees: TypedDegrees = False,
     figure: Figure = None,
     json: AsJson = False,
 ) -> None:
@@ -70,23 +64,22 @@ def workspace(
     from robotics1.terminal_tables import table
     from robotics1.workspaces.find import workspace as found_workspace
 
-    arm = arguments.parse_robot(robot, param, tool, packages, lock, degrees)
-    ranges = arguments.parse_box(arm, box, degrees) or None
-    asked = arguments.parse_task(task, frame) if task is not None else _own_task(arm, frame)
-    ws = found_workspace(arm, asked, box=ranges)
+    robot, ranges = arm.robot, arm.box(box) or None
+    asked = arm.task(task, frame) if task is not None else _own_task(robot, frame)
+    ws = found_workspace(robot, asked, box=ranges)
     if figure is not None:
         from robotics1.plots.reach import plot_workspace
 
-        plot_workspace(ws, file=figure, title=arm.name)
+        plot_workspace(ws, file=figure, title=robot.name)
     answers = _answers(ws, point, line, circle, slices)
     if dexterous:
         from robotics1.workspaces.questions.dexterous import dexterous_workspace
 
-        answers.append(("dexterous", dexterous_workspace(arm, asked, box=ranges)))
+        answers.append(("dexterous", dexterous_workspace(robot, asked, box=ranges)))
     if formulas:
         from robotics1.workspaces.questions.formulas_of_reach import workspace_formulas
 
-        answers.append(("formulas", workspace_formulas(arm, asked, box=ranges)))
+        answers.append(("formulas", workspace_formulas(robot, asked, box=ranges)))
     if json:
         write_json(_as_json(ws) | {name: _answer_as_json(answer) for name, answer in answers})
         return
@@ -104,6 +97,7 @@ def _own_task(robot: "Robot", frame: str | None) -> "PositionTask":
 
     from robotics1.tasks.position import PositionTask
 
+    robot.require_single_coordinates("have a workspace")
     lower, upper = np.clip(robot.lower, -1, 1), np.clip(robot.upper, -1, 1)
     q = np.random.default_rng(0).uniform(lower, upper, (4, robot.nq))
     columns = np.hstack([PositionTask(frame=frame).jacobian(robot, one) for one in q])
@@ -121,19 +115,17 @@ def _answers(
     from robotics1.workspaces.questions.passages import crossings
     from robotics1.workspaces.questions.plane_sections import plane_section
 
-    found: list[tuple[str, Any]] = [
-        (f"point {text}", is_reached(ws, arguments.parse_vector(text))) for text in points or ()
-    ]
+    found: list[tuple[str, Any]] = [(f"point {text}", is_reached(ws, parse_vector(text))) for text in points or ()]
     if line is not None:
         start, colon, end = line.partition(":")
         if not colon:
             raise InputError(f"{line[:100]!r} is not a line; write it like -1,0.1:1,0.1")
-        found.append(("line", crossings(ws, [arguments.parse_vector(start), arguments.parse_vector(end)])))
+        found.append(("line", crossings(ws, [parse_vector(start), parse_vector(end)])))
     for text in planes or ():
         place, colon, normal = text.partition(":")
         if not colon:
             raise InputError(f"{text[:100]!r} is not a plane; write a point and a normal like 0,0,0.3:0,0,1")
-        cut = plane_section(ws, arguments.parse_vector(place), arguments.parse_vector(normal))
+        cut = plane_section(ws, parse_vector(place), parse_vector(normal))
         found.append((f"slice {text}", cut))
     if circle:
         found.append(("circle", largest_circle(ws)))
@@ -150,23 +142,13 @@ def _answer_as_json(answer: Any) -> dict[str, Any]:
 
 
 def _as_json(ws: "Workspace") -> dict[str, Any]:
+    from robotics1.cli.output import attributes
+
     regions = {
-        name: [{"solutions": r.solutions, "area": r.area, "volume": r.volume, "point": r.point} for r in found]
+        name: [attributes(region, "solutions area volume point") for region in found]
         for name, found in (("regions", ws.regions), ("voids", ws.voids))
     }
-    numbers: dict[str, Any] = {
-        "units": {"area": "m^2", "volume": "m^3", "lengths": "m"},
-        "area": ws.area,
-        "volume": ws.volume,
-        "r_min": ws.r_min,
-        "r_max": ws.r_max,
-        "r_bounds": ws.r_bounds,
-        "redundant": ws.redundant,
-    }
-    numbers |= {"volume_error": ws.volume_error, "resolution": ws.resolution, "cusps": ws.cusps, "nodes": ws.nodes}
-    reach = {"nearest": ws.nearest, "farthest": ws.farthest, "coordinates": ws.coordinates}
-    return numbers | reach | regions | {"boundary": [_curve_as_json(curve) for curve in ws.boundary]}
-
-
-def _curve_as_json(curve: "BoundaryCurve") -> dict[str, Any]:
-    return vars(curve) | {"kind": curve.kind}
+    numbers = "area volume r_min r_max r_bounds redundant volume_error resolution cusps nodes"
+    answer = {"units": {"area": "m^2", "volume": "m^3", "lengths": "m"}, **attributes(ws, numbers)}
+    boundary = [vars(curve) | {"kind": curve.kind} for curve in ws.boundary]
+    return answer | attributes(ws, "nearest farthest coordinates") | regions | {"boundary": boundary}

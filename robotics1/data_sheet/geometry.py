@@ -36,9 +36,7 @@ def joints(asked: Asked) -> Answer:
     kinds = [joint.kind for joint in robot.moving_joints]
     parts = [count(kinds.count(kind), f"{kind} joint") for kind in dict.fromkeys(kinds)]
     followers = [
-        (joint.name, _followed(joint.multiplier, joint.leader, joint.offset))
-        for joint in robot.joints
-        if joint.leader and joint.leader != joint.name
+        (joint.name, _followed(joint.multiplier, joint.leader, joint.offset)) for joint in robot.joints if joint.follows
     ]
     lines = [f"{name} = {value:g}" for name, value in robot.parameters.items()]
     text = table(("", "joint", "kind", "range", "speed", "effort"), rows) if rows else paragraphs("No joint moves.")

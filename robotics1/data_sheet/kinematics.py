@@ -18,6 +18,8 @@ EXACT_ANGLE = 1e-9  # rad: a smaller correction is not worth a sentence
 SINGULAR_SET_TIME = 12.0  # s
 SHOWN_PLACES = 6
 LONGEST_FACT = 160  # characters
+PROVEN = "Proven: the method finds all branches, and each was verified with Pinocchio."
+SEARCHED = "Searched: each branch was verified with Pinocchio, but there may be others."
 WRITTEN_OUT = "(see `conditions`)"  # what a sentence says of an equation that is too long for it
 
 
@@ -26,7 +28,10 @@ def direct_kinematics(asked: Asked) -> Answer:
     found = formulas(asked.robot, PoseTask(frame=asked.frame))
     T = found.value
     names = dict(zip([str(q) for q in found.q], asked.robot.joint_names, strict=True))
-    text = _joint_names(names) + _cleaned(found)
+    named = ", ".join(f"{symbol} is {name}" for symbol, name in names.items())
+    text = "" if all(symbol == name for symbol, name in names.items()) else paragraphs(f"Here {named}.")
+    if found.cleaned > EXACT_ANGLE:
+        text += note(f"Angles of the file were made exact, by at most {found.cleaned:.1e} rad.")
     text += "".join(equation(symbol, T[i, 3]) for i, symbol in enumerate(("x", "y", "z")))
     axes = "".join(equation(f"{name}(q)", T[:3, i]) for i, name in enumerate("nsa"))
     text += '<p>The tool\'s axes in the world, the columns of R = (n s a):</p><div class="side">' + axes + "</div>"
@@ -39,18 +44,6 @@ def direct_kinematics(asked: Asked) -> Answer:
         ),
     )
     return Answer(text)
-
-
-def _joint_names(names: dict[str, str]) -> str:
-    if all(symbol == name for symbol, name in names.items()):
-        return ""
-    return paragraphs("Here " + ", ".join(f"{symbol} is {name}" for symbol, name in names.items()) + ".")
-
-
-def _cleaned(found: Formulas) -> str:
-    if found.cleaned <= EXACT_ANGLE:
-        return ""
-    return note(f"Angles of the file were made exact, by at most {found.cleaned:.1e} rad.")
 
 
 def jacobian(asked: Asked) -> Answer:
@@ -106,11 +99,13 @@ def singular_set(asked: Asked) -> Answer:
     found = find_singularities(asked.robot, asked.require_task(), time_limit=SINGULAR_SET_TIME)
     places = [place(branch) for branch in found.branches]
     shown = "; or ".join(places[:SHOWN_PLACES]) + ("; or elsewhere" if len(places) > SHOWN_PLACES else "")
-    fact = f"singular where {shown}" if places else found.status.value
-    fact = _short(fact)
+    fact = _short(f"singular where {shown}" if places else found.status.value)
     inside, outside, other = found.explain().partition("\nOutside the joint limits")
     said = inside.replace(WRITTEN_OUT, "(written out above)") + (outside + other).replace(f" {WRITTEN_OUT}", "")
-    return Answer(_equations(found) + sentences(said) + note(_surety(found)), fact.replace(f" {WRITTEN_OUT}", ""))
+    return Answer(
+        _equations(found) + sentences(said) + note(PROVEN if found.complete else SEARCHED),
+        fact.replace(f" {WRITTEN_OUT}", ""),
+    )
 
 
 def _equations(found: SingularSet) -> str:
@@ -125,9 +120,3 @@ def _equations(found: SingularSet) -> str:
         if WRITTEN_OUT in place(branch)
     )
     return (table(("branch", "where", "rank", "dimension", "found"), rows) if rows else "") + long
-
-
-def _surety(found: SingularSet) -> str:
-    if found.complete:
-        return "Proven: the method finds all branches, and each was verified with Pinocchio."
-    return "Searched: each branch was verified with Pinocchio, but there may be others."

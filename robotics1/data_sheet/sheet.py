@@ -8,19 +8,16 @@ from pathlib import Path
 
 import numpy.typing as npt
 
-from robotics1.data_sheet.asked import Answer, Asked, good_posture
+from robotics1.data_sheet.asked import Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS, WRITTEN, Section
-from robotics1.data_sheet.layout import Part, laid_out
-from robotics1.data_sheet.markup import note
+from robotics1.data_sheet.markup import Part, laid_out, note
 from robotics1.data_sheet.worker import NoAnswer, Worker
 from robotics1.errors import InputError
 from robotics1.files import check_file
-from robotics1.inputs import Array, real_number, text
+from robotics1.inputs import real_number, text
 from robotics1.notation import vector
 from robotics1.robot.given import RobotLike, robot_from
-from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, task_from
-from robotics1.tasks.task import Task
 from robotics1.viewer.arm_data import default_task
 from robotics1.viewer.page import Page
 
@@ -77,14 +74,16 @@ def report(
     chosen = default_task(robot) if asked is None else asked
     posture = good_posture(robot, chosen) if q is None else robot.configuration(q)
     answers = _answers(Asked(robot, chosen, posture, name), limit, progress)
-    page = Page(None, name, _page(robot, chosen, posture, name, answers))
+    rows = "" if chosen is None else f" Task r = ({', '.join(chosen.row_names)}), posture q = {vector(posture)}."
+    parts = [Part(section.name, section.title, *answers[section.name]) for section in SECTIONS]
+    page = Page(None, name, laid_out(name, f"Data sheet of a robot arm.{rows}", parts))
     return page if file is None else page.save(file)
 
 
-def _answers(asked: Asked, limit: float, progress: Progress | None) -> dict[str, Answer | str]:
-    """Return what each section says, or why it says nothing."""
+def _answers(asked: Asked, limit: float, progress: Progress | None) -> dict[str, tuple[str, str]]:
+    """Return what each section says, or why it says nothing: its HTML, and its fact."""
     end = time.monotonic() + limit
-    answers: dict[str, Answer | str] = {}
+    answers: dict[str, tuple[str, str]] = {}
     with Worker(asked) as worker:
         for done, section in enumerate(WRITTEN):
             if progress is not None:
@@ -95,28 +94,11 @@ def _answers(asked: Asked, limit: float, progress: Progress | None) -> dict[str,
     return answers
 
 
-def _answer(worker: Worker, section: Section, left: float, limit: float) -> Answer | str:
-    if left < LEAST:
-        return f"the sections before took all of the time ({limit:g} s)"
+def _answer(worker: Worker, section: Section, left: float, limit: float) -> tuple[str, str]:
     try:
-        return worker.answer(section.name, min(section.seconds, left))
+        if left < LEAST:
+            raise NoAnswer(f"the sections before took all of the time ({limit:g} s)")
+        answer = worker.answer(section.name, min(section.seconds, left))
     except NoAnswer as error:
-        return str(error)
-
-
-def _page(robot: Robot, task: Task | None, q: Array, title: str, answers: dict[str, Answer | str]) -> str:
-    pairs = [(section, answers[section.name]) for section in SECTIONS]
-    rows = "" if task is None else f" Task r = ({', '.join(task.row_names)}), posture q = {vector(q)}."
-    return laid_out(
-        title,
-        f"Data sheet of a robot arm.{rows}",
-        [Part(section.name, section.title, _content(answer), _fact(answer)) for section, answer in pairs],
-    )
-
-
-def _content(answer: Answer | str) -> str:
-    return answer.html if isinstance(answer, Answer) else note(f"This section has no answer: {answer}.")
-
-
-def _fact(answer: Answer | str) -> str:
-    return answer.fact if isinstance(answer, Answer) else f"no answer: {answer}"
+        return note(f"This section has no answer: {error}."), f"no answer: {error}"
+    return answer.html, answer.fact

@@ -43,9 +43,8 @@ def joints_of(table: DHTable) -> tuple[Joint, ...]:
             axis=(0.0, 0.0, 1.0),
             lower=float(table.lower[i - 1]),
             upper=float(table.upper[i - 1]),
-            leader=f"q{i}",
         )
-        still = Joint(f"x{i}", "fixed", *fixed, xyz=(a, 0.0, 0.0), rpy=(alpha, 0.0, 0.0), leader=f"x{i}")
+        still = Joint(f"x{i}", "fixed", *fixed, xyz=(a, 0.0, 0.0), rpy=(alpha, 0.0, 0.0))
         joints += [turns, still] if table.convention == "standard" else [still, turns]
     return (*joints, _mount("tool_mount", f"link{len(table.rows)}", "tool", table.tool_placement))
 
@@ -71,4 +70,4 @@ def _polynomial(entry: float | str) -> Polynomial:
 
 
 def _mount(name: str, parent: str, child: str, T: pin.SE3) -> Joint:
-    return placed(Joint(name, "fixed", parent, child, leader=name), T)
+    return placed(Joint(name, "fixed", parent, child), T)

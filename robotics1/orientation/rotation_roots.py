@@ -26,6 +26,8 @@ def rotation_candidates(conditions: list[tuple[Array, float]]) -> Array | None:
     Source: Cox, Little, O'Shea, Using Algebraic Geometry, 2005, chapters 2 and 3; Dreesen, Batselier, De Moor, Back to
     the roots: polynomial system solving, linear algebra, systems theory, IFAC SYSID 2012.
     """
+    from scipy.spatial.transform import Rotation
+
     forms = [_form(W) - x * np.eye(VARIABLES) for W, x in conditions]
     if len(forms) < VARIABLES - 1:
         return None
@@ -35,7 +37,8 @@ def rotation_candidates(conditions: list[tuple[Array, float]]) -> Array | None:
         return None
     if not count:
         return np.zeros((0, 3, 3))
-    return np.array([_rotation(u) for u in _roots(spaces[1], DEGREES[1])]).reshape(-1, 3, 3)
+    roots = np.reshape(_roots(spaces[1], DEGREES[1]), (-1, VARIABLES))
+    return np.asarray(Rotation.from_quat(np.roll(roots, -1, axis=1)).as_matrix()) if len(roots) else np.zeros((0, 3, 3))
 
 
 def _form(W: Array) -> Array:
@@ -46,13 +49,6 @@ def _form(W: Array) -> Array:
     M[0, 1:] = M[1:, 0] = skewed
     M[1:, 1:] = W + W.T - np.trace(W) * np.eye(3)
     return M
-
-
-def _rotation(u: Array) -> Array:
-    """Return R of a quaternion (w, x, y, z) of any length."""
-    w, (x, y, z) = u[0], u[1:]
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.asarray(np.eye(3) + 2 * (w * K + K @ K) / (u @ u))
 
 
 def _monomials(degree: int) -> list[Monomial]:

@@ -1,4 +1,4 @@
-"""Plots of motions against time, and of timing laws with their bounds."""
+"""Plots against time: of motions, of timing laws with their bounds, and of the joints and the errors of a run."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from robotics1.curves.given import as_curve, as_law
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, text
 from robotics1.plots.figures import (
-    drawn,
+    draw_coordinates,
+    drawn_over_time,
     legend_text,
     line_style,
     names_of,
@@ -78,17 +79,11 @@ def plot_trajectory(
     panels = panels_of(ax, derivatives + 1)
     same = len(set(units)) == 1
     for panel, quantity, per, curves in zip(panels, QUANTITIES, PER, values, strict=False):
-        for i, (name, unit) in enumerate(zip(names, units, strict=True)):
-            panel.plot(t, curves[:, i], label=name if same else f"{name} [{unit}{per}]", **line_style(i))
+        labels = names if same else [f"{name} [{unit}{per}]" for name, unit in zip(names, units, strict=True)]
+        draw_coordinates(panel, t, curves, labels, f"{quantity} [{units[0]}{per}]" if same else quantity)
         if bounds is not None and quantity != "position":
             _draw_bounds(panel, getattr(bounds, quantity))
-        panel.set(ylabel=f"{quantity} [{units[0]}{per}]" if same else quantity)
-        panel.grid(alpha=0.4)
-        if names:
-            panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    panels[0].set(title=title)
-    panels[-1].set(xlabel="t [s]")
-    return drawn(panels, file)
+    return drawn_over_time(panels, file, title)
 
 
 def plot_timing_law(
@@ -139,9 +134,44 @@ def plot_timing_law(
         panel.set(ylabel=f"{SYMBOLS[order]} [{unit}{PER[order]}]")
         panel.margins(y=0.12)
         panel.grid(alpha=0.4)
-    panels[0].set(title=title)
-    panels[-1].set(xlabel="t [s]")
-    return drawn(panels, file)
+    return drawn_over_time(panels, file, title)
+
+
+def plot_run(
+    run: Any,
+    ax: Sequence[Any] | None = None,
+    *,
+    robot: RobotLike | None = None,
+    file: str | Path | None = None,
+    title: str = "",
+) -> Any:
+    """Draw q, q̇ and the errors of a run over time; return the axes, one for each, or one for each level's error.
+
+    Args:
+        run: what `control.simulate_law` or `redundancy.follow_by_priority` returns.
+        ax: the Matplotlib axes to draw in; by default those of a new figure.
+        robot: whose joints move; it gives their names.
+        file: where to write the figure, as .svg, .pdf or .png.
+        title: above the plots.
+
+    Raises:
+        MissingExtraError: Matplotlib is not installed.
+        InputError: it is no run, or one of another robot; the axes are of another number, or the file has another
+            suffix or cannot be written there.
+    """
+    t, q, qdot, errors = _parts(run)
+    n = q.shape[1]
+    names = [f"q{i + 1}" for i in range(n)] if robot is None else list(map(legend_text, robot_from(robot).joint_names))
+    if len(names) != n:
+        raise InputError(f"the run has {n} joints, and the robot {len(names)}: give the robot of the run")
+    several = len(errors) > 1
+    titles = [f"error of level {i}" if several else "error" for i in range(1, len(errors) + 1)]
+    panels = panels_of(ax, 2 + len(errors))
+    curves = [("position", q, names), ("velocity", qdot, names)]
+    curves += [(word, e, [f"e{i + 1}" for i in range(e.shape[1])]) for word, e in zip(titles, errors, strict=True)]
+    for panel, (word, values, labels) in zip(panels, curves, strict=True):
+        draw_coordinates(panel, t, values, labels, word)
+    return drawn_over_time(panels, file, title)
 
 
 def _draw_bounds(panel: Any, bounds: Array) -> None:
@@ -173,6 +203,7 @@ def _labels(start: Any, n: int, rates: int, robot: RobotLike | None) -> tuple[li
         raise InputError(f"the trajectory has {n} coordinates and {rates} velocities; both must be as many")
     if robot is not None:
         robot = robot_from(robot)
+        robot.require_single_coordinates("have a motion of one number a joint")
         if robot.nv != n:
             raise InputError(f"robot {robot.name!r} has {robot.nv} joints; the trajectory moves {n}")
         return list(map(legend_text, robot.joint_names)), ["rad" if angle else "m" for angle in robot.revolute]
@@ -181,3 +212,19 @@ def _labels(start: Any, n: int, rates: int, robot: RobotLike | None) -> tuple[li
     if np.ndim(start) == 2:
         return list(TURNS), ["rad"] * 3
     return [str(i + 1) for i in range(n)], ["1"] * n
+
+
+def _parts(run: Any) -> tuple[Any, Any, Any, tuple[Any, ...]]:
+    """Return t, q, q̇ and the errors of a run.
+
+    Raises:
+        InputError: it is none.
+    """
+    errors = getattr(run, "errors", None)
+    if errors is None and hasattr(run, "error"):
+        errors = (run.error,)
+    parts: list[Any] = [getattr(run, name, None) for name in ("t", "q", "qdot")]
+    shaped = [np.ndim(part) for part in parts] == [1, 2, 2] and isinstance(errors, tuple)
+    if isinstance(run, type) or not shaped or any(np.ndim(e) != 2 for e in errors or ()):
+        raise InputError(f"run must be what simulate_law or follow_by_priority returns; it is {run!r}")
+    return parts[0], parts[1], parts[2], errors or ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
@@ -12,12 +13,12 @@ from robotics1.curves.given import joint_motion
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, counting_number, one_of
 from robotics1.kinematics import forward_kinematics
-from robotics1.least_squares import numeric_rank
-from robotics1.plots.ellipsoid_shadows import Shadow, shadow_of
+from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
 from robotics1.plots.figures import MOST_DRAWN, PLANES, drawn, new_axes, new_projections
+from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
-from robotics1.singularities.ellipsoids import force_ellipsoid, velocity_ellipsoid
+from robotics1.singularities.ellipsoids import Ellipsoid, force_ellipsoid, velocity_ellipsoid
 from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.rows import constant_rows
@@ -29,8 +30,34 @@ KINDS: dict[Kind, Any] = {
     "force": (force_ellipsoid, "N", {"linestyle": "--", "color": "C3"}),
 }
 SIZE = 0.16  # of the reach: the longest drawn semi-axis of velocity, and a usual one of force
-FINE = 121  # instants of a motion at which the path of the tool is drawn
+FINE = (
+    121  # instants of a motion at which the path of the tool is drawn, and points of an ellipse; the first is its last
+)
 SHOWN = 2.5  # sizes: a force ellipse that is longer is cut by the edge of the plot
+
+
+@dataclass(frozen=True, eq=False)
+class Shadow(Frozen):
+    """The orthogonal projection of an ellipsoid about the origin into a plane.
+
+    Attributes:
+        boundary: (k, 2) the ellipse; empty where the shadow is not bounded.
+        edges: (2, 2) two points, one on each of the two parallel lines between which an unbounded shadow lies; empty
+            where it is bounded, or where it is the whole plane.
+        along: (2,) the direction of those lines; empty where there are none.
+    """
+
+    boundary: Array
+    edges: Array
+    along: Array
+
+    @property
+    def bounded(self) -> bool:
+        """Whether it is an ellipse, which may be flat."""
+        return len(self.boundary) > 0
+
+
+NOTHING = np.zeros((0, 2))
 
 
 def plot_ellipses(
@@ -97,7 +124,7 @@ def plot_ellipses(
             _draw(
                 panel,
                 kind,
-                [shadow_of(KINDS[kind][0](subspaces(J)), plane) for J in jacobians],
+                [_shadow(KINDS[kind][0](subspaces(J)), plane) for J in jacobians],
                 tools,
                 per_metre[kind],
                 robot.reach,
@@ -179,3 +206,28 @@ def _rounded(value: float) -> float:
     """Return the round number (1, 2 or 5 times a power of ten) at or above a value."""
     power = 10.0 ** np.floor(np.log10(value))
     return float(power * next(k for k in (1, 2, 5, 10) if k * power >= value * (1 - 1e-9)))
+
+
+# --- shadows
+
+
+def _shadow(ellipsoid: Ellipsoid, plane: tuple[int, int]) -> Shadow:
+    """Return the shadow of an ellipsoid in the plane of two coordinates; along an axis without bound it has none."""
+    finite, free = ellipsoid.bounded_part[list(plane)], ellipsoid.unbounded_axes[list(plane)]
+    directions, sizes, _ = np.linalg.svd(free)
+    unbounded = int(np.count_nonzero(sizes > RANK_TOLERANCE))
+    if unbounded == 0:
+        return Shadow(_ellipse(finite), NOTHING, np.zeros(0))
+    if unbounded == 1:
+        across = directions[:, 1]
+        edge = np.linalg.norm(across @ finite) * across
+        return Shadow(NOTHING, np.array([edge, -edge]), directions[:, 0])
+    return Shadow(NOTHING, NOTHING, np.zeros(0))
+
+
+def _ellipse(A: Array) -> Array:
+    """Return the boundary of {A x : |x| ≤ 1}, (k, 2), for a matrix of two rows."""
+    U, sigma, _ = np.linalg.svd(A, full_matrices=True)
+    axes = U * np.pad(sigma, (0, 2 - len(sigma)))
+    angles = np.linspace(0.0, 2 * np.pi, FINE)
+    return np.asarray(np.column_stack([np.cos(angles), np.sin(angles)]) @ axes.T)

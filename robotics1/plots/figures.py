@@ -99,6 +99,23 @@ def _figure(size: tuple[float, float]) -> "Figure":
     return Figure(figsize=size, layout="constrained")
 
 
+def draw_coordinates(panel: Any, t: Array, values: Array, names: Sequence[str], title: str) -> None:
+    """Draw the columns of values (k, n) over time, lines that differ without colour, with their names beside them."""
+    for i, name in enumerate(names):
+        panel.plot(t, values[:, i], label=name, **line_style(i))
+    panel.set(ylabel=title)
+    panel.grid(alpha=0.4)
+    if names:
+        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+
+
+def drawn_over_time(panels: Any, file: str | Path | None, title: str) -> Any:
+    """Return panels over one time with a title above them, as `drawn` does. Raises as that."""
+    panels[0].set(title=title)
+    panels[-1].set(xlabel="t [s]")
+    return drawn(panels, file)
+
+
 def legend_text(name: str) -> str:
     """Return a name from a file as Matplotlib draws it: $ begins no formula, and _ at the start hides no line."""
     text = printable(name).replace("$", r"\$")

@@ -16,7 +16,6 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, one_of, text
 from robotics1.plots.figures import MOST_DRAWN, PLANES, STYLES, drawn, new_axes, new_projections, smooth_samples
 from robotics1.robot.given import RobotLike, robot_from
-from robotics1.robot.model import Robot
 from robotics1.tasks.pose import PoseTask
 from robotics1.trajectories.following.task_rates import TaskTrajectory
 from robotics1.trajectories.target_motion import TargetMotion
@@ -68,7 +67,10 @@ def plot_path(
     text("unit", unit)
     one_of("projection", projection, ("3d", "projections"))
     robot = None if robot is None else robot_from(robot)
-    curve = as_curve("curve", curve, derivatives=0) if robot is None else _tool_path(robot, curve)
+    if robot is None:
+        curve = as_curve("curve", curve, derivatives=0)
+    else:
+        curve = TaskTrajectory(robot, PoseTask(), joint_motion("curve", curve, robot.nv, derivatives=2))
     samples = [s for _, s in smooth_samples(curve.ends)]
     points = np.concatenate([_points(curve, s) for s in samples])
     if robot is not None and np.ptp(points[:, 2]) <= FLAT * robot.reach:
@@ -76,7 +78,10 @@ def plot_path(
     n = points.shape[1]
     if n not in (2, 3):
         raise InputError(f"a path of two or three coordinates can be drawn; this one has {n}")
-    lines = _lines(curve, samples, points, target) + _frames(curve, frames, points)
+    lines = _lines(curve, samples, points, target)
+    size = AXIS * float(np.ptp(points, axis=0).max())
+    for s in np.linspace(0.0, curve.end, frames) if frames else ():
+        lines += _frame(curve, float(s), size, n)
     if n == 3 and projection == "projections":
         panels = new_projections(ax)
         for panel, plane in zip(panels, PLANES, strict=True):
@@ -107,18 +112,6 @@ def _lines(curve: Curve, samples: Sequence[Array], points: Array, target: Target
         course = np.array([np.asarray(target(float(t)))[:n] for t in np.concatenate(samples)])
         lines.append(("target", course, {"linestyle": ":", "color": "green", "linewidth": 2}))
     return lines
-
-
-def _frames(curve: Curve, count: int, points: Array) -> list[Line]:
-    """Return so many frames along a curve, as lines."""
-    size = AXIS * float(np.ptp(points, axis=0).max())
-    instants = np.linspace(0.0, curve.end, count) if count else ()
-    return [line for s in instants for line in _frame(curve, float(s), size, points.shape[1])]
-
-
-def _tool_path(robot: Robot, motion: Any) -> Curve:
-    """Return the path of the tool of a robot whose joints move."""
-    return TaskTrajectory(robot, PoseTask(), joint_motion("curve", motion, robot.nv, derivatives=2))
 
 
 def _draw(axes: Any, lines: Sequence[Line], columns: Sequence[int], unit: str) -> None:

@@ -1,13 +1,11 @@
 """Plots of workspaces: the regions with their numbers of solutions, and the boundary with its reasons."""
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array
 from robotics1.plots.figures import drawn, legend_text, line_style, new_axes
 from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
 
@@ -76,7 +74,8 @@ def _fill(panel: Any, region: WorkspaceRegion, area: float, redundant: bool) -> 
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path as Outline
 
-    outline = Outline.make_compound_path(*[Outline(line, closed=True) for line in _closed(region.outline)])
+    closed = [np.vstack([line, line[:1]]) for line in region.outline]
+    outline = Outline.make_compound_path(*[Outline(line, closed=True) for line in closed])
     color, hatch = COLORS.get(region.solutions, "0.85"), HATCHES.get(region.solutions, "++")
     panel.add_patch(PathPatch(outline, facecolor=color, edgecolor="0.55", hatch=hatch, linewidth=0.6))
     if region.area < SMALL * area:
@@ -84,7 +83,3 @@ def _fill(panel: Any, region: WorkspaceRegion, area: float, redundant: bool) -> 
     word = "reached" if redundant else str(region.solutions)
     box = {"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
     panel.text(*region.point, word, ha="center", va="center", fontsize="small", bbox=box)
-
-
-def _closed(lines: Sequence[Array]) -> list[Array]:
-    return [np.vstack([line, line[:1]]) for line in lines]

@@ -15,9 +15,9 @@ from robotics1.inputs import Array, moderate, one_of, real_array
 from robotics1.kinematics import forward_kinematics, frame_jacobian
 from robotics1.rigid_motions.changes_of_frame import adjoint
 from robotics1.rigid_motions.exponential import pose_exp
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.given import RobotLike, robot_from
-from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint, Triple, placed
 from robotics1.robot.model import Robot
 from robotics1.robot.placements import homogeneous
@@ -69,7 +69,7 @@ def robot_from_screws(
         added, origin = _joints_of(i, twist, parent, origin, limits[0][i - 1], limits[1][i - 1])
         joints += added
     last = pin.SE3(home.rotation, home.translation - origin)
-    mount = Joint("tool_mount", "fixed", joints[-1].child, "tool", leader="tool_mount")
+    mount = Joint("tool_mount", "fixed", joints[-1].child, "tool")
     return robot_of_joints("screws", [*joints, placed(mount, last)])
 
 
@@ -150,15 +150,13 @@ def _joints_of(
     v, omega = twist[:3], twist[3:]
     q, child = f"q{i}", f"link{i}"
     if not omega.any():
-        return [Joint(q, "prismatic", parent, child, axis=_triple(v), lower=lower, upper=upper, leader=q)], origin
+        return [Joint(q, "prismatic", parent, child, axis=_triple(v), lower=lower, upper=upper)], origin
     point, pitch = np.cross(omega, v), float(omega @ v)
     if abs(pitch) <= NO_PITCH * max(1.0, float(np.linalg.norm(v))):
         xyz = _triple(point - origin)
-        return [
-            Joint(q, "revolute", parent, child, xyz, axis=_triple(omega), lower=lower, upper=upper, leader=q)
-        ], point
+        return [Joint(q, "revolute", parent, child, xyz, axis=_triple(omega), lower=lower, upper=upper)], point
     half, slide, axis = f"{child}_turned", f"slide{i}", _triple(omega)
-    turn = Joint(q, "revolute", parent, half, _triple(point - origin), axis=axis, lower=lower, upper=upper, leader=q)
+    turn = Joint(q, "revolute", parent, half, _triple(point - origin), axis=axis, lower=lower, upper=upper)
     return [turn, Joint(slide, "prismatic", half, child, axis=axis, leader=q, multiplier=pitch)], point
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import lcm
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +14,11 @@ from robotics1.angles import TURN
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
 from robotics1.results import Frozen
+from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
+
+MOST_TURNS = 12  # of a leader, and so the largest denominator of a multiplier that counts as a fraction
+SAME = 1e-12  # difference of a multiplier and the fraction that it is
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,3 +156,41 @@ def intervals(robot: Robot, box: Mapping[str, tuple[float, float]] | None = None
             )
         lower[i], upper[i] = low, high
     return lower, upper
+
+
+# --- whole turns
+
+
+def fraction_of(multiplier: float) -> Fraction | None:
+    """Return a multiplier as a fraction with a denominator up to 12, or None if it is none: 0.3333 is not 1/3."""
+    fraction = Fraction(multiplier).limit_denominator(MOST_TURNS)
+    return fraction if abs(float(fraction) - multiplier) <= SAME else None
+
+
+def turns_of_followers(robot: Robot, frames: Iterable[str | None]) -> Array:
+    """Return after how many turns of each joint, (nq,), all joints on the ways to the frames are back.
+
+    Two turns of a leader bring a follower with multiplier 0.5 back. It is 1 for a joint without followers, and for one
+    that slides; ∞ where 12 turns are not enough, as with a follower that slides.
+
+    Raises:
+        UnknownNameError: there is no such frame.
+    """
+    turns = np.ones(robot.nq)
+    for frame in frames:
+        for joint in robot.joints_to(frame) if robot.nq == robot.nv else ():
+            if joint.kind == "fixed":
+                continue
+            i = robot.joint_names.index(joint.leader)
+            if robot.revolute[i]:
+                turns[i] = _turns_together(turns[i], joint)
+    return turns
+
+
+def _turns_together(turns: float, joint: Joint) -> float:
+    """Return after how many turns of its leader a joint is back, with those before it."""
+    fraction = fraction_of(joint.multiplier)
+    if np.isinf(turns) or fraction is None or (joint.kind == "prismatic" and joint.multiplier != 0):
+        return np.inf
+    common = lcm(int(turns), fraction.denominator)
+    return common if common <= MOST_TURNS else np.inf

@@ -5,6 +5,7 @@ gives no reason for what it refuses, and a very long chain crashes it. So all of
 """
 
 from collections.abc import Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
 from typing import cast
 
 from robotics1.errors import nearest_names
@@ -135,7 +136,7 @@ def _check_tree(findings: Findings, links: list[Element], joints: list[Element])
     if len(roots) > 1:
         listed = ", ".join(repr(link.get("name")) for link in roots[:5])
         findings.error(roots[1], f"hangs on nothing, so there are {len(roots)} roots: {listed}; a robot has one")
-    looped = _in_loops(parent_of)
+    looped = _in_a_loop(parent_of)
     for joint in [joint for joint in joints if linked(joint, "child") in looped][:1]:
         findings.error(joint, "closes a loop of links; a URDF is a tree")
 
@@ -152,27 +153,19 @@ def _check_ends(findings: Findings, joint: Element, names: set[str | None]) -> N
             findings.error(joint, f"has the {end} {name!r}, and there is no such link{hint}", at)
 
 
-def _in_loops(above: Mapping[str, str]) -> set[str]:
-    """Return what comes back to itself by going from each to the one above it."""
-    looped: set[str] = set()
-    done: set[str] = set()
-    for start in above:
-        way: dict[str, None] = {}  # an ordered set
-        name = start
-        while name in above and name not in done and name not in way:
-            way[name] = None
-            name = above[name]
-        if name in way:
-            names = list(way)
-            looped |= set(names[names.index(name) :])
-        done |= set(way)
-    return looped
+def _in_a_loop(above: Mapping[str, str]) -> set[str]:
+    """Return the members of a loop, if there is one, by going from each to the one above it."""
+    try:
+        TopologicalSorter({name: (next_one,) for name, next_one in above.items()}).prepare()
+    except CycleError as error:
+        return set(error.args[1])
+    return set()
 
 
 def _check_mimic_loops(findings: Findings, joints: list[Element]) -> None:
     mimics = {joint.get("name", ""): joint.find("mimic") for joint in joints}
     leader = {name: mimic.get("joint", "") for name, mimic in mimics.items() if mimic is not None}
-    looped = _in_loops(leader)
+    looped = _in_a_loop(leader)
     for joint in [joint for joint in joints if joint.get("name") in looped][:1]:
         findings.error(joint, "mimics itself, through a loop of <mimic> elements")
     if not findings.errors:

@@ -1,6 +1,7 @@
 """The checks of one joint and of one link."""
 
 import math
+import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
 from typing import cast
 
@@ -12,12 +13,12 @@ from robotics1.robot.markup import Element, child, children
 
 JOINT_TYPES = ("revolute", "prismatic", "continuous", "fixed", "floating", "planar")
 ON_AN_AXIS = ("revolute", "prismatic", "continuous", "planar")
-SHAPES = {
-    "box": ("size", 3),
-    "cylinder": ("radius", 1),
-    "capsule": ("radius", 1),
-    "sphere": ("radius", 1),
-    "mesh": ("scale", 3),
+SHAPES = {  # shape → its attributes, and how many numbers each has
+    "box": {"size": 3},
+    "cylinder": {"radius": 1, "length": 1},
+    "capsule": {"radius": 1, "length": 1},
+    "sphere": {"radius": 1},
+    "mesh": {},
 }
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
@@ -144,16 +145,8 @@ def _check_mimic(findings: Findings, joint: Element, types: Mapping[str | None, 
 def _check_inertial(findings: Findings, link: Element, inertial: Element) -> None:
     _check_origin(findings, link, inertial)
     mass, inertia = child(inertial, "mass"), child(inertial, "inertia")
-    if mass is None or inertia is None:
-        findings.warn(link, "has an <inertial> without mass or inertia; it is left out", inertial)
-        return
-    missing = [name for name in MOMENTS if inertia.get(name) is None]
-    if missing or mass.get("value") is None:
-        findings.warn(
-            link,
-            f"has an <inertial> that lacks {', '.join(missing) or 'the value of its mass'}; it is left out",
-            inertial,
-        )
+    if (missing := lacking(inertial)) or mass is None or inertia is None:
+        findings.warn(link, f"has an <inertial> that lacks {missing}; it is left out", inertial)
         return
     weight = findings.numbers(link, mass, "value")
     moments = [findings.numbers(link, inertia, name) for name in MOMENTS]
@@ -170,6 +163,15 @@ def _check_inertial(findings: Findings, link: Element, inertial: Element) -> Non
         )
 
 
+def lacking(inertial: ET.Element) -> str:
+    """Return what an <inertial> lacks, in words; "" of one that is whole."""
+    mass, inertia = inertial.find("mass"), inertial.find("inertia")
+    if mass is None or inertia is None:
+        return "mass or inertia"
+    missing = [name for name in MOMENTS if inertia.get(name) is None]
+    return ", ".join(missing) or ("the value of its mass" if mass.get("value") is None else "")
+
+
 def _check_geometry(findings: Findings, link: Element, shape: Element) -> None:
     geometry = child(shape, "geometry")
     if geometry is None or not len(geometry):
@@ -179,11 +181,7 @@ def _check_geometry(findings: Findings, link: Element, shape: Element) -> None:
     if form.tag not in SHAPES:
         findings.error(link, f"has the unknown shape <{form.tag}>; it can be {', '.join(SHAPES)}", form)
         return
-    attribute, count = SHAPES[form.tag]
-    needed = [(attribute, count)] if form.tag != "mesh" else []
-    if form.tag in ("cylinder", "capsule"):
-        needed.append(("length", 1))
-    for name, size in needed:
+    for name, size in SHAPES[form.tag].items():
         if form.get(name) is None:
             findings.error(link, f"has a {form.tag} without {name}", form)
             continue

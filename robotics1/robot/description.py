@@ -15,13 +15,27 @@ MOST = 12  # letters of joints
 
 
 class DescribedRobot(Shown):
-    """How a robot is shown."""
+    """How a robot is shown: in one line, in sentences, and with a table of its joints."""
 
     def __repr__(self) -> str:
-        return one_line(self)
+        robot: Any = self
+        number = len(robot.moving_joints)
+        shown = f" {letters(robot)}" if 0 < number <= MOST else ""
+        values = "".join(f", {name}={value:g}" for name, value in list(robot.parameters.items())[:4])
+        return printable(f"Robot({robot.name!r}, {count(number, 'joint')}{shown}, tool={robot.tool!r}{values})")
 
     def _sentences(self) -> str:
-        return sentences(self)
+        """Return what the robot is, its tool, tips and lengths, and what is odd about its file."""
+        robot: Any = self
+        ends = ", ".join(tips(robot.frame_names, robot.joints))
+        lines = [
+            f"{robot.name}: {count(robot.nv, 'degree')} of freedom",
+            f"tool: {robot.tool or 'open, name it with tool='}; tips: {ends}",
+        ]
+        if robot.parameters:
+            lines.append("lengths: " + ", ".join(f"{name} = {value:g} m" for name, value in robot.parameters.items()))
+        lines += [f"warning: {text}" for text in robot.warnings]
+        return printable("\n".join(lines), keep="\n")
 
     def _tables(self) -> tuple[Table, ...]:
         table = joint_table(self)
@@ -29,14 +43,6 @@ class DescribedRobot(Shown):
 
     def _drawings(self) -> list[str]:
         return [shown for make in MORE.get("Robot", ()) if (shown := make(self))]
-
-
-def one_line(robot: Any) -> str:
-    """Return the robot's name, its joints as letters, as in PRR, and its tool."""
-    number = len(robot.moving_joints)
-    shown = f" {letters(robot)}" if 0 < number <= MOST else ""
-    values = "".join(f", {name}={value:g}" for name, value in list(robot.parameters.items())[:4])
-    return printable(f"Robot({robot.name!r}, {count(number, 'joint')}{shown}, tool={robot.tool!r}{values})")
 
 
 def letters(robot: Any) -> str:
@@ -47,19 +53,6 @@ def letters(robot: Any) -> str:
     return ("" if all(len(kind) == 1 for kind in kinds) else "-").join(kinds)
 
 
-def sentences(robot: Any) -> str:
-    """Return what the robot is, its tool, tips and lengths, and what is odd about its file."""
-    ends = ", ".join(tips(robot.frame_names, robot.joints))
-    lines = [
-        f"{robot.name}: {count(robot.nv, 'degree')} of freedom",
-        f"tool: {robot.tool or 'open, name it with tool='}; tips: {ends}",
-    ]
-    if robot.parameters:
-        lines.append("lengths: " + ", ".join(f"{name} = {value:g} m" for name, value in robot.parameters.items()))
-    lines += [f"warning: {text}" for text in robot.warnings]
-    return printable("\n".join(lines), keep="\n")
-
-
 def joint_table(robot: Any) -> Table:
     """Return the moving joints with kind, axis and limits."""
     rows = []
@@ -68,13 +61,13 @@ def joint_table(robot: Any) -> Table:
         limits, rates = ["", ""], ["", ""]
         if joint.kind in LETTERS:
             i, j = robot.own_model.idx_qs[number], robot.own_model.idx_vs[number]
-            limits = [limit_text(robot.lower[i], joint), limit_text(robot.upper[i], joint)]
+            limits = [_limit(robot.lower[i], joint), _limit(robot.upper[i], joint)]
             rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
-        rows.append((printable(joint.name), kind_text(joint), *limits, *rates))
+        rows.append((printable(joint.name), _kind(joint), *limits, *rates))
     return table_of(("joint", "kind", "lower", "upper", "velocity", "effort"), rows)
 
 
-def kind_text(joint: Joint) -> str:
+def _kind(joint: Joint) -> str:
     """Return what a joint is, in words."""
     if joint.kind not in LETTERS:
         return joint.kind
@@ -84,7 +77,7 @@ def kind_text(joint: Joint) -> str:
     return f"{joint.kind} {'about' if joint.kind == 'revolute' else 'along'} {aligned[0]}"
 
 
-def limit_text(value: float, joint: Joint) -> str:
+def _limit(value: float, joint: Joint) -> str:
     """Return a limit in its unit, or none."""
     if not np.isfinite(value):
         return "none"

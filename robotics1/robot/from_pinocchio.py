@@ -1,5 +1,6 @@
 """A robot made of a model of Pinocchio, and of its shapes."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -10,20 +11,20 @@ import numpy as np
 import pinocchio as pin
 
 from robotics1.errors import InputError
-from robotics1.robot.building import build_model
+from robotics1.robot.assembly import robot_of_joints
+from robotics1.robot.checking import MOST_DEGREES, MOST_LINKS
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.frames import tool_frame
 from robotics1.robot.joints import Joint, Triple, placed
 from robotics1.robot.model import Robot
-from robotics1.robot.model_checks import check_limits, check_model
-from robotics1.robot.parameters import Parameters
-from robotics1.robot.urdf import Link, element, urdf_text
+from robotics1.robot.placements import ROTATION_TOLERANCE
+from robotics1.robot.urdf import PLAIN, Link, element, numbers_text
 
 KINDS = {"R": "revolute", "P": "prismatic"}
 FREE = {"JointModelPlanar": "planar", "JointModelFreeFlyer": "floating"}
 AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 WORLD = "universe"
 SAME_PLACE = 1e-12  # of a link and its joint
+NO_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")  # characters that no URDF can hold
 STEP = 0.5  # of a follower, by which its axis is found [rad or m]
 
 
@@ -41,17 +42,14 @@ def robot_of_model(model: pin.Model, shapes: pin.GeometryModel | None = None, to
     Raises:
         InputError: the model has a joint of another kind, or two links of one name.
     """
-    check_model(model)
+    _check_model(model)
     if not isinstance(shapes, pin.GeometryModel | None):
         raise InputError(f"the shapes of a pin.Model are a pin.GeometryModel, not {type(shapes).__name__}")
     links, joints = _tree(model)
     if len(set(links)) < len(links):
         raise InputError("two frames of the model have one name, so that neither can be asked about")
     name = model.name or "robot"
-    made = build_model(name, dict.fromkeys(links, pin.Inertia.Zero()), joints)
-    parts = {link: Link(pin.Inertia.Zero()) for link in links} | _with_shapes(links, shapes)
-    text = urdf_text(name, parts, joints)
-    return Robot(name, made, joints, tool_frame(made, joints, tool), Parameters(None), text, Path(f"{name}.urdf"))
+    return robot_of_joints(name, joints, dict.fromkeys(links, PLAIN) | _with_shapes(links, shapes), tool=tool)
 
 
 def _tree(model: pin.Model) -> tuple[list[str], tuple[Joint, ...]]:
@@ -62,8 +60,7 @@ def _tree(model: pin.Model) -> tuple[list[str], tuple[Joint, ...]]:
     for frame in model.frames:
         parent = carried[frame.parentJoint]
         if frame.type in (pin.FrameType.BODY, pin.FrameType.OP_FRAME) and frame.name != parent:
-            joint = Joint(f"{frame.name} (fixed)", "fixed", parent, frame.name, leader=f"{frame.name} (fixed)")
-            fixed.append(placed(joint, frame.placement))
+            fixed.append(placed(Joint(f"{frame.name} (fixed)", "fixed", parent, frame.name), frame.placement))
     return [*carried, *(joint.child for joint in fixed)], (*joints, *fixed)
 
 
@@ -92,16 +89,14 @@ def _joint(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
         limits = {"max_velocity": float(model.upperVelocityLimit[v]), "max_effort": float(model.upperEffortLimit[v])}
         if model_joint.nq == 1:
             limits |= {"lower": float(model.lowerPositionLimit[q]), "upper": float(model.upperPositionLimit[q])}
-        limits = {key: _without_placeholder(value) for key, value in limits.items()}
-        check_limits(name, limits.get("lower", 0), limits.get("upper", 0), limits["max_velocity"], limits["max_effort"])
+        for key, value in limits.items():  # one beyond all that can be computed with stands for none
+            limits[key] = float(np.copysign(np.inf, value)) if abs(value) > LARGEST else value
+        _check_limits(
+            name, limits.get("lower", 0), limits.get("upper", 0), limits["max_velocity"], limits["max_effort"]
+        )
     parent = carried[model.parents[number]]
-    joint = replace(Joint(name, kind, parent, carried[number], axis=axis, leader=name), **limits)  # type: ignore[arg-type]
+    joint = replace(Joint(name, kind, parent, carried[number], axis=axis), **limits)  # type: ignore[arg-type]
     return placed(joint, model.jointPlacements[number])
-
-
-def _without_placeholder(value: float) -> float:
-    """Return a limit; what stands for none, as Pinocchio's largest number, is infinite."""
-    return float(np.copysign(np.inf, value)) if abs(value) > LARGEST else value
 
 
 def _follower(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
@@ -119,7 +114,7 @@ def _follower(model: pin.Model, number: int, carried: Sequence[str]) -> Joint:
     motion = pin.log6(poses[1] * poses[0].inverse())
     turns = float(np.linalg.norm(motion.angular)) > STEP / 2
     kind = KINDS["R" if turns else "P"] if mimic.scaling != 0 else "fixed"
-    joint = Joint(name, kind, carried[model.parents[number]], carried[number], leader=name)
+    joint = Joint(name, kind, carried[model.parents[number]], carried[number])
     if kind == "fixed":
         return placed(joint, model.jointPlacements[number] * poses[0])
     axis = np.sign(mimic.scaling) * (motion.angular if turns else motion.linear)
@@ -153,7 +148,7 @@ def _with_shapes(links: Sequence[str], shapes: pin.GeometryModel | None) -> dict
         form = _form(shape)
         if form is not None:
             T = shape.placement
-            xyz, rpy = map(_written, (T.translation, pin.rpy.matrixToRpy(np.array(T.rotation))))
+            xyz, rpy = map(numbers_text, (T.translation, pin.rpy.matrixToRpy(np.array(T.rotation))))
             visual = element("visual", element("origin", xyz=xyz, rpy=rpy), element("geometry", form))
             drawn.setdefault(links[shape.parentJoint], []).append(visual)
     return {link: Link(pin.Inertia.Zero(), tuple(parts)) for link, parts in drawn.items()}
@@ -164,15 +159,57 @@ def _form(shape: Any) -> Element | None:
     form, path = shape.geometry, str(shape.meshPath)
     match type(form).__name__:
         case "Box":
-            return element("box", size=_written(2 * np.array(form.halfSide)))
+            return element("box", size=numbers_text(2 * np.array(form.halfSide)))
         case "Sphere":
             return element("sphere", radius=repr(float(form.radius)))
         case "Cylinder":
             return element("cylinder", radius=repr(float(form.radius)), length=repr(2 * float(form.halfLength)))
     if path and Path(path).suffix:
-        return element("mesh", filename=path, scale=_written(np.ravel(shape.meshScale)))
+        return element("mesh", filename=path, scale=numbers_text(np.ravel(shape.meshScale)))
     return None
 
 
-def _written(values: Any) -> str:
-    return " ".join(repr(float(value) + 0.0) for value in values)
+# --- the numbers of a model, which nothing has read before, and of which Pinocchio takes any
+
+
+def _check_model(model: pin.Model) -> None:
+    """Check size, names and placements of a model.
+
+    Raises:
+        InputError: there is no joint, or more than can be computed with; a name is empty, or none that a file can
+            hold; a placement is not finite, is too large, or has no rotation.
+    """
+    if not model.njoints > 1:
+        raise InputError("the model has no joints")
+    if model.nv > MOST_DEGREES or model.njoints > MOST_LINKS:
+        most = f"at most {MOST_DEGREES} and {MOST_LINKS} can be computed with"
+        raise InputError(f"the model has {model.nv} degrees of freedom and {model.njoints} joints; {most}")
+    placements = [(f"joint {name!r}", T) for name, T in zip(model.names, model.jointPlacements, strict=True)]
+    for what, T in [*placements, *((f"frame {frame.name!r}", frame.placement) for frame in model.frames)]:
+        _check_placement(what, T)
+    for name in (*model.names, *(frame.name for frame in model.frames)):
+        if not name.strip() or NO_XML.search(name):
+            raise InputError(f"a joint or a frame of the model is called {name!r}, which can be no name in a file")
+
+
+def _check_limits(name: str, lower: float, upper: float, velocity: float, effort: float) -> None:
+    """Check the limits of a joint.
+
+    Raises:
+        InputError: lower is above upper, or one of the others is negative; or one is no number.
+    """
+    if not lower <= upper:
+        numbers = f"they are {lower:g} and {upper:g}"
+        raise InputError(f"the limits of joint {name!r} of the model must have lower ≤ upper; {numbers}")
+    if not (velocity >= 0 and effort >= 0):
+        numbers = f"they are {velocity:g} and {effort:g}"
+        raise InputError(f"velocity and effort of joint {name!r} of the model must have limits ≥ 0; {numbers}")
+
+
+def _check_placement(what: str, T: pin.SE3) -> None:
+    numbers, R = np.array(T.homogeneous), np.array(T.rotation)
+    if not np.abs(numbers).max() <= LARGEST:
+        place = f"is placed at {numbers[:3, 3].tolist()}"
+        raise InputError(f"{what} of the model {place}; at most {LARGEST:g} can be computed with")
+    if np.abs(R.T @ R - np.eye(3)).max() > ROTATION_TOLERANCE or np.linalg.det(R) < 0:
+        raise InputError(f"the placement of {what} of the model has no rotation: its columns must be orthonormal")

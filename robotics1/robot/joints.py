@@ -1,6 +1,6 @@
 """The joints of a robot as numbers, read once from its file: model, formulas and DH tables are made of these."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,7 +21,7 @@ class Joint:
         axis: the unit vector about which it turns, or along which it slides.
         lower, upper, max_velocity, max_effort: its limits [rad or m, and per s, N m or N]; ∓∞ where there is none.
         friction, damping: of its motion [N m or N, and times s].
-        leader: the joint whose coordinate q it has: itself, or the one that it mimics.
+        leader: the joint whose coordinate q it has: the one that it mimics, by default itself.
         multiplier, offset: it moves by multiplier · q + offset.
     """
 
@@ -42,6 +42,10 @@ class Joint:
     multiplier: float = 1.0
     offset: float = 0.0
 
+    def __post_init__(self) -> None:
+        """Let a joint that mimics no other lead itself."""
+        object.__setattr__(self, "leader", self.leader or self.name)
+
     @property
     def placement(self) -> pin.SE3:
         """The joint's frame in the parent link, before it moves."""
@@ -58,6 +62,13 @@ def placed(joint: Joint, T: pin.SE3) -> Joint:
     x, y, z = map(float, T.translation)
     roll, pitch, yaw = map(float, pin.rpy.matrixToRpy(np.array(T.rotation)))
     return replace(joint, xyz=(x, y, z), rpy=(roll, pitch, yaw))
+
+
+def free_name(name: str, taken: Container[str]) -> str:
+    """Return a name for something new, with "_" behind it as often as it is taken."""
+    while name in taken:
+        name += "_"
+    return name
 
 
 def joints_to(joints: Sequence[Joint], link: str) -> tuple[Joint, ...]:

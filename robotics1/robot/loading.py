@@ -18,10 +18,9 @@ from robotics1.errors import (
     warn,
 )
 from robotics1.inputs import by_name
-from robotics1.robot.building import build_model
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.checking import check_urdf
 from robotics1.robot.findings import Finding, NotComparable, RobotReport, difference_from_yourdfpy
-from robotics1.robot.frames import tool_frame
 from robotics1.robot.from_pinocchio import robot_of_model
 from robotics1.robot.joints import Joint
 from robotics1.robot.locking import lock, rebase
@@ -30,9 +29,9 @@ from robotics1.robot.meshes import find_meshes
 from robotics1.robot.mimic import follow_leaders, narrow_leaders
 from robotics1.robot.mjcf import is_mjcf, robot_of_mjcf
 from robotics1.robot.model import Robot
-from robotics1.robot.parameters import Parameters, Placements, agree, fitted_placements
+from robotics1.robot.parameters import Placements, agree, fitted_placements
 from robotics1.robot.sources import robot_file, robot_text
-from robotics1.robot.urdf import Link, read_joints, read_links, urdf_text
+from robotics1.robot.urdf import Link, read_joints, read_links
 from robotics1.robot.xacro.expansion import Expanded, expand_xacro
 
 FEW = 6  # parameters: with more, or in a large file, the polynomials are found when formulas are first asked for
@@ -173,18 +172,17 @@ class RobotText:
         more = find_meshes(root, self.path, self._folders, trusted=self.trusted)
         links, own_joints = self._parts(root)
         joints, contradictions = narrow_leaders(own_joints)
-        model = build_model(root.get("name", ""), {name: link.inertia for name, link in links.items()}, joints)
         warnings = findings.warnings + tuple(Finding(False, text) for text in (*more, *contradictions))
-        robot = Robot(
-            model.name,
-            model,
+        robot = robot_of_joints(
+            root.get("name", ""),
             joints,
-            tool_frame(model, joints, self.tool),
-            Parameters(parameters),
-            urdf_text(model.name, links, own_joints),
-            self.path,
-            tuple(map(str, warnings)),
-            self._source(joints, parameters, effort) if parameters else None,
+            links,
+            tool=self.tool,
+            written=own_joints,
+            parameters=parameters,
+            path=self.path,
+            warnings=tuple(map(str, warnings)),
+            source=self._source(joints, parameters, effort) if parameters else None,
         )
         return RobotReport(self.path, (), warnings, robot, _text=urdf)
 

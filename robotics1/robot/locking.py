@@ -10,9 +10,9 @@ from robotics1.angles import warn_of_degrees
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_array, real_number
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.joints import Joint, placed
+from robotics1.robot.joints import Joint, free_name, placed
 from robotics1.robot.placements import homogeneous
-from robotics1.robot.urdf import Link
+from robotics1.robot.urdf import PLAIN, Link
 
 
 def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...]:
@@ -35,7 +35,8 @@ def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...
             raise InputError(f"joint {name!r} cannot be locked: it has no coordinate of its own")
         joint, what = found[name], f"the value of locked joint {name!r}"
         if joint.kind in FREE:
-            found[name] = _fixed(joint, FREE[joint.kind](what, value))
+            still = isinstance(value, int | float) and value == 0
+            found[name] = _fixed(joint, pin.SE3.Identity() if still else FREE[joint.kind](what, value))
             continue
         q = _bounded(what, real_number(what, value))
         warn_of_degrees(what, np.array([q]), joint.kind == "revolute", joint.lower, joint.upper)
@@ -49,7 +50,7 @@ def lock(joints: Sequence[Joint], locked: Mapping[str, Any]) -> tuple[Joint, ...
 
 def _fixed(joint: Joint, motion: pin.SE3) -> Joint:
     at_value = placed(joint, joint.placement * motion)
-    return Joint(joint.name, "fixed", joint.parent, joint.child, at_value.xyz, at_value.rpy, leader=joint.name)
+    return Joint(joint.name, "fixed", joint.parent, joint.child, at_value.xyz, at_value.rpy)
 
 
 def _along_axis(joint: Joint, q: float) -> pin.SE3:
@@ -62,30 +63,19 @@ def _along_axis(joint: Joint, q: float) -> pin.SE3:
 
 def _planar(what: str, value: Any) -> pin.SE3:
     """Return the motion by [x, y, θ] in the plane."""
-    if _is_zero(value):
-        return pin.SE3.Identity()
     x, y, theta = _bounded(what, real_array(what, value, (3,), "[x, y, theta] of a planar joint, or 0"))
     return pin.SE3(pin.AngleAxis(theta, np.array([0.0, 0.0, 1.0])).toRotationMatrix(), np.array([x, y, 0.0]))
 
 
 def _floating(what: str, value: Any) -> pin.SE3:
     """Return the motion by [x, y, z, qx, qy, qz, qw], by a `pin.SE3`, or by a matrix (4, 4)."""
-    if _is_zero(value):
-        return pin.SE3.Identity()
-    if isinstance(value, pin.SE3) or np.shape(value) == (4, 4):
-        T = homogeneous(what, value)
-    else:
+    if not (isinstance(value, pin.SE3) or np.shape(value) == (4, 4)):
         meaning = "[x, y, z, qx, qy, qz, qw] of a floating joint, a pin.SE3, a matrix (4, 4), or 0"
         q = real_array(what, value, (7,), meaning)
-        if abs(float(np.linalg.norm(q[3:])) - 1) > 1e-6:
-            raise InputError(f"{what} must hold a quaternion of length 1; its length is {np.linalg.norm(q[3:]):g}")
-        T = pin.SE3(pin.Quaternion(q[3:] / np.linalg.norm(q[3:])).toRotationMatrix(), q[:3])
+        value = (q[:3], q[3:])
+    T = homogeneous(what, value)
     _bounded(what, T.translation)
     return T
-
-
-def _is_zero(value: Any) -> bool:
-    return isinstance(value, int | float) and value == 0
 
 
 def _bounded(what: str, value: Any) -> Any:
@@ -115,12 +105,9 @@ def rebase(
     while link in above and above[link].kind == "fixed":
         T, link = above[link].placement * T, above[link].parent
     if link not in above:
-        world = "world"
-        while world in {*links, *(joint.name for joint in joints)}:
-            world += "_"
-        name = f"{world}_to_{link}"
-        mount = placed(Joint(name, "fixed", world, link, leader=name), T.inverse())
-        return {world: Link(pin.Inertia.Zero()), **links}, (*joints, mount)
+        world = free_name("world", {*links, *(joint.name for joint in joints)})
+        mount = placed(Joint(f"{world}_to_{link}", "fixed", world, link), T.inverse())
+        return {world: PLAIN, **links}, (*joints, mount)
     kept = {base}
     while more := {joint.child for joint in joints if joint.parent in kept} - kept:
         kept |= more

@@ -6,22 +6,16 @@ limits of its leader:
     a > 0:  (l − b)/a ≤ q ≤ (u − b)/a        a < 0:  (u − b)/a ≤ q ≤ (l − b)/a        |q̇| ≤ v/|a|
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 from graphlib import CycleError, TopologicalSorter
-from math import lcm
 
 import numpy as np
 
-from robotics1.inputs import Array
 from robotics1.robot.joints import Joint, root_of
-from robotics1.robot.model import Robot
 
 Interval = tuple[float, float]
 NOWHERE = 1e-9  # rad or m: a narrower interval leaves no room to move
-MOST_TURNS = 12  # of a leader, and so the largest denominator of a multiplier that counts as a fraction
-SAME = 1e-12  # difference of a multiplier and the fraction that it is
 
 
 # --- leaders
@@ -145,41 +139,3 @@ def _in_turn(below: dict[str, list[Joint]], siblings: list[Joint]) -> list[Joint
         return [siblings[i] for i in TopologicalSorter(needs).static_order()]
     except CycleError:  # two branches follow each other: one of them comes after its followers
         return siblings
-
-
-# --- whole turns
-
-
-def fraction_of(multiplier: float) -> Fraction | None:
-    """Return a multiplier as a fraction with a denominator up to 12, or None if it is none: 0.3333 is not 1/3."""
-    fraction = Fraction(multiplier).limit_denominator(MOST_TURNS)
-    return fraction if abs(float(fraction) - multiplier) <= SAME else None
-
-
-def turns_of_followers(robot: Robot, frames: Iterable[str | None]) -> Array:
-    """Return after how many turns of each joint, (nq,), all joints on the ways to the frames are back.
-
-    Two turns of a leader bring a follower with multiplier 0.5 back. It is 1 for a joint without followers, and for one
-    that slides; ∞ where 12 turns are not enough, as with a follower that slides.
-
-    Raises:
-        UnknownNameError: there is no such frame.
-    """
-    turns = np.ones(robot.nq)
-    for frame in frames:
-        for joint in robot.joints_to(frame) if robot.nq == robot.nv else ():
-            if joint.kind == "fixed":
-                continue
-            i = robot.joint_names.index(joint.leader)
-            if robot.revolute[i]:
-                turns[i] = _common(turns[i], joint)
-    return turns
-
-
-def _common(turns: float, joint: Joint) -> float:
-    """Return after how many turns of its leader a joint is back, with those before it."""
-    fraction = fraction_of(joint.multiplier)
-    if np.isinf(turns) or fraction is None or (joint.kind == "prismatic" and joint.multiplier != 0):
-        return np.inf
-    common = lcm(int(turns), fraction.denominator)
-    return common if common <= MOST_TURNS else np.inf

@@ -16,15 +16,16 @@ from robotics1.angles import warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.robot.building import restore_followers
 from robotics1.robot.description import DescribedRobot
 from robotics1.robot.frames import frame_number, links_of
-from robotics1.robot.joint_models import restore_followers
 from robotics1.robot.joints import Joint, joints_to, tips
 from robotics1.robot.parameters import Placements, constant_placements
 from robotics1.robot.postures import in_numbers, named_postures
 
 ConfigurationLike: TypeAlias = npt.ArrayLike | Mapping[str, float]  # also the name of a posture
 SMALLEST = 1e-100  # length of an arm [m]
+TURNING = {"revolute": (1,), "prismatic": (0,), "planar": (0, 0, 1), "floating": (0, 0, 0, 1, 1, 1)}  # rates of angles
 
 
 class RobotSource(Protocol):
@@ -191,8 +192,9 @@ class Robot(DescribedRobot):
 
     @property
     def units(self) -> Array:
-        """(nv,) what counts as one of each joint: 1 rad, or the reach [m]."""
-        return np.where(self.revolute, 1.0, self.reach)
+        """(nv,) what counts as one of each entry of q̇: 1 rad, or the reach [m]."""
+        turning = [turns for joint in self.moving_joints for turns in TURNING[joint.kind]]
+        return np.where(np.array(turning, dtype=bool), 1.0, self.reach)
 
     @cached_property
     def postures(self) -> Mapping[str, Array]:

@@ -6,13 +6,13 @@ numbers, the elements of other programs. What is neither kinematics nor shape no
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import pinocchio as pin
 
-from robotics1.robot.checking_parts import MOMENTS, ON_AN_AXIS
+from robotics1.robot.checking_parts import MOMENTS, ON_AN_AXIS, lacking
 from robotics1.robot.joints import Joint, Triple
 from robotics1.robot.markup import linked
 from robotics1.robot.meshes import UNDRAWN
@@ -29,6 +29,8 @@ class Link:
     inertia: pin.Inertia
     parts: tuple[ET.Element, ...] = ()
 
+
+PLAIN = Link(pin.Inertia.Zero())  # without inertia and shapes
 
 # --- reading
 
@@ -61,7 +63,7 @@ def _joint(joint: ET.Element) -> Joint:
         max_effort=_limit(limit, "effort", np.inf),
         friction=_numbers(dynamics, "friction", "0")[0],
         damping=_numbers(dynamics, "damping", "0")[0],
-        leader=name if mimic is None else mimic.get("joint", ""),
+        leader="" if mimic is None else mimic.get("joint", ""),
         multiplier=_numbers(mimic, "multiplier", "1")[0],
         offset=_numbers(mimic, "offset", "0")[0],
     )
@@ -72,7 +74,7 @@ def read_links(root: ET.Element) -> dict[str, Link]:
     colors = _colors(root)
     links = {}
     for link in root.findall("link"):
-        inertial = [inertial for inertial in link.findall("inertial")[:1] if _is_whole(inertial)]
+        inertial = [inertial for inertial in link.findall("inertial")[:1] if not lacking(inertial)]
         shapes = [part for part in link if part.tag in SHAPES]
         for shape in shapes:
             _paint(shape, colors)
@@ -97,12 +99,6 @@ def _origin(part: ET.Element) -> tuple[Triple, Triple]:
 def _limit(limit: ET.Element | None, key: str, default: float) -> float:
     value = _numbers(limit, key, repr(default))[0]
     return np.inf if value >= WITHOUT_LIMIT else value
-
-
-def _is_whole(inertial: ET.Element) -> bool:
-    mass, inertia = inertial.find("mass"), inertial.find("inertia")
-    whole = mass is not None and mass.get("value") is not None and inertia is not None
-    return whole and all(inertia.get(name) is not None for name in MOMENTS)  # type: ignore[union-attr]
 
 
 def _inertia(inertials: Sequence[ET.Element]) -> pin.Inertia:
@@ -173,14 +169,14 @@ def _joint_element(joint: Joint) -> ET.Element:
     parts = [
         element("parent", link=joint.parent),
         element("child", link=joint.child),
-        element("origin", xyz=_written(joint.xyz), rpy=_written(joint.rpy)),
+        element("origin", xyz=numbers_text(joint.xyz), rpy=numbers_text(joint.rpy)),
     ]
     if kind == "planar":
         parts.append(element("axis", xyz="0 0 1"))
     if kind in ("revolute", "prismatic"):
         rates = {"velocity": joint.max_velocity, "effort": joint.max_effort}
         limits = {key: repr(value) if math.isfinite(value) else f"{WITHOUT_LIMIT:g}" for key, value in rates.items()}
-        parts.append(element("axis", xyz=_written(joint.axis)))
+        parts.append(element("axis", xyz=numbers_text(joint.axis)))
         if kind == "revolute" and math.isinf(joint.lower) and math.isinf(joint.upper):
             kind = "continuous"
         else:
@@ -202,5 +198,6 @@ def _ends(lower: float, upper: float) -> dict[str, str]:
     return {"lower": repr(low), "upper": repr(high)}
 
 
-def _written(values: Sequence[float]) -> str:
-    return " ".join(repr(value + 0.0) for value in values)
+def numbers_text(values: Iterable[float]) -> str:
+    """Return numbers as an attribute has them."""
+    return " ".join(repr(float(value) + 0.0) for value in values)

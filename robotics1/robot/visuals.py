@@ -2,7 +2,7 @@
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +10,7 @@ import pinocchio as pin
 
 from robotics1.errors import warn
 from robotics1.results import Frozen
+from robotics1.robot.checking_parts import SHAPES
 from robotics1.robot.findings import LARGEST
 from robotics1.robot.frames import frame_number
 from robotics1.robot.joints import Triple
@@ -65,6 +66,7 @@ class MeshFile(Frozen):
 
 
 Shape = Box | Cylinder | Capsule | Sphere | MeshFile
+PLAIN: dict[str, Callable[..., Shape]] = {"box": Box, "cylinder": Cylinder, "capsule": Capsule, "sphere": Sphere}
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,14 +120,10 @@ def _shape(visual: ET.Element) -> Shape:
     if form.tag == "mesh":
         scale = _numbers(form, "scale", 3) if form.get("scale") else (1.0, 1.0, 1.0)
         return MeshFile(form.get("filename", ""), scale, visual.tag != UNDRAWN)  # type: ignore[arg-type]
-    if form.tag == "box":
-        return Box(_numbers(form, "size", 3))  # type: ignore[arg-type]
-    if form.tag == "sphere":
-        return Sphere(*_numbers(form, "radius", 1))
-    if form.tag not in ("cylinder", "capsule"):
+    if form.tag not in PLAIN:
         raise ValueError(f"has the unknown shape <{form.tag}>")
-    kind = Cylinder if form.tag == "cylinder" else Capsule
-    return kind(*_numbers(form, "radius", 1), *_numbers(form, "length", 1))
+    sizes = [_numbers(form, name, count) for name, count in SHAPES[form.tag].items()]
+    return PLAIN[form.tag](*(size if len(size) > 1 else size[0] for size in sizes))
 
 
 def _placement(visual: ET.Element) -> pin.SE3:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from keyword import iskeyword
 from typing import Any
 
@@ -14,7 +15,7 @@ import numpy.typing as npt
 from robotics1.differentiation import configuration_derivative
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, by_name, counting_number, real_array, real_number
-from robotics1.kinematics import forward_kinematics, is_batch, point_of_frame
+from robotics1.kinematics import forward_kinematics, is_batch, of_each, point_of_frame
 from robotics1.orientation.expressions import wrapped
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -113,8 +114,7 @@ class FunctionTask:
         """Return ∂f/∂q, (m, nv): the given one, else by central differences; of several q (k, nq), (k, m, nv)."""
         robot = robot_from(robot)
         if is_batch(q):
-            every = [self.jacobian(robot, one) for one in robot.configurations(q)]
-            return np.reshape(every, (len(every), self.rows, robot.nv))
+            return of_each(partial(self.jacobian, robot), robot, q, (self.rows, robot.nv))
         if self.derivative is None:
             r = self.value(robot, q)  # from which an angle differs little, also where it jumps from π to −π
             return configuration_derivative(lambda x: self._difference(self.value(robot, x), r), robot, q)

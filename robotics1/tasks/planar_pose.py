@@ -32,6 +32,8 @@ class PlanarPoseTask(FrameTask):
     """
 
     plane: str = "xy"
+    row_units = ("m", "m", "rad")
+    has_constant_rows = True
 
     def __post_init__(self) -> None:
         """Refuse a plane that is none of the three."""
@@ -43,11 +45,6 @@ class PlanarPoseTask(FrameTask):
         """The two coordinates and φ."""
         return (*self.plane, "φ")
 
-    @property
-    def row_units(self) -> tuple[str, ...]:
-        """Metres and radians."""
-        return ("m", "m", "rad")
-
     def g(self, p: Array, R: Array) -> Array:
         """Return (p·a, p·b, atan2(x·b, x·a)), (3,)."""
         a, b = numbers_of(self.plane)
@@ -58,11 +55,6 @@ class PlanarPoseTask(FrameTask):
         a, b = np.eye(3)[numbers_of(self.plane)]
         zero = np.zeros(3)
         return np.array([[*a, *zero], [*b, *zero], [*zero, *np.cross(a, b)]])
-
-    @property
-    def has_constant_rows(self) -> bool:
-        """True."""
-        return True
 
     def target(self, target: Any) -> Array:
         """Return the target as (3,) [m, m, rad]."""

@@ -31,6 +31,8 @@ class PointingTask(FrameTask):
     """
 
     axis: str | tuple[float, float, float] = "z"
+    row_names = ("rx", "ry", "rz")
+    row_units = ("1", "1", "1")
 
     def __post_init__(self) -> None:
         """Refuse an axis that is none; a direction is kept as a unit vector."""
@@ -42,16 +44,6 @@ class PointingTask(FrameTask):
             object.__setattr__(self, "axis", tuple((given if same else a).tolist()))
         elif self.axis not in NAMED:
             raise InputError(f"axis must be 'x', 'y', 'z', one of these with a minus, or a vector; it is {self.axis!r}")
-
-    @property
-    def row_names(self) -> tuple[str, ...]:
-        """The components of r."""
-        return ("rx", "ry", "rz")
-
-    @property
-    def row_units(self) -> tuple[str, ...]:
-        """Numbers."""
-        return ("1",) * 3
 
     def g(self, p: Array, R: Array) -> Array:
         """Return r = R a, (3,)."""

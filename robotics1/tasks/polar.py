@@ -1,7 +1,7 @@
 """The position of a frame in polar and in cylindrical coordinates."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -30,6 +30,7 @@ class PolarTask(FrameTask):
     """
 
     plane: str = "xy"
+    row_units: ClassVar[tuple[str, ...]] = ("m", "rad")
 
     def __post_init__(self) -> None:
         """Refuse a plane that is none."""
@@ -40,11 +41,6 @@ class PolarTask(FrameTask):
     def row_names(self) -> tuple[str, ...]:
         """Of ρ and θ."""
         return ("ρ", "θ")
-
-    @property
-    def row_units(self) -> tuple[str, ...]:
-        """Metres and radians."""
-        return ("m", "rad")
 
     def g(self, p: Array, R: Array) -> Array:
         """Return (ρ, θ), (2,)."""
@@ -102,15 +98,12 @@ class CylindricalTask(PolarTask):
     The height counts along the axis of `reference` that is not in the plane: z above "xy".
     """
 
+    row_units: ClassVar[tuple[str, ...]] = ("m", "rad", "m")
+
     @property
     def row_names(self) -> tuple[str, ...]:
         """Of ρ and θ, and the letter of the axis."""
         return ("ρ", "θ", "xyz"[self._axis])
-
-    @property
-    def row_units(self) -> tuple[str, ...]:
-        """Metres, radians, metres."""
-        return ("m", "rad", "m")
 
     @property
     def _axis(self) -> int:

@@ -158,10 +158,7 @@ class OrientationTask(_WithOrientation):
         """The components of ω, or the angles."""
         return self.representation.names
 
-    @property
-    def row_units(self) -> tuple[str, ...]:
-        """Radians."""
-        return ("rad",) * 3
+    row_units = ("rad", "rad", "rad")
 
     def g(self, p: Array, R: Array) -> Array:
         """Return R, (3, 3); with angles= φ, (3,)."""
@@ -206,10 +203,7 @@ class PoseTask(_WithOrientation):
         """The components of v and ω, or the coordinates and the angles."""
         return ("x", "y", "z", *self.representation.names)
 
-    @property
-    def row_units(self) -> tuple[str, ...]:
-        """Metres and radians."""
-        return ("m",) * 3 + ("rad",) * 3
+    row_units = ("m", "m", "m", "rad", "rad", "rad")
 
     def g(self, p: Array, R: Array) -> Any:
         """Return T; of formulas, its homogeneous matrix (4, 4). With angles= (p, φ), (6,)."""

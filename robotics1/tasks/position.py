@@ -27,6 +27,7 @@ class PositionTask(FrameTask):
     """
 
     axes: str = "xyz"
+    has_constant_rows = True
 
     def __post_init__(self) -> None:
         """Refuse axes that are not distinct letters of "xyz"."""
@@ -52,11 +53,6 @@ class PositionTask(FrameTask):
     def S(self, p: Array, R: Array) -> Array:
         """Return the chosen rows of [1 0], (m, 6)."""
         return np.eye(6)[numbers_of(self.axes)]
-
-    @property
-    def has_constant_rows(self) -> bool:
-        """True."""
-        return True
 
     def target(self, target: Any) -> Array:
         """Return the target as (m,) [m]."""

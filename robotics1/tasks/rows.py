@@ -24,8 +24,7 @@ def unitless_rows(robot: Robot, task: Task) -> Array:
 
 def unitless_factors(robot: Robot, task: Task) -> Array:
     """Return (m, nv) factors that take the units out of J: of rows in metres, and of joints that slide."""
-    columns = robot.units if robot.nq == robot.nv else np.ones(robot.nv)
-    return np.asarray(unitless_rows(robot, task)[:, None] * columns)
+    return np.asarray(unitless_rows(robot, task)[:, None] * robot.units)
 
 
 def unitless_jacobian(robot: Robot, task: Task, q: ConfigurationLike) -> Array:

@@ -114,8 +114,9 @@ class StackedTask:
         if len(self.tasks) == 1:
             return forms[0]
         known = [form for form in forms if form is not None and form.S is not None]
+        nowhere = np.zeros(3), np.eye(3), np.zeros(0)  # where a value is looked at: it may be a matrix
         alike = {(form.frame, form.reference) for form in known}
-        if len(known) < len(forms) or len(alike) > 1 or any(_is_a_matrix(form) for form in known):
+        if len(known) < len(forms) or len(alike) > 1 or any(np.ndim(form.g(*nowhere)) != 1 for form in known):
             return None
         (frame, reference) = alike.pop()
         return FrameMap(
@@ -161,8 +162,3 @@ def _joined(tasks: Sequence[Task], values: tuple[Any, ...]) -> Any:
     if all(isinstance(r, np.ndarray) and r.shape == (task.rows,) for task, r in zip(tasks, values, strict=True)):
         return np.concatenate(values)
     return values
-
-
-def _is_a_matrix(form: FrameMap) -> bool:
-    """Whether the value at a pose is no column of numbers."""
-    return np.ndim(form.g(np.zeros(3), np.eye(3), np.zeros(0))) != 1

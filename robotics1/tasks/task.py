@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, Protocol
 
 import numpy as np
@@ -12,10 +13,10 @@ import pinocchio as pin
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array, text
-from robotics1.kinematics import forward_kinematics, frame_jacobian, is_batch, point_of_frame, reference_axes
+from robotics1.kinematics import forward_kinematics, frame_jacobian, is_batch, of_each, point_of_frame, reference_axes
 from robotics1.orientation.elementary import cross_matrix
+from robotics1.robot.box import turns_of_followers
 from robotics1.robot.given import RobotLike, robot_from
-from robotics1.robot.mimic import turns_of_followers
 from robotics1.robot.model import ConfigurationLike, Robot
 
 
@@ -247,8 +248,7 @@ class FrameTask:
         robot = robot_from(robot)
         self.check(robot)
         if is_batch(q):
-            every = [self.jacobian(robot, one) for one in robot.configurations(q)]
-            return np.reshape(every, (len(every), self.rows, robot.nv))
+            return of_each(partial(self.jacobian, robot), robot, q, (self.rows, robot.nv))
         T = self._pose(robot, q)
         J = frame_jacobian(robot, q, frame=self.frame, reference=self.reference, point=self.point)
         return self.S(T.translation, T.rotation) @ J

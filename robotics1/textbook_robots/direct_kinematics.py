@@ -9,15 +9,14 @@ from typing import Any
 import numpy as np
 
 from robotics1.caching import cached_property
-from robotics1.curves.symbolic_path import formula_of
 from robotics1.dh.entries import Limits, joint_limits
-from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, by_name, real_number
-from robotics1.robot.checking import MOST_DEGREES
-from robotics1.robot.given_joints import robot_of_joints
+from robotics1.errors import InputError
+from robotics1.inputs import Array
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
 from robotics1.tasks.function import FunctionTask
+from robotics1.textbook_robots.joint_formulas import in_joints, joint_letters, joint_symbols, listed_formulas
 
 KINDS = {"R": "revolute", "P": "prismatic"}
 BASE = "base"
@@ -51,17 +50,14 @@ def robot_from_formula(
         InputError: a formula is none, or has a name that is no joint and has no value; or a letter or limit is wrong.
         UnknownNameError: a value is of no name in the formulas.
     """
-    if not isinstance(joints, str) or not joints or not set(joints) <= set(KINDS) or len(joints) > MOST_DEGREES:
-        raise InputError(
-            f"joints must be 1 to {MOST_DEGREES} letters R (revolute) and P (prismatic), as 'RPP'; it is {joints!r}"
-        )
-    n = len(joints)
-    f = FormulaFunction(_entries(formulas, n, values), n)
+    n = len(joint_letters(joints))
+    entries = listed_formulas(formulas, "['q2*cos(q1)', 'q2*sin(q1)']")
+    f = FormulaFunction(tuple(in_joints(entries, n, values)), n)
     low, high = joint_limits(lower, upper, [letter == "R" for letter in joints])
     listed, parent = [], BASE
     for i, (letter, a, b) in enumerate(zip(joints, low.tolist(), high.tolist(), strict=True), 1):
         link = "end" if i == n else f"link{i}"
-        listed.append(Joint(f"q{i}", KINDS[letter], parent, link, axis=(0, 0, 1), lower=a, upper=b, leader=f"q{i}"))
+        listed.append(Joint(f"q{i}", KINDS[letter], parent, link, axis=(0, 0, 1), lower=a, upper=b))
         parent = link
     plain = robot_of_joints("formula", listed)
     known = {entry.name: getattr(plain, entry.name) for entry in fields(plain) if entry.init}
@@ -111,7 +107,7 @@ class FormulaFunction:
         if q.dtype == object:
             import sympy
 
-            known = dict(zip(_symbols(self.n), map(sympy.sympify, q), strict=True))
+            known = dict(zip(joint_symbols(self.n), map(sympy.sympify, q), strict=True))
             return np.array([entry.xreplace(known) for entry in self.entries], dtype=object)
         return self._numbers(0, q)
 
@@ -129,44 +125,6 @@ class FormulaFunction:
     def _functions(self) -> tuple[list[Callable[..., Any]], list[Callable[..., Any]]]:
         from robotics1.symbolic.writing.printing import numpy_function
 
-        symbols = _symbols(self.n)
+        symbols = joint_symbols(self.n)
         slopes = [entry.diff(q) for entry in self.entries for q in symbols]
         return [numpy_function(symbols, e) for e in self.entries], [numpy_function(symbols, e) for e in slopes]
-
-
-def _entries(formulas: Any, n: int, values: Mapping[str, float] | None) -> tuple[Any, ...]:
-    """Return the formulas as expressions in q1, ..., qn, with the values in them.
-
-    Raises:
-        InputError: one is none, or has an unknown name.
-        UnknownNameError: a value is of no name in them.
-    """
-    import sympy
-
-    if isinstance(formulas, str) or not np.iterable(formulas):
-        raise InputError(f"formulas must be one for each row, as ['q2*cos(q1)', 'q2*sin(q1)']; they are {formulas!r}")
-    entries = [formula_of(formula) for formula in formulas]
-    if not entries:
-        raise InputError("formulas must be one for each row; there is none")
-    joints = {symbol.name: symbol for symbol in _symbols(n)}
-    used = {symbol for entry in entries for symbol in entry.free_symbols}
-    names = sorted({symbol.name for symbol in used} - set(joints))
-    given = by_name("values", values, "{'l1': 0.5}")
-    for name in given:
-        if name not in names:
-            raise UnknownNameError("name with a value in the formulas:", name, names)
-    missing = [name for name in names if name not in given]
-    if missing:
-        raise InputError(
-            f"{missing[0]!r} is neither a joint, q1 to q{n}, nor has it a value; give it, as "
-            f"values={{{missing[0]!r}: 0.5}}"
-        )
-    exact = {name: sympy.sympify(real_number(f"the value of {name!r}", value)) for name, value in given.items()}
-    known = {symbol: {**joints, **exact}[symbol.name] for symbol in used}
-    return tuple(entry.xreplace(known) for entry in entries)
-
-
-def _symbols(n: int) -> tuple[Any, ...]:
-    import sympy
-
-    return tuple(sympy.symbols(f"q1:{n + 1}", real=True))

@@ -16,9 +16,9 @@ from robotics1.dh.entries import Limits, joint_limits
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import by_name, real_number
 from robotics1.notation import joint_value
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint, Triple
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import HIGHEST_DEGREE, Parameters, Placements, Polynomial, placement_of
@@ -161,7 +161,7 @@ class TransformChain:
             fixed = Joint(name, kind, at, child, (x, y, z), (roll, pitch, yaw), axis, *limits)
             found.append(replace(fixed, leader=leader, multiplier=multiplier))
             at = child
-        return [*found, Joint("tip", "fixed", at, "tool", leader="tip")]
+        return [*found, Joint("tip", "fixed", at, "tool")]
 
 
 def _axis(number: int, sign: float) -> Triple:

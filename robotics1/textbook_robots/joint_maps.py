@@ -10,12 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
-from robotics1.curves.symbolic_path import formula_of
-from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, by_name, counting_number, real_array, real_number
+from robotics1.errors import InputError
+from robotics1.inputs import Array, counting_number, real_array
 from robotics1.least_squares import numeric_rank
 from robotics1.results import Frozen
 from robotics1.robot.checking import MOST_DEGREES
+from robotics1.textbook_robots.joint_formulas import in_joints, joint_symbols, listed_formulas
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,40 +86,21 @@ def joint_map(
         InputError: a formula is none, is not linear in q, has an unknown q, or a name without a value.
         UnknownNameError: a value is of no name in the formulas.
     """
-    import sympy
-
-    if isinstance(formulas, str) or not isinstance(formulas, Sequence) or not formulas:
-        raise InputError(f"formulas must be one for each coordinate, as ['q1', 'q1 + q2']; they are {formulas!r}")
-    entries = [formula_of(formula) for formula in formulas]
-    entries = [e.xreplace({s: sympy.Symbol(s.name, real=True) for s in e.free_symbols}) for e in entries]
+    entries = listed_formulas(formulas, "['q1', 'q1 + q2']")
     used = {symbol.name for entry in entries for symbol in entry.free_symbols}
-    numbers = {int(name[1:]) for name in used if name[0] == "q" and name[1:].isdigit()}
-    n = max(numbers, default=0) if joints is None else counting_number("joints", joints, least=1, most=MOST_DEGREES)
-    if n < 1 or not numbers <= set(range(1, n + 1)):
-        raise InputError(f"the formulas must be in q1 to q{max(n, 1)}; they have {sorted(used)}")
-    q = sympy.symbols(f"q1:{n + 1}", real=True)
-    known = _known(used - {s.name for s in q}, by_name("values", values, "{'k': 0.5}"))
-    matrix = np.zeros((len(entries), n))
-    offset = np.zeros(len(entries))
-    for i, entry in enumerate(entries):
-        at = sympy.expand(entry.xreplace(known))
+    largest = max((int(name[1:]) for name in used if name[0] == "q" and name[1:].isdigit()), default=0)
+    n = counting_number("joints", largest if joints is None else joints, most=MOST_DEGREES)
+    if n < 1:
+        raise InputError(f"the formulas must be in q1, q2, ...; they have {sorted(used)}")
+    q = joint_symbols(n)
+    matrix, offset = np.zeros((len(entries), n)), np.zeros(len(entries))
+    for i, entry in enumerate(in_joints(entries, n, values)):
+        at = entry.expand()
         slopes = [at.diff(x) for x in q]
         if not all(slope.is_number for slope in slopes):
             raise InputError(
-                f"a coordinate must be a sum of numbers times q1, q2, ... and a constant; {formulas[i]!r} is none"
+                f"a coordinate must be a sum of numbers times q1, q2, ... and a constant; {str(entries[i])!r} is none"
             )
         matrix[i] = [float(slope) for slope in slopes]
-        offset[i] = float(at.xreplace(dict.fromkeys(q, sympy.S.Zero)))
+        offset[i] = float(at.xreplace(dict.fromkeys(q, 0 * q[0])))
     return JointMap(matrix, offset)
-
-
-def _known(names: set[str], values: Mapping[str, float]) -> dict[Any, Any]:
-    import sympy
-
-    for name in values:
-        if name not in names:
-            raise UnknownNameError("name with a value in the formulas:", name, sorted(names))
-    missing = sorted(names - set(values))
-    if missing:
-        raise InputError(f"{missing[0]!r} is no joint and has no value; give it, as values={{{missing[0]!r}: 0.5}}")
-    return {sympy.Symbol(k, real=True): sympy.Float(real_number(f"the value of {k!r}", x)) for k, x in values.items()}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
-from xml.sax.saxutils import quoteattr
 
 import pinocchio as pin
 
+from robotics1.robot.assembly import free_link_name, with_fixed_joint
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.joints import Joint, placed, root_of
 from robotics1.robot.model import Robot
@@ -31,10 +31,9 @@ def place_robot(robot: RobotLike, *, base_placement: Any = None, tool_placement:
         InputError: a placement is none, or the robot has several tips and no tool.
     """
     robot = robot_from(robot)
-    base, tool = homogeneous("base_placement", base_placement), homogeneous("tool_placement", tool_placement)
-    return PlacedRobot(
-        robot, base if base_placement is not None else None, tool if tool_placement is not None else None
-    ).robot_at()
+    base = None if base_placement is None else homogeneous("base_placement", base_placement)
+    tool = None if tool_placement is None else homogeneous("tool_placement", tool_placement)
+    return PlacedRobot(robot, base, tool).robot_at()
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,49 +62,11 @@ class PlacedRobot:
         """Return the robot."""
         found = self.robot
         if self.base is not None:
-            found = _on_base(found, self.base)
+            name = free_link_name(found, "world")
+            root = root_of(found.frame_names, found.joints)
+            found = with_fixed_joint(found, placed(Joint(f"{name}_joint", "fixed", name, root), self.base))
         if self.tool is not None:
-            found = _with_tool(found, self.tool)
+            name = free_link_name(found, "tool")
+            mount = placed(Joint(f"{name}_joint", "fixed", found.link_of(None), name), self.tool)
+            found = replace(with_fixed_joint(found, mount), tool=name)
         return replace(found, source=self if found.parameters else None)
-
-
-def _on_base(robot: Robot, T: pin.SE3) -> Robot:
-    root = root_of(robot.frame_names, robot.joints)
-    name = _free(robot, "world")
-    joint = placed(Joint(f"{name}_joint", "fixed", name, root, leader=f"{name}_joint"), T)
-    model = pin.Model(robot.own_model)
-    for number in range(1, model.njoints):
-        if model.parents[number] == 0:
-            model.jointPlacements[number] = joint.placement * model.jointPlacements[number]
-    for frame in model.frames:
-        if frame.parentJoint == 0 and frame.name != "universe":
-            frame.placement = joint.placement * frame.placement
-    model.addFrame(pin.Frame(name, 0, 0, pin.SE3.Identity(), pin.FrameType.BODY))
-    return _written(replace(robot, own_model=model, joints=(joint, *robot.joints)), joint, name)
-
-
-def _with_tool(robot: Robot, T: pin.SE3) -> Robot:
-    link, name = robot.link_of(None), _free(robot, "tool")
-    joint = placed(Joint(f"{name}_joint", "fixed", link, name, leader=f"{name}_joint"), T)
-    model = pin.Model(robot.own_model)
-    number = robot.frame_id(link)
-    parent = model.frames[number]
-    model.addFrame(pin.Frame(name, parent.parentJoint, number, parent.placement * joint.placement, pin.FrameType.BODY))
-    return _written(replace(robot, own_model=model, joints=(*robot.joints, joint), tool=name), joint, name)
-
-
-def _free(robot: Robot, name: str) -> str:
-    while robot.own_model.existFrame(name) or robot.own_model.existFrame(f"{name}_joint"):
-        name += "_"
-    return name
-
-
-def _written(robot: Robot, joint: Joint, link: str) -> Robot:
-    """Return the robot with the new link and joint in its text."""
-    xyz, rpy = (" ".join(repr(x + 0.0) for x in triple) for triple in (joint.xyz, joint.rpy))
-    before, end, after = robot.urdf.rpartition("</robot>")
-    element = (
-        f'  <link name="{link}"/>\n  <joint name="{joint.name}" type="fixed">\n    <origin xyz="{xyz}" rpy="{rpy}"/>\n'
-        f"    <parent link={quoteattr(joint.parent)}/>\n    <child link={quoteattr(joint.child)}/>\n  </joint>\n"
-    )
-    return replace(robot, urdf=before + element + end + after)

@@ -11,12 +11,12 @@ from robotics1.dh.entries import Limits, joint_limits, named_values, number_or_n
 from robotics1.dh.joints import named_placement
 from robotics1.errors import InputError
 from robotics1.inputs import by_name, true_or_false
-from robotics1.robot.checking import MOST_DEGREES
+from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.findings import LARGEST
-from robotics1.robot.given_joints import robot_of_joints
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Parameters, Placements, constant_placements
+from robotics1.textbook_robots.joint_formulas import joint_letters
 
 Entry = float | str
 UP = (0.0, 0.0, 1.0)
@@ -51,11 +51,7 @@ def planar_arm(
         InputError: a letter, length or limit is wrong.
         UnknownNameError: a parameter is not among the lengths.
     """
-    if not isinstance(joints, str) or not joints or not set(joints) <= set("RP") or len(joints) > MOST_DEGREES:
-        raise InputError(
-            f"joints must be 1 to {MOST_DEGREES} letters R (revolute) and P (prismatic), as 'PRR'; it is {joints!r}"
-        )
-    turns = joints.count("R")
+    turns = joint_letters(joints).count("R")
     if isinstance(lengths, str) or not isinstance(lengths, Sequence | np.ndarray) or len(lengths) != turns:
         raise InputError(f"lengths must hold one for each R of {joints!r}, {turns} in all; it is {lengths!r}")
     links = tuple(number_or_name(f"length {i}", length) for i, length in enumerate(lengths, 1))
@@ -116,7 +112,7 @@ class PlanarArm:
         def add(joint: Joint) -> None:
             nonlocal at, x
             length = value_of(x, self.parameters)
-            found.append((replace(joint, xyz=(length, 0.0, 0.0), parent=at, leader=joint.leader or joint.name), x))
+            found.append((replace(joint, xyz=(length, 0.0, 0.0), parent=at), x))
             at, x = joint.child, 0.0
 
         for i, (letter, (low, high)) in enumerate(zip(self.letters, self.limits, strict=True), 1):
@@ -127,8 +123,7 @@ class PlanarArm:
                 across = not across
                 continue
             if self.absolute and turned:
-                back = Joint(f"back{i}", "revolute", at, f"turn{i}", axis=UP, leader=turned, multiplier=-1.0)
-                add(back)
+                add(Joint(f"back{i}", "revolute", at, f"turn{i}", axis=UP, leader=turned, multiplier=-1.0))
             add(Joint(name, "revolute", at, child, axis=UP, lower=low, upper=high))
             x, turned, across = next(links), name, False
         add(Joint("tip", "fixed", at, "tool"))

@@ -133,7 +133,7 @@ def view(
     """
     robot = robot_from(robot)
     states = _labelled(robot, solutions)
-    start = robot.configuration(q) if q is not None else states[0][1] if states else _resting(robot)
+    start = robot.configuration(q) if q is not None else states[0][1] if states else robot.postures["zero"]
     shapes = Shapes()
     arms = [_arm(robot, start, task, shapes, robot.name)]
     voxels = None if reach is None else voxels_of(reach)
@@ -165,15 +165,6 @@ def _pairs(robot: Any, motion: Any, *, recorded_values: bool) -> tuple[list[Robo
     if not motions or len(robots) != len(motions):
         raise InputError(f"each motion wants its robot: there are {len(robots)} robots and {len(motions)} motions")
     return robots, motions
-
-
-def _resting(robot: Robot) -> Array:
-    """Return zero, or what is next to it inside the limits."""
-    if robot.nq != robot.nv:
-        import pinocchio as pin
-
-        return np.asarray(pin.neutral(robot.own_model))
-    return np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
 
 
 def _arm(robot: Robot, q: Array, task: TaskLike | None, shapes: Shapes, label: str) -> dict[str, Any]:

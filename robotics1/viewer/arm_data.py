@@ -9,6 +9,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.least_squares import numeric_rank
 from robotics1.robot.box import joint_box
+from robotics1.robot.building import joints_of
 from robotics1.robot.joints import tips
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
@@ -111,11 +112,9 @@ def _random_configurations(robot: Robot) -> Array:
 
 def _moving_joints(robot: Robot) -> list[dict[str, Any]]:
     """Return the joints of the model, each with the coordinate that it follows."""
-    named = {joint.name: joint for joint in robot.joints}
     coordinate = {name: i for i, name in enumerate(robot.joint_names)}
     joints = []
-    for i in range(1, robot.own_model.njoints):
-        joint = named[robot.own_model.names[i]]
+    for i, joint in enumerate(joints_of(robot.own_model, robot.joints), 1):
         joints.append(
             {
                 "name": joint.name,
@@ -175,11 +174,7 @@ def _frame_of(robot: Robot, task: Task) -> str:
 def _chain(robot: Robot, name: str) -> dict[str, Any]:
     """Return where the first joint on the way to a frame is, and how far from there the frame can be at most [m]."""
     frame = robot.own_model.frames[robot.frame_id(name)]
-    way: list[int] = []
-    number = frame.parentJoint
-    while number > 0:
-        way.insert(0, number)
-        number = robot.own_model.parents[number]
+    way = [*robot.own_model.supports[frame.parentJoint]][1:]  # without the world
     steps = [robot.own_model.jointPlacements[i].translation for i in way[1:]] + [frame.placement.translation]
     start = robot.own_model.jointPlacements[way[0]].translation if way else np.zeros(3)
     length = sum(float(np.linalg.norm(step)) for step in steps) + _travel(robot, name)

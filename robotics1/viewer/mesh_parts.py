@@ -1,6 +1,7 @@
 """Triangles of one colour, and what is measured of them."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -28,7 +29,29 @@ class MeshPart(Frozen):
     color: Color | None
 
 
-def placed(part: MeshPart) -> MeshPart:
+def part_at(vertices: Any, faces: Any, T: Array, color: Color | None) -> MeshPart:
+    """Return a part moved by T (4, 4); the triangles are turned where T mirrors them.
+
+    Args:
+        vertices: (n, 3) its corners.
+        faces: (m, k) the numbers of the corners of triangles, or of polygons, which become fans.
+        T: (4, 4) where it is placed.
+        color: its colour.
+
+    Raises:
+        ValueError: a triangle has a corner that is not there.
+    """
+    polygons = np.asarray(faces).astype(np.int64)
+    fans = [polygons[:, [0, corner, corner + 1]] for corner in range(1, polygons.shape[1] - 1)]
+    faces = np.concatenate(fans) if fans else np.zeros((0, 3), np.int64)
+    if len(faces) and (faces.min() < 0 or faces.max() >= len(vertices)):
+        raise ValueError("a triangle has a corner that is not there")
+    if np.linalg.det(T[:3, :3]) < 0:
+        faces = faces[:, ::-1]
+    return MeshPart(np.asarray(vertices, float) @ T[:3, :3].T + T[:3, 3], faces.astype(np.int32), color)
+
+
+def with_places(part: MeshPart) -> MeshPart:
     """Return a part without the triangles that have a corner at no place: not finite, or too far."""
     if np.abs(part.vertices).max(initial=0) <= LARGEST:  # which NaN is not
         return compact(part)

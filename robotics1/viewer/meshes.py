@@ -9,9 +9,8 @@ import numpy as np
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.robot.visuals import Color
 from robotics1.viewer.clusters import FINE, clustered
-from robotics1.viewer.mesh_formats.files import read_pieces
-from robotics1.viewer.mesh_formats.pieces import Piece
-from robotics1.viewer.mesh_parts import MeshPart, box_of, compact, placed
+from robotics1.viewer.mesh_formats.files import read_parts
+from robotics1.viewer.mesh_parts import MeshPart, box_of, compact, with_places
 
 MOST_FACES = 20_000
 CELLS = 2**20  # along the longest side of a mesh: corners in one cell are one corner
@@ -37,7 +36,7 @@ def read_mesh(path: str | Path, *, most_faces: int = MOST_FACES) -> tuple[MeshPa
         MissingExtraError: trimesh is not installed.
     """
     path = Path(path)
-    parts = list(map(placed, _joined(read_pieces(path))))
+    parts = list(map(with_places, _joined(read_parts(path))))
     if most_faces < FINE:
         parts = clustered(parts)
     parts = [part for part in map(_welded, parts) if len(part.faces)]
@@ -46,17 +45,17 @@ def read_mesh(path: str | Path, *, most_faces: int = MOST_FACES) -> tuple[MeshPa
     return tuple(_fewer(parts, most_faces))
 
 
-def _joined(pieces: Sequence[Piece]) -> list[MeshPart]:
+def _joined(parts: Sequence[MeshPart]) -> list[MeshPart]:
     """Return one part for each colour."""
-    by_color: dict[Color | None, list[Piece]] = {}
-    for piece in pieces:
-        by_color.setdefault(piece.color, []).append(piece)
-    parts = []
+    by_color: dict[Color | None, list[MeshPart]] = {}
+    for part in parts:
+        by_color.setdefault(part.color, []).append(part)
+    joined = []
     for color, same in by_color.items():
-        starts = np.cumsum([0] + [len(piece.vertices) for piece in same[:-1]])
-        faces = np.vstack([piece.faces + start for piece, start in zip(same, starts, strict=True)])
-        parts.append(MeshPart(np.vstack([piece.vertices for piece in same]), faces.astype(np.int32), color))
-    return parts
+        starts = np.cumsum([0] + [len(part.vertices) for part in same[:-1]])
+        faces = np.vstack([part.faces + start for part, start in zip(same, starts, strict=True)])
+        joined.append(MeshPart(np.vstack([part.vertices for part in same]), faces.astype(np.int32), color))
+    return joined
 
 
 def _welded(part: MeshPart) -> MeshPart:

@@ -55,6 +55,7 @@ def samples_of(motion: Motion, robot: Robot) -> Samples:
     Raises:
         InputError: the motion is not of the robot's joints, it is not finite, or too large, long or short to be drawn.
     """
+    robot.require_single_coordinates("move in a page")
     curve = joint_motion("motion", motion, robot.nv)
     _duration(curve.end)
     every = ceil(len(curve.ends) / MOST)  # of many breakpoints, some

@@ -9,7 +9,7 @@ import numpy as np
 
 from robotics1.errors import InputError, warn
 from robotics1.robot.model import Robot
-from robotics1.robot.visuals import Box, Capsule, Cylinder, MeshFile, Sphere, Visual, read_visuals
+from robotics1.robot.visuals import MeshFile, Visual, read_visuals
 from robotics1.viewer.arm_data import placement
 from robotics1.viewer.mesh_parts import MeshPart
 from robotics1.viewer.meshes import read_mesh
@@ -50,7 +50,9 @@ class Shapes:
             self._warn(f"{missing[0]}{more}. {HOW_TO_FIND} {INSTEAD}")
         elif not shapes and not unread:
             self.note(NO_SHAPES)
-        return [*shapes, *skeleton(robot)] if missing or unread or not shapes else shapes
+        if missing or unread or not shapes:
+            shapes += [shape for visual in skeleton(robot) for shape in self._drawn(visual)]
+        return shapes
 
     def _drawn(self, visual: Visual) -> list[dict[str, Any]]:
         """Return a plain shape, or the parts of a mesh: in their own colours, else in that of the robot's file."""
@@ -59,8 +61,8 @@ class Shapes:
             colored = ((number, part.color or visual.color or GREY) for number, part in self._parts(shape))
             scale = list(shape.scale)
             return [{**_shape(visual, "mesh", color), "mesh": n, "scale": scale} for n, color in colored]
-        kind, size = _plain(shape)
-        return [{**_shape(visual, kind, visual.color or GREY), "size": size}]
+        size = np.ravel(list(vars(shape).values())).tolist()  # its fields: radius and length, or the sides
+        return [{**_shape(visual, type(shape).__name__.lower(), visual.color or GREY), "size": size}]
 
     def _parts(self, mesh: MeshFile) -> list[tuple[int, MeshPart]]:
         """Return the parts of a mesh with their numbers; none of one that cannot be read, which a warning names."""
@@ -114,12 +116,3 @@ def _shape(visual: Visual, kind: str, color: tuple[float, ...]) -> dict[str, Any
         "color": [min(1.0, max(0.0, part)) for part in color],
         "link": visual.link,
     }
-
-
-def _plain(shape: Box | Cylinder | Capsule | Sphere) -> tuple[str, list[float]]:
-    """Return the kind and the sizes of a plain shape."""
-    if isinstance(shape, Box):
-        return "box", list(shape.size)
-    if isinstance(shape, Sphere):
-        return "sphere", [shape.radius]
-    return type(shape).__name__.lower(), [shape.radius, shape.length]

@@ -46,7 +46,9 @@ def voxels_of(known: ReachabilityMap) -> dict[str, Any]:
         "cut": AXES.index(cut),
         "size": _size(known).tolist(),
         "points": np.round(points[order], DIGITS).ravel().tolist(),
-        "measures": [[name, _rounded(values[order])] for name, values in measures.items()],
+        "measures": [
+            [name, [float(f"{value:.{DIGITS}g}") for value in values[order]]] for name, values in measures.items()
+        ],
     }
 
 
@@ -58,7 +60,3 @@ def _size(known: ReachabilityMap) -> Array:
             size[AXES.index(letter)] = np.diff(axis).min()
     least = float(size.min())
     return np.where(np.isfinite(size), size, FLAT * least if np.isfinite(least) else 0.01)
-
-
-def _rounded(values: Array) -> list[float]:
-    return [float(f"{value:.{DIGITS}g}") for value in values]

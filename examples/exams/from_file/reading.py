@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from robotics1 import Robot, load_robot, robot_from_dh
-from robotics1.cli.arguments import parse_task, read_text
+from robotics1.cli.arguments import read_text
 from robotics1.errors import InputError, Robotics1Error
+from robotics1.tasks.given import short_form
 from robotics1.tasks.task import FrameTask
 
 from .places import Place, places_of
@@ -55,7 +56,7 @@ class Question:
         """
         if "task" not in self.given:
             self.place.refuse(f'question {self.name} needs a task, such as task = "position:xy"')
-        task: FrameTask = self.read("task", lambda text: parse_task(text_of(text), None))
+        task: FrameTask = self.read("task", lambda text: short_form(text_of(text)))
         return task
 
     def read(self, key: str, reader: Any, otherwise: Any = None) -> Any:

@@ -10,8 +10,7 @@ import numpy as np
 import sympy
 from rich.console import Console
 
-from robotics1.data_sheet.layout import Part, laid_out
-from robotics1.data_sheet.markup import equation, escaped, figure, note, paragraphs, sentences, table
+from robotics1.data_sheet.markup import Part, equation, escaped, figure, laid_out, note, paragraphs, sentences, table
 from robotics1.files import check_file, write_file
 from robotics1.notation import count
 from robotics1.symbolic.writing.printing import line_text

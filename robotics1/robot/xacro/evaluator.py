@@ -62,13 +62,10 @@ def evaluate(expression: str, names: Mapping[str, Any], budget: Budget) -> Any:
         Refused: the expression wants more than to compute, or too much.
         Exception: what Python raises for such an expression, such as ZeroDivisionError.
     """
-    return Evaluation(names, budget).value(_syntax_tree(expression.strip()))
-
-
-def _syntax_tree(expression: str) -> ast.AST:
-    if len(expression) > LONGEST:
-        raise too_large(f"an expression of {len(expression)} characters")
-    return syntax_tree(expression)
+    text = expression.strip()
+    if len(text) > LONGEST:
+        raise too_large(f"an expression of {len(text)} characters")
+    return Evaluation(names, budget).value(syntax_tree(text))
 
 
 class Evaluation:
@@ -157,28 +154,27 @@ class Evaluation:
             raise Refused(f"{_source(part)!r} uses a namespace as a value")
         return function(*arguments, **named)
 
-    def List(self, part: ast.List) -> list[Any]:
+    def List(self, part: ast.List | ast.Tuple | ast.Set) -> list[Any]:
         return [value for element in part.elts for value in self._items(element)]
 
     def Tuple(self, part: ast.Tuple) -> tuple[Any, ...]:
-        return tuple(value for element in part.elts for value in self._items(element))
+        return tuple(self.List(part))
 
     def Set(self, part: ast.Set) -> set[Any]:
-        return {value for element in part.elts for value in self._items(element)}
+        return set(self.List(part))
 
     def Dict(self, part: ast.Dict) -> dict[Any, Any]:
         pairs = zip(part.keys, part.values, strict=True)
         parts = [self.value(v) if k is None else {self.value(k): self.value(v)} for k, v in pairs]
         return {key: value for mapping in parts for key, value in mapping.items()}
 
-    def ListComp(self, part: ast.ListComp) -> list[Any]:
+    def ListComp(self, part: ast.ListComp | ast.GeneratorExp) -> list[Any]:
         return [inner.value(part.elt) for inner in self._rounds(part)]
+
+    GeneratorExp = ListComp
 
     def SetComp(self, part: ast.SetComp) -> set[Any]:
         return {inner.value(part.elt) for inner in self._rounds(part)}
-
-    def GeneratorExp(self, part: ast.GeneratorExp) -> list[Any]:
-        return [inner.value(part.elt) for inner in self._rounds(part)]
 
     def DictComp(self, part: ast.DictComp) -> dict[Any, Any]:
         return {inner.value(part.key): inner.value(part.value) for inner in self._rounds(part)}

@@ -172,7 +172,7 @@ class Expansion:
         """Return what stands behind `xacro.` in an expression."""
         return {
             "arg": self._argument,
-            "load_yaml": lambda name: self._files.yaml(name, self._file(), self._constant),
+            "load_yaml": lambda name: self._files.yaml_values(name, self._file(), self._constant),
             "abs_filename": lambda name: str(self._files.place(name, self._file())),
             "dotify": lambda mapping: mapping,  # a dot leads into every dictionary
             "tokenize": tokenize,

@@ -108,7 +108,7 @@ class Files:
         self._budget.spend("characters", file.stat().st_size)
         return decoded(file.read_bytes(), file)[:LARGEST_FILE]
 
-    def yaml(self, name: str, beside: Path, evaluate: Any) -> Any:
+    def yaml_values(self, name: str, beside: Path, evaluate: Callable[[str], Any]) -> Any:
         """Return what a YAML file holds.
 
         Args:
@@ -117,9 +117,21 @@ class Files:
             evaluate: gives the value of an expression, for the units of numbers such as `!degrees 90`.
 
         Raises:
-            Refused: it may not be read, or holds more than numbers, texts, lists and dictionaries.
+            Refused: it may not be read, is not well-formed or too large, or holds more than numbers, texts, lists and
+                dictionaries.
         """
-        return yaml_values(self.text(self.place(name, beside), name), name, evaluate, self._budget)
+        text = self.text(self.place(name, beside), name)
+        if len(text) > LONGEST_YAML:
+            raise too_large(f"{name!r} has {len(text)} characters")
+        self._budget.spend("steps", len(text) // 2)
+        loader = _Loader(text)
+        loader.evaluate, loader.budget = evaluate, self._budget
+        try:
+            value = loader.get_single_data()
+        except yaml.YAMLError as error:
+            raise Refused(f"{name!r} is no YAML of plain values: {' '.join(str(error).split())}") from error
+        self._budget.weigh(value)
+        return value
 
     def place(self, name: str, beside: Path) -> Path:
         """Return where a name leads, whether or not there is a file, and whether or not it may be read."""
@@ -150,31 +162,6 @@ class Files:
             f"{name!r} {why} the file's own folder and the packages; give its folder in packages=[...], "
             f"or load the file with trusted=True if you trust it"
         )
-
-
-def yaml_values(text: str, name: str, evaluate: Callable[[str], Any], budget: Budget) -> Any:
-    """Return what a YAML text holds.
-
-    Args:
-        text: the YAML.
-        name: what an error calls it.
-        evaluate: gives the value of an expression, as in `!degrees 180/2`.
-        budget: what the expansion may use.
-
-    Raises:
-        Refused: it is not well-formed, is too large, or holds anything else.
-    """
-    if len(text) > LONGEST_YAML:
-        raise too_large(f"{name!r} has {len(text)} characters")
-    budget.spend("steps", len(text) // 2)
-    loader = _Loader(text)
-    loader.evaluate, loader.budget = evaluate, budget
-    try:
-        value = loader.get_single_data()
-    except yaml.YAMLError as error:
-        raise Refused(f"{name!r} is no YAML of plain values: {' '.join(str(error).split())}") from error
-    budget.weigh(value)
-    return value
 
 
 class _Loader(yaml.SafeLoader):  # type: ignore[misc]

@@ -2,8 +2,7 @@
 
 import os
 import re
-from collections import ChainMap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -38,8 +37,8 @@ class Substitutions:
             "cwd": self._working_folder,
         }
         functions = {name: PYTHON[name] for name in ("list", "dict", "map", "str", "float", "int")} | MATH
-        self._functions = functions | self._commands | {"true": True, "false": False}
-        self._functions["arg"] = lambda name: typed(self._declared(name))
+        known = functions | self._commands | {"true": True, "false": False}
+        self._names = _Names(known | {"arg": lambda name: typed(self._declared(name))}, argument)
 
     def value(self, text: str) -> str:
         """Return the text that stands for what is in the brackets.
@@ -49,8 +48,7 @@ class Substitutions:
         """
         command, _, rest = text.strip().partition(" ")
         if command == "eval":
-            names = ChainMap(self._functions, _Typed(self._argument))  # type: ignore[arg-type]
-            return str(evaluate(rest, names, self._budget))
+            return str(evaluate(rest, self._names, self._budget))
         if command not in self._commands:
             raise Refused(f"Unknown substitution command {command!r}; there is eval, {', '.join(self._commands)}")
         return self._commands[command](*rest.split())
@@ -73,20 +71,15 @@ class Substitutions:
         return str(Path.cwd())
 
 
-class _Typed(Mapping[str, Any]):
-    """The arguments as `$(eval ...)` sees them, by name."""
+class _Names(dict[str, Any]):
+    """What a name stands for in `$(eval ...)`: a function, else an argument."""
 
-    def __init__(self, argument: Callable[[str], str]):
+    def __init__(self, functions: dict[str, Any], argument: Callable[[str], str]):
+        super().__init__(functions)
         self._argument = argument
 
-    def __getitem__(self, name: str) -> Any:
+    def __missing__(self, name: str) -> Any:
         return typed(self._argument(name))
-
-    def __iter__(self) -> Any:
-        return iter(())
-
-    def __len__(self) -> int:
-        return 0
 
 
 def is_number(text: str | None) -> bool:

@@ -15,8 +15,8 @@ from robotics1.caching import cached_property
 from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.kinematics import frame_jacobian
+from robotics1.robot.box import MOST_TURNS, fraction_of, turns_of_followers
 from robotics1.robot.joints import Joint
-from robotics1.robot.mimic import MOST_TURNS, fraction_of, turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placement, Polynomial
 from robotics1.symbolic.kinematics.exact import FINE, exact_axis, exact_length

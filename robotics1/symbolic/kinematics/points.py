@@ -4,15 +4,13 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
-from xml.sax.saxutils import quoteattr
 
-import numpy as np
-import pinocchio as pin
 import sympy
 
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, real_number
+from robotics1.inputs import real_number
 from robotics1.orientation.expressions import expressions
+from robotics1.robot.assembly import free_link_name, with_fixed_joint
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import HIGHEST_DEGREE, Monomial, Parameters, Placement, Placements, placement_of
@@ -41,10 +39,7 @@ def with_point(
     coordinates = _coordinates(point)
     names = sorted({symbol.name for x in coordinates for symbol in x.free_symbols})
     home = {**dict.fromkeys(names, UNVALUED), **(parameters or {}), **robot.parameters}
-    name = "point"
-    while robot.own_model.existFrame(name):
-        name += "_"
-
+    name = free_link_name(robot, "point")
     return RobotWithPoint(robot, link, name, tuple(coordinates), Parameters(home)).with_parameters({}), name
 
 
@@ -80,8 +75,8 @@ class RobotWithPoint:
         own = {key: value for key, value in new.items() if key in self.robot.parameters}
         robot = self.robot.with_parameters(own) if own else self.robot
         numbers = {sympy.Symbol(key, real=True): value for key, value in at.items()}
-        p = np.array([float(x.xreplace(numbers)) for x in self.coordinates])
-        found = _with_frame(robot, self.link, self.name, p)
+        x, y, z = (float(coordinate.xreplace(numbers)) for coordinate in self.coordinates)
+        found = with_fixed_joint(robot, Joint(f"{self.name}_joint", "fixed", self.link, self.name, (x, y, z)))
         return replace(found, parameters=at, source=replace(self, robot=robot, parameters=at))
 
     def placements(self, robot: Robot) -> Placements:
@@ -115,20 +110,3 @@ def _coordinates(point: Any) -> list[sympy.Expr]:
         )
     real = {symbol: sympy.Symbol(symbol.name, real=True) for symbol in symbols}
     return [x.xreplace(real) for x in entries]
-
-
-def _with_frame(robot: Robot, link: str, name: str, p: Array) -> Robot:
-    """Return the robot with a link of this name, fixed to another one at p."""
-    x, y, z = map(float, p)
-    joint = Joint(f"{name}_joint", "fixed", link, name, (x, y, z), leader=f"{name}_joint")
-    model = pin.Model(robot.own_model)
-    number = robot.frame_id(link)
-    parent = model.frames[number]
-    placement = parent.placement * joint.placement
-    model.addFrame(pin.Frame(name, parent.parentJoint, number, placement, pin.FrameType.BODY))
-    before, end, after = robot.urdf.rpartition("</robot>")
-    element = (
-        f'  <link name="{name}"/>\n  <joint name="{joint.name}" type="fixed">\n    <origin xyz="{x!r} {y!r} {z!r}"/>\n'
-        f'    <parent link={quoteattr(link)}/>\n    <child link="{name}"/>\n  </joint>\n'
-    )
-    return replace(robot, own_model=model, joints=(*robot.joints, joint), urdf=before + element + end + after)

@@ -1,4 +1,4 @@
-"""Pieces of a COLLADA file, read by pycollada.
+"""Parts of a COLLADA file, read by pycollada.
 
 As in Pinocchio's own reader, the unit of length and the upward axis that the file declares change nothing: files for
 robots are in metres, with the link's own axes, whatever they declare.
@@ -18,7 +18,7 @@ from robotics1.robot.markup import Element, decoded, parse_xml, undeclared
 from robotics1.robot.visuals import Color
 from robotics1.viewer.mesh_formats.colors import INVISIBLE, image_mean, screen_color
 from robotics1.viewer.mesh_formats.neighbours import LARGEST_FILE, Neighbours
-from robotics1.viewer.mesh_formats.pieces import Piece, placed
+from robotics1.viewer.mesh_parts import MeshPart, part_at
 
 MOST_INSTANCES = 2000  # of nodes in nodes: pycollada looks for them again and again
 NAN = re.compile(r"(?<=[\s>])[-+]?nan(?=[\s<])", re.IGNORECASE)
@@ -26,8 +26,8 @@ MATERIAL = re.compile(r'<(?:\w+:)?instance_material\b[^>]*?\btarget="#([^"]*)"')
 LUMINANCE = np.array([0.212671, 0.715160, 0.072169])  # of red, green and blue, by the COLLADA specification
 
 
-def collada_pieces(data: bytes, neighbours: Neighbours) -> list[Piece]:
-    """Return the pieces that the scene of a COLLADA file places; where a material is broken, they have no colour.
+def collada_parts(data: bytes, neighbours: Neighbours) -> list[MeshPart]:
+    """Return the parts that the scene of a COLLADA file places; where a material is broken, they have no colour.
 
     Raises:
         ValueError: it is no COLLADA file, or takes too much memory.
@@ -42,10 +42,10 @@ def collada_pieces(data: bytes, neighbours: Neighbours) -> list[Piece]:
     document = _document(text, neighbours)
     if document.errors and (broken := set(MATERIAL.findall(text)) - {material.id for material in document.materials}):
         document = _document(_with_materials(text, broken), neighbours)  # else it leaves out what is made of them
-    pieces = list(_placed(document.scene.nodes, np.eye(4), {})) if document.scene else []
-    if document.errors and not pieces:
+    parts = list(_placed(document.scene.nodes, np.eye(4), {})) if document.scene else []
+    if document.errors and not parts:
         raise ValueError(str(document.errors[0]))
-    return pieces
+    return parts
 
 
 def _document(text: str, neighbours: Neighbours) -> Any:
@@ -69,8 +69,8 @@ def _with_materials(text: str, names: Iterable[str]) -> str:
     return before + re.sub("<(/?)(?=[a-z])", rf"<\1{within}", more) + "</" + end
 
 
-def _placed(nodes: Iterable[Any], T: Array, colors: dict[int, Color | None]) -> Iterator[Piece]:
-    """Return the pieces of nodes that stand at T, and of those below them; `colors` are those of known effects."""
+def _placed(nodes: Iterable[Any], T: Array, colors: dict[int, Color | None]) -> Iterator[MeshPart]:
+    """Return the parts of nodes that stand at T, and of those below them; `colors` are those of known effects."""
     from collada.polylist import Polylist
     from collada.scene import GeometryNode, Node
     from collada.triangleset import TriangleSet
@@ -88,7 +88,7 @@ def _placed(nodes: Iterable[Any], T: Array, colors: dict[int, Color | None]) -> 
                 if id(effect) not in colors:
                     colors[id(effect)] = _color(effect)
                 color = _of_corners(triangles) if effect is None else colors[id(effect)]
-                yield placed(triangles.vertex, triangles.vertex_index, T, color)
+                yield part_at(triangles.vertex, triangles.vertex_index, T, color)
 
 
 def _color(effect: Any) -> Color | None:

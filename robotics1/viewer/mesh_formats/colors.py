@@ -1,4 +1,4 @@
-"""The colour of a piece of a mesh: of its material, its texture, or its corners."""
+"""The colour of a part of a mesh: of its material, its texture, or its corners."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,4 +1,4 @@
-"""From a mesh file to pieces of one colour.
+"""From a mesh file to parts of one colour.
 
 A mesh may come from anywhere, and its formats can say more than triangles. So
 
@@ -23,11 +23,12 @@ import numpy as np
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.inputs import Array
 from robotics1.robot.visuals import Color
-from robotics1.viewer.mesh_formats.collada import collada_pieces
+from robotics1.viewer.mesh_formats.collada import collada_parts
 from robotics1.viewer.mesh_formats.colors import color_of
 from robotics1.viewer.mesh_formats.neighbours import LARGEST_FILE, Neighbours
-from robotics1.viewer.mesh_formats.pieces import MOST_TRIANGLES, Piece, few, placed
+from robotics1.viewer.mesh_parts import MeshPart, part_at
 
+MOST_TRIANGLES = 5_000_000
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 STL_HEADER = 84  # bytes
@@ -36,8 +37,8 @@ GLB_HEADER = struct.Struct("<4sIII4s")  # of the file: magic, version, length; o
 VERTEX = re.compile(rb"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", re.IGNORECASE)
 
 
-def read_pieces(path: Path) -> list[Piece]:
-    """Return the pieces of a mesh file, placed.
+def read_parts(path: Path) -> list[MeshPart]:
+    """Return the parts of a mesh file, one for each place of a node.
 
     Raises:
         InputError: it is no mesh, too large, or names a file elsewhere.
@@ -53,7 +54,12 @@ def read_pieces(path: Path) -> list[Piece]:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
             warnings.filterwarnings("error", "string or file could not be read")  # numbers with something else between
-            pieces = list(few(reader(data, neighbours)))
+            parts, total = [], 0
+            for part in reader(data, neighbours):
+                parts.append(part)
+                total += len(part.faces)
+                if total > MOST_TRIANGLES:
+                    raise ValueError(f"it has more than {MOST_TRIANGLES} triangles")
     except MissingExtraError:
         raise
     except Exception as error:  # of whatever kind: the readers were not written for hostile files
@@ -61,7 +67,7 @@ def read_pieces(path: Path) -> list[Piece]:
         reason = str(error) or type(error).__name__
         raise InputError(f"mesh {str(path)!r} cannot be read as {path.suffix[1:]}: {reason}") from error
     neighbours.refuse()
-    return pieces
+    return parts
 
 
 def _silence_loggers() -> None:
@@ -75,7 +81,7 @@ def _silence_loggers() -> None:
 # --- STL
 
 
-def _stl(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
+def _stl(data: bytes, neighbours: Neighbours) -> Iterator[MeshPart]:
     count = int.from_bytes(data[STL_HEADER - 4 : STL_HEADER], "little")
     end = STL_HEADER + count * STL.itemsize
     if len(data) == end or (len(data) > end > STL_HEADER and not data.startswith(b"solid")):
@@ -84,31 +90,31 @@ def _stl(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
         corners = np.array(VERTEX.findall(data), dtype=float).reshape(-1, 3)
         if not len(corners) and not data.lstrip().startswith(b"solid"):
             raise ValueError("it is neither a binary file of the length that it says, nor begins with 'solid'")
-    yield Piece(corners.astype(float), np.arange(len(corners)).reshape(-1, 3), None)
+    yield part_at(corners, np.arange(len(corners)).reshape(-1, 3), np.eye(4), None)
 
 
 # --- OBJ and glTF
 
 
-def _obj(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
+def _obj(data: bytes, neighbours: Neighbours) -> Iterator[MeshPart]:
     if data.count(b"\nf") > MOST_TRIANGLES:
         raise ValueError(f"it has more than {MOST_TRIANGLES} faces")
     load = _trimesh("load_obj")
-    return _pieces(load(io.BytesIO(data.decode("utf-8", errors="replace").encode()), resolver=neighbours))
+    return _parts(load(io.BytesIO(data.decode("utf-8", errors="replace").encode()), resolver=neighbours))
 
 
-def _gltf(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
-    return _pieces(_trimesh("load_gltf")(io.BytesIO(_plain(data)), resolver=neighbours), linear=True)
+def _gltf(data: bytes, neighbours: Neighbours) -> Iterator[MeshPart]:
+    return _parts(_trimesh("load_gltf")(io.BytesIO(_plain(data)), resolver=neighbours), linear=True)
 
 
-def _glb(data: bytes, neighbours: Neighbours) -> Iterator[Piece]:
+def _glb(data: bytes, neighbours: Neighbours) -> Iterator[MeshPart]:
     magic, version, _, length, kind = GLB_HEADER.unpack_from(data)
     if (magic, version, kind) != (b"glTF", 2, b"JSON"):
         raise ValueError("it does not begin as a glTF 2.0 file does")
     head, rest = _plain(data[GLB_HEADER.size : GLB_HEADER.size + length]), data[GLB_HEADER.size + length :]
     head += b" " * (-len(head) % 4)
     begin = GLB_HEADER.pack(magic, version, GLB_HEADER.size + len(head) + len(rest), len(head), kind)
-    return _pieces(_trimesh("load_glb")(io.BytesIO(begin + head + rest), resolver=neighbours), linear=True)
+    return _parts(_trimesh("load_glb")(io.BytesIO(begin + head + rest), resolver=neighbours), linear=True)
 
 
 def _plain(text: bytes) -> bytes:
@@ -152,7 +158,7 @@ def _trimesh(name: str) -> Callable[..., Mapping[str, Any]]:
     return reader
 
 
-def _pieces(loaded: Mapping[str, Any], *, linear: bool = False) -> Iterator[Piece]:
+def _parts(loaded: Mapping[str, Any], *, linear: bool = False) -> Iterator[MeshPart]:
     """Return what trimesh has read: geometries, and a graph of nodes of which some place one; parents come first.
 
     `linear` says that its colours are amounts of light.
@@ -167,13 +173,13 @@ def _pieces(loaded: Mapping[str, Any], *, linear: bool = False) -> Iterator[Piec
         geometry = geometries.get(edge.get("geometry"), {})
         if "faces" in geometry:
             color: Color | None = color_of(geometry, means, linear=linear)
-            yield placed(geometry["vertices"], geometry["faces"], T, color)
+            yield part_at(geometry["vertices"], geometry["faces"], T, color)
 
 
-READERS: dict[str, Callable[[bytes, Neighbours], Iterable[Piece]]] = {
+READERS: dict[str, Callable[[bytes, Neighbours], Iterable[MeshPart]]] = {
     ".stl": _stl,
     ".obj": _obj,
-    ".dae": collada_pieces,
+    ".dae": collada_parts,
     ".glb": _glb,
     ".gltf": _gltf,
 }

@@ -9,8 +9,7 @@ import pinocchio as pin
 
 from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
-from robotics1.robot.box import intervals, joint_box, refuse_open_range
-from robotics1.robot.mimic import turns_of_followers
+from robotics1.robot.box import intervals, joint_box, refuse_open_range, turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import Axis, distance_to
 from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
