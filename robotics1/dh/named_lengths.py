@@ -9,7 +9,7 @@ from robotics1.errors import Robotics1Error
 from robotics1.robot.model import Robot
 
 CHANGES = (1.25, 1.5)  # of one length, at which the table is made again
-SAME = 1e-9  # m
+SAME = 1e-9  # of the reach
 
 Lengths = dict[str, float]
 
