@@ -274,8 +274,11 @@ def test_the_table_does_not_depend_on_the_unit_of_length(chained, tool, conventi
 @pytest.mark.parametrize("power", [-9, -3, 3, 9])
 def test_a_written_table_comes_back_in_any_unit_of_length(power):
     rows = [(kind, a * 10.0**power, alpha, d * 10.0**power, theta) for kind, a, alpha, d, theta in UR5]
-    for row, again in zip(rows, urdf_to_dh(robot_from_dh(rows)).rows, strict=True):
+    table = urdf_to_dh(robot_from_dh(rows))
+    for row, again in zip(rows, table.rows, strict=True):
         assert list(again[1:]) == pytest.approx(list(row[1:]), rel=1e-13, abs=0)
+    shown = [row[2] for row in table.written_rows()[1]]
+    assert [float(a) for a in shown] == pytest.approx([row[1] for row in rows], rel=1e-5)
 
 
 def test_a_nearly_upright_tool_costs_nothing():

@@ -101,7 +101,7 @@ def test_the_numbers_of_a_velocity_product_are_good_enough_to_compare_with(plana
     found = r1.formulas(planar_2r, r1.FunctionTask(f, 1))
     assert found.velocity_product.shape == (1, 1)
     for point in found._trials.points:
-        value, error = found._jacobian_rate_at(point)
+        value, error = found._numbers.jacobian_rate(point)
         assert MARGIN * error.max() <= AGREES * max(1.0, np.abs(value).max())
 
 

@@ -10,21 +10,19 @@ steps S_0 S_1 ⋯ S_n, S_i = Z_i X_i, with the brackets put in another place:
 from __future__ import annotations
 
 from math import log10
-from typing import Literal
 
 import numpy as np
 import pinocchio as pin
 
 from robotics1.dh.common_normals import FAR, Axis, Step, clean_placement, first_step, in_metres, last_step, step_to
 from robotics1.dh.own_frames import own_steps
-from robotics1.dh.table import CONVENTIONS, DHRow, DHTable
+from robotics1.dh.table import CONVENTIONS, Convention, DHRow, DHTable
 from robotics1.errors import InputError, Robotics1Error
 from robotics1.inputs import one_of, real_number
 from robotics1.robot.findings import random_within
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 
-Convention = Literal["standard", "modified"]
 PARALLEL = 1e-8  # sine of an angle; nearer to parallel, the common normal is so far away that rounding loses more
 COINCIDENT = 1e-12  # sizes of the arm
 SAMPLES = 8  # configurations at which the table is held against the robot

@@ -66,17 +66,8 @@ def _alike(a: "SingularBranch", b: "SingularBranch") -> bool:
 
 def _family(number: int, family: "list[SingularBranch]") -> str:
     """Return the sentences about one branch, or about several that differ in the value of one joint."""
-    if len(family) == 1:
-        return f"{number}. {branch_sentences(family[0])}"
-    places = [place(branch) for branch in family]
-    ends = [where.partition(" = ")[2] for where in places[1:]]
-    first = family[0]
-    heading = f"{' or '.join([places[0], *ends])}{_because(first)}{_whatever(first)}: {_rank(first)}"
-    lines = [f"{number}–{number + len(family) - 1}. {heading}", *([f"   {first.note}"] if first.note else [])]
-    for branch, where in zip(family, places, strict=True):
-        body = _body(branch, f"Where {where}")
-        lines += [*body[:-1], body[-1][:-1] + "."]
-    return "\n".join(lines)
+    numbers = f"{number}" if len(family) == 1 else f"{number}–{number + len(family) - 1}"
+    return f"{numbers}. {branch_sentences(*family)}"
 
 
 def _almost_everywhere(found: "SingularSet") -> list[str]:
@@ -205,11 +196,21 @@ def _described(condition: Any) -> str:
     return f"an equation of {terms} terms between {enumeration(joints)} (see `conditions`)"
 
 
-def branch_sentences(branch: "SingularBranch") -> str:
-    """Return where the branch is, and what the robot cannot do, can do, and holds there."""
-    lines = [f"{place(branch)}{_because(branch)}{_whatever(branch)}: {_rank(branch)}"]
-    lines += [f"   {branch.note}"] if branch.note else []
-    return "\n".join([*lines, *_body(branch, "There")])[:-1] + "."
+def branch_sentences(first: "SingularBranch", *others: "SingularBranch") -> str:
+    """Return where a branch is, and what the robot cannot do, can do, and holds there; of several that differ in the
+    value of one joint too.
+    """
+    family = [first, *others]
+    places = [place(branch) for branch in family]
+    where = " or ".join([places[0], *(other.partition(" = ")[2] for other in places[1:])])
+    lines = [
+        f"{where}{_because(first)}{_whatever(first)}: {_rank(first)}",
+        *([f"   {first.note}"] if first.note else []),
+    ]
+    for branch, at in zip(family, places, strict=True):
+        lines += _body(branch, f"Where {at}" if others else "There")
+        lines[-1] = lines[-1][:-1] + "."
+    return "\n".join(lines)
 
 
 def _whatever(branch: "SingularBranch") -> str:

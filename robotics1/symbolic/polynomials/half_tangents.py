@@ -81,7 +81,6 @@ def is_multiple(F: TrigRing, f: fmpq_mpoly, g: fmpq_mpoly) -> bool:
         if conjugated != norm:
             others = without_squares(F, others * conjugated)
             norm = without_squares(F, norm * conjugated)
-    check_time()
     check_time_to_divide(f, norm)
     return (without_squares(F, f * others) % norm).is_zero()
 
