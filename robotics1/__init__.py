@@ -38,7 +38,7 @@ SPACES = (
 
 
 def _dh_tables(robot: Any) -> str:
-    from robotics1.dh.shown import folded_tables
+    from robotics1.dh.from_robot import folded_tables
 
     return folded_tables(robot)
 

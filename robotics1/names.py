@@ -3,6 +3,9 @@
 import re
 import unicodedata
 
+from robotics1.errors import InputError
+
+NO_NUMBERS = ("nan", "inf", "infinity")  # in small or capital letters: `float` reads these
 LONGEST_FILE_NAME = 100  # characters, well below the 255 bytes of most file systems
 
 
@@ -26,3 +29,9 @@ def file_stem(name: str) -> str:
 
 def _escaped(character: str) -> str:
     return character.encode("unicode_escape").decode("ascii")
+
+
+def refuse_no_number(where: str, name: str) -> None:
+    """Raise InputError for a word such as nan or inf: it is neither a name nor a finite number."""
+    if name.lower() in NO_NUMBERS:
+        raise InputError(f"{where} must be a finite number or a name; {name!r} is neither")

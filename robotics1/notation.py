@@ -19,9 +19,12 @@ def number(value: float, decimals: int = DECIMALS) -> str:
     return f"{value:.{decimals}f}"
 
 
-def length(value: float) -> str:
-    """Return a length with four decimals, or with the digits that it has, six at most: 0.4250, 0.39225."""
-    return number(value) if abs(value - round(value, DECIMALS)) < SAME else f"{value:.6g}"
+def length(value: float, size: float = 1.0) -> str:
+    """Return a length with four decimals, or with the digits that it has, six at most: 0.4250, 0.39225.
+
+    What is less than 1e-9 of `size`, the largest length beside it, is rounding.
+    """
+    return number(value) if abs(value - round(value, DECIMALS)) < SAME * min(1.0, size) else f"{value:.6g}"
 
 
 def vector(values: npt.ArrayLike) -> str:

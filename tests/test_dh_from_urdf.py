@@ -223,14 +223,62 @@ def test_a_rounding_in_the_file_does_not_send_the_common_normal_far_away(tmp_pat
     assert 1e-10 < table.residual < 4e-9
 
 
-def test_a_tilt_is_kept_unless_the_tolerance_lets_it_go_and_the_residual_says_so(tmp_path):
-    robot = nearly_parallel(tmp_path, 3.7e-6)
-    exact = urdf_to_dh(robot)
-    assert abs(exact.rows[0].d) == pytest.approx(0.5 / 3.7e-6, rel=1e-6)
+def test_a_tilt_is_kept_where_the_common_normal_is_not_a_thousand_arms_away(tmp_path):
+    table = urdf_to_dh(nearly_parallel(tmp_path, 3.7e-3))
+    assert abs(table.rows[0].d) == pytest.approx(0.5 / np.tan(3.7e-3), rel=1e-9)
+    assert table.residual < 1e-11
+
+
+@pytest.mark.parametrize("tilt", [3.7e-6, 7e-5, -4e-4])
+def test_a_smaller_tilt_is_the_files_rounding_unless_the_tolerance_keeps_it_and_the_residual_says_so(tmp_path, tilt):
+    robot = nearly_parallel(tmp_path, tilt)
+    meant = urdf_to_dh(robot)
+    assert [row.d for row in meant.rows] == [0, 0]
+    assert meant.rows[0].a == pytest.approx(0.5, abs=1e-6)
+    assert 0.1 * abs(tilt) < meant.residual < 3 * abs(tilt)
+    exact = urdf_to_dh(robot, tolerance=1e-8)
+    assert abs(exact.rows[0].d) == pytest.approx(0.5 / abs(tilt), rel=1e-6)
     assert exact.residual < 1e-9
-    meant = urdf_to_dh(robot, tolerance=1e-5)
-    assert (meant.rows[0].a, meant.rows[0].d) == (0.5, 0)
-    assert 1e-7 < meant.residual < 1e-5
+
+
+def test_the_table_of_a_file_with_rounded_angles_has_no_length_beyond_the_arm():
+    table = urdf_to_dh(industrial("so100"), tool="jaw")
+    assert max(abs(x) for row in table.rows for x in (row.a, row.d)) < 0.2
+    assert table.residual < 1e-4
+
+
+# --- the unit of length
+
+
+def scaled(chained, tool, unit):
+    def longer(xyz):
+        return tuple(unit * x for x in xyz)
+
+    return chain([(kind, longer(xyz), rpy, axis) for kind, xyz, rpy, axis in chained], (longer(tool[0]), tool[1]))
+
+
+@given(st.lists(joints, min_size=1, max_size=5), st.tuples(triple, turned), conventions, st.integers(-12, 9))
+@settings(max_examples=60)
+def test_the_table_does_not_depend_on_the_unit_of_length(chained, tool, convention, power):
+    unit = 10.0**power
+    one, other = (urdf_to_dh(load_robot(scaled(chained, tool, x)), convention=convention) for x in (1.0, unit))
+    for row, again in zip(one.rows, other.rows, strict=True):
+        assert again.type == row.type
+        assert [again.a / unit, again.d / unit] == pytest.approx([row.a, row.d], abs=1e-12)
+        assert [again.alpha, again.theta] == pytest.approx([row.alpha, row.theta], abs=1e-12)
+    for T, U in ((one.base_placement, other.base_placement), (one.tool_placement, other.tool_placement)):
+        assert U.translation / unit == pytest.approx(T.translation, abs=1e-12)
+        assert U.rotation == pytest.approx(T.rotation, abs=1e-12)
+
+
+@pytest.mark.parametrize("power", [-9, -3, 3, 9])
+def test_a_written_table_comes_back_in_any_unit_of_length(power):
+    rows = [(kind, a * 10.0**power, alpha, d * 10.0**power, theta) for kind, a, alpha, d, theta in UR5]
+    table = urdf_to_dh(robot_from_dh(rows))
+    for row, again in zip(rows, table.rows, strict=True):
+        assert list(again[1:]) == pytest.approx(list(row[1:]), rel=1e-13, abs=0)
+    shown = [row[2] for row in table.written_rows()[1]]
+    assert [float(a) for a in shown] == pytest.approx([row[1] for row in rows], rel=1e-5)
 
 
 def test_a_nearly_upright_tool_costs_nothing():

@@ -16,7 +16,7 @@ from robotics1.differentiation import (
     derivative_inside,
     directional_derivative,
 )
-from robotics1.symbolic.tasks.verification import AGREES, MARGIN, Trials, numeric_determinant, numeric_jacobian
+from robotics1.symbolic.tasks.verification import AGREES, MARGIN, TaskNumbers, Trials, numeric_determinant
 
 numbers = st.floats(-3, 3)
 
@@ -101,7 +101,7 @@ def test_the_numbers_of_a_velocity_product_are_good_enough_to_compare_with(plana
     found = r1.formulas(planar_2r, r1.FunctionTask(f, 1))
     assert found.velocity_product.shape == (1, 1)
     for point in found._trials.points:
-        value, error = found._jacobian_rate_at(point)
+        value, error = found._numbers.jacobian_rate(point)
         assert MARGIN * error.max() <= AGREES * max(1.0, np.abs(value).max())
 
 
@@ -142,7 +142,7 @@ def test_a_wrong_determinant_of_a_small_arm_is_refused_too():
     trials = Trials(robot, sympy.symbols("q1 q2", real=True), sympy.symbols("w1 w2", real=True))
 
     def minor(point):
-        return numeric_determinant(numeric_jacobian(r1.PositionTask("xy"), point.robot, point.q))
+        return numeric_determinant(TaskNumbers(r1.PositionTask("xy"), [0, 1]).jacobian(point))
 
     trials.verify(det, minor, "det J")
     for wrong in (det * (1 + 1e-7), 0 * det, det + 1e-14):

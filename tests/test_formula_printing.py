@@ -9,7 +9,8 @@ import sympy
 from hostile_names import NAMES
 from hypothesis import given, strategies as st
 
-from robotics1.symbolic.writing.printing import latex_text, mathml_text, python_function, unicode_text
+from robotics1.symbolic.writing.printing import latex_text, mathml_text, unicode_text
+from robotics1.symbolic.writing.source_code import python_function
 
 
 def run(source, name):

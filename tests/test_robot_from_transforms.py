@@ -96,6 +96,7 @@ def test_limits_are_those_of_the_joints_and_printed_angles_are_said():
         (["Rz(q1)", "Tx(import os)"], "formula"),
         (["Rz(q1)", ("Tx", None)], "formula"),
         ([("Rz",)], "transform 1"),
+        *((["Rz(q1)", f"Tx({word})"], "finite number") for word in ("nan", "-inf", "2*Infinity + 1")),
     ],
 )
 def test_what_is_no_transform_is_refused(transforms, words):

@@ -13,10 +13,6 @@ from public_objects import INSTANCES
 from sweeps import core_first
 
 import robotics1 as r1
-from robotics1.symbolic.tasks.shown_formulas import in_characters
-from robotics1.symbolic.writing.decimals import in_decimals, lengths_in
-from robotics1.symbolic.writing.readable import readable
-from robotics1.tasks.given import robot_and_task
 
 LONG = {"Intersections", "FollowedTrajectory", "PathTiming"}
 EVIL = "<script>alert(1)</script>"
@@ -137,15 +133,21 @@ def test_coefficients_are_lengths_of_the_arm_the_largest_first():
 
 
 def test_other_coefficients_are_relative_to_the_largest():
-
     q1, q2, a = sympy.symbols("q1 q2 a", real=True)
     e = 3000 * sympy.cos(q1) - 12000 * sympy.sin(q1 + q2)
-    links = {0.3: {1}, 1.2: {2}}
-    assert in_decimals(e, {}) == "sin(q1 + q2) − 0.25·cos(q1)"
-    assert in_decimals(e, links) == "1.2·sin(q1 + q2) − 0.3·cos(q1)"
-    assert in_decimals(sympy.Matrix([e, 600]), links | {0.06: {0}}) == "(−1.2·sin(q1 + q2) + 0.3·cos(q1), 0.06)"
-    assert in_decimals(3 * sympy.cos(q1) + 2, {}) is None
-    assert in_decimals(500 * a * sympy.cos(q1), {}) is None
+    short, long = (
+        r1.formulas(r1.textbook_robots.planar_arm("RR", lengths=x), "position:xy") for x in ([7, 9], [0.3, 1.2])
+    )
+
+    def shown(left, found):
+        return str(found.readable(sympy.Eq(left, 0)).lhs)
+
+    assert shown(e, short) == "sin(q1 + q2) - 0.25*cos(q1)"
+    assert shown(e, long) == "1.2*sin(q1 + q2) - 0.3*cos(q1)"
+    assert shown(3 * sympy.cos(q1) + 2, short) == "3*cos(q1) + 2"
+    assert shown(a * sympy.cos(q1) + 1, short) == "a*cos(q1) + 1"
+    half = r1.formulas(r1.textbook_robots.planar_arm("RR", lengths=[0.5, 1.2]), "position:xy")
+    assert shown(sympy.cos(q2 / 2) + sympy.Rational(1, 2), half) == "cos(q2/2) + 0.5"  # 0.5 is a length, not q2/2
 
 
 TENTHS = st.integers(1, 15)  # of a metre
@@ -166,9 +168,9 @@ def test_small_whole_coefficients_are_the_lengths_that_the_joints_carry(a1, a2, 
 
 def test_coefficients_of_angles_alone_are_no_lengths():
     wrist = [("R", 0, pi / 2, 0.2, 0), ("R", 0.1, pi / 2, 0, 0), ("R", 0, 0, 0, 0)]
-    robot, task = robot_and_task(r1.robot_from_dh(wrist), "orientation")
-    assert lengths_in(robot, task) == {}
-    assert in_decimals(2 * sympy.cos(sympy.Symbol("q2", real=True)) + 1, {}) is None
+    found = r1.formulas(r1.robot_from_dh(wrist), "orientation")
+    whole = sympy.Eq(2 * sympy.cos(sympy.Symbol("q2", real=True)) + 1, 0)
+    assert found.readable(whole) == whole
 
 
 def test_one_of_several_directions_is_meant_with_or():
@@ -219,6 +221,26 @@ def test_a_determinant_has_the_lengths_of_the_file_and_common_factors_out(name):
         assert float(shown.subs(q)) == pytest.approx(float(found.determinant.subs(q)), rel=1e-4)  # its five digits
 
 
+FOLLOWING = [
+    ["Rz(q1)", "Tz(0.3)", "Rx(0.7)", "Rz(q2)", "Tx(0.4)", "Rx(0.4)", "Rz(0.5*q2+0.2)", "Tx(0.3)", "Ry(q3)", "Tx(0.25)"],
+    ["Rz(q1)", "Tx(0.3)", "Rx(pi/4)", "Rz(q2)", "Tx(0.4)", "Rx(pi/3)", "Rz(0.5*q2)", "Tx(0.2)", "Rz(q3)", "Tx(0.3)"],
+    ["Rz(q1)", "Tx(0.3)", "Rx(0.7)", "Rz(q2)", "Tx(0.4)", "Rx(pi/3)", "Rz(q3)", "Tx(0.3)"],
+]
+
+
+@pytest.mark.parametrize("transforms", FOLLOWING)
+def test_a_determinant_of_many_terms_has_coefficients_of_the_size_of_lengths(transforms):
+    found = r1.formulas(r1.textbook_robots.robot_from_transforms(transforms), "position")
+    shown = found.readable(found.determinant)
+    outside = shown.replace(lambda e: isinstance(e, sympy.sin | sympy.cos), lambda _: sympy.Integer(1))
+    assert not outside.has(sympy.Pow)
+    assert all(1e-5 < abs(term.as_coeff_Mul()[0]) < 1 for term in sympy.Add.make_args(shown))
+    assert not re.search(r"[1-9]\d{5}", str(found).rpartition("det J")[2])
+    q = np.array([0.3, 0.7, -1.1])
+    exact = np.linalg.det(found.task.jacobian(found.robot, q))
+    assert float(shown.subs(dict(zip(found.q, q, strict=True)))) == pytest.approx(exact, rel=1e-3)
+
+
 def test_a_wide_matrix_is_written_entry_by_entry_and_folded_in_a_notebook():
     found = r1.formulas(known_arm("ur5"), "pose")
     lines = str(found).splitlines()
@@ -232,12 +254,11 @@ def test_a_wide_matrix_is_written_entry_by_entry_and_folded_in_a_notebook():
 
 
 def test_long_factors_of_an_expression_get_names():
-    q = sympy.symbols("q1:9", real=True)
-    long = sympy.Add(*(sympy.Rational(k + 2, 10) * sympy.cos(x) for k, x in enumerate(q)))
-    other = long.subs(q[0], 2 * q[0])
-    text = in_characters("det J", readable(long * other * sympy.sin(q[1]), {}))
-    assert sorted(text.splitlines()[0].removeprefix("det J = ").split("·")) == ["f1", "f2", "sin(q2)"]
-    assert sum(line.startswith("  where f") for line in text.splitlines()) == 2
+    turned = ["Rz(q1)", "Tx(0.5)", "Rz(q2)", "Tx(0.4)", "Rz(1.2*q2)", "Tx(0.3)"]
+    found = r1.formulas(r1.textbook_robots.robot_from_transforms(turned), "position:xy")
+    determinant, factor = str(found).rpartition("det J = ")[2].splitlines()
+    assert sorted(determinant.split("·")[1:]) == ["f1", "sin(q2/5)"]
+    assert factor.startswith("  where f1 = ")
 
 
 def test_equations_of_a_singular_set_are_in_metres_in_latex_too():

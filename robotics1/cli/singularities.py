@@ -86,7 +86,7 @@ def _in_python(found: "SingularSet") -> str:
     Raises:
         FormulaError: a branch was found by numbers.
     """
-    from robotics1.symbolic.writing.printing import python_function
+    from robotics1.symbolic.writing.source_code import python_function
 
     head = "import numpy as np\n\n\n"
     parameters: dict[str, float | None] = dict(found.robot.parameters)

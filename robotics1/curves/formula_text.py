@@ -11,6 +11,7 @@ import re
 from typing import Any
 
 from robotics1.errors import InputError
+from robotics1.names import refuse_no_number
 from robotics1.syntax import syntax_tree
 
 OPERATIONS: dict[type, Any] = {
@@ -69,6 +70,7 @@ def _read(node: ast.AST, depth: int, functions: int) -> Any:
         case ast.Name(id="pi"):
             return sympy.pi
         case ast.Name(id=name):
+            refuse_no_number("each part of a formula", name)
             return sympy.Symbol(name)
         case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATIONS:
             return OPERATIONS[type(op)](_read(operand, depth - 1, functions))

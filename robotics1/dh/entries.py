@@ -12,6 +12,7 @@ import numpy as np
 from robotics1.angles import WIDE, warn_of_degrees
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, real_number
+from robotics1.names import refuse_no_number
 from robotics1.robot.findings import LARGEST
 
 Limits = Sequence[float | None] | Array | None
@@ -33,6 +34,7 @@ def number_or_name(where: str, value: Any) -> float | str:
         )
     if name == "pi" or re.fullmatch(r"q\d+", name):
         raise InputError(f"{where} cannot be called {name!r}: q1, q2, ... are the joints and pi is the number math.pi")
+    refuse_no_number(where, name)
     return sign + name
 
 

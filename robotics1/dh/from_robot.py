@@ -9,23 +9,22 @@ steps S_0 S_1 ⋯ S_n, S_i = Z_i X_i, with the brackets put in another place:
 
 from __future__ import annotations
 
-from typing import Literal
+from math import log10
 
 import numpy as np
 import pinocchio as pin
 
-from robotics1.dh.common_normals import Axis, Step, clean_placement, first_step, last_step, step_to
+from robotics1.dh.common_normals import FAR, Axis, Step, clean_placement, first_step, in_metres, last_step, step_to
 from robotics1.dh.own_frames import own_steps
-from robotics1.dh.table import CONVENTIONS, DHRow, DHTable
-from robotics1.errors import InputError
+from robotics1.dh.table import CONVENTIONS, Convention, DHRow, DHTable
+from robotics1.errors import InputError, Robotics1Error
 from robotics1.inputs import one_of, real_number
 from robotics1.robot.findings import random_within
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 
-Convention = Literal["standard", "modified"]
 PARALLEL = 1e-8  # sine of an angle; nearer to parallel, the common normal is so far away that rounding loses more
-COINCIDENT = 1e-12  # m
+COINCIDENT = 1e-12  # sizes of the arm
 SAMPLES = 8  # configurations at which the table is held against the robot
 
 
@@ -45,9 +44,10 @@ def urdf_to_dh(
         robot: any robot; joints that do not move the tool are left out.
         tool: the frame at the end of the chain; by default the robot's tool.
         convention: "standard" or "modified".
-        tolerance: axes whose angle has a sine below it are parallel, and parallel axes nearer than it [m] are one; by
-            default 1e-8 and 1e-12. In files that write 1.5708 for π/2, 1e-5 finds what was meant, and
-            `table.residual` says what that costs.
+        tolerance: axes whose angle has a sine below it are parallel, and parallel axes nearer than it, in the size of
+            the arm, are one. In files that write 1.5708 for π/2, 1e-5 finds what was meant, and `table.residual` says
+            what that costs. By default 1e-8 and 1e-12; axes are parallel too if their common normal is 1000 times
+            farther away than the arm is long.
 
     Raises:
         InputError: a joint on the way has not one coordinate of its own, or no joint moves the tool.
@@ -62,9 +62,10 @@ def urdf_to_dh(
         tolerance = real_number("tolerance", tolerance, non_negative=True)
     frame = robot.frame_id(tool)
     joints = _joints_to(robot, frame)
-    pin.framesForwardKinematics(robot.own_model, robot.data, pin.neutral(robot.own_model))
+    data, unit = _in_own_size(robot)
     kind_of = {joint.name: joint.kind for joint in robot.moving_joints}
-    base, steps = own_steps(robot, joints, frame, convention) or _walk(robot, joints, frame, tolerance)
+    found = own_steps(robot, data, joints, frame, convention) or _walk(robot.own_model, data, joints, frame, tolerance)
+    base, steps = in_metres(found[0], unit), [step.in_metres(unit) for step in found[1]]
     kinds = ["R" if kind_of[robot.own_model.names[joint]] == "revolute" else "P" for joint in joints]
     if convention == "standard":
         base = base * steps[0].placement
@@ -73,7 +74,7 @@ def urdf_to_dh(
         base = base * steps[0].along_z
         pairs = zip(kinds, steps[:-1], steps[1:], strict=True)
         rows = [DHRow(kind, before.a, before.alpha, s.d, s.theta) for kind, before, s in pairs]
-    return _closed(robot, joints, frame, rows, convention, clean_placement(base))
+    return _closed(robot, joints, frame, rows, convention, clean_placement(base, unit), unit)
 
 
 def _joints_to(robot: Robot, frame: int) -> list[int]:
@@ -103,19 +104,35 @@ def _kind(robot: Robot, number: int) -> str:
     return f"it mimics {joint.leader!r}" if joint.follows else joint.kind
 
 
-def _walk(robot: Robot, joints: list[int], frame: int, tolerance: float | None) -> tuple[pin.SE3, list[Step]]:
+def _in_own_size(robot: Robot) -> tuple[pin.Data, float]:
+    """Return the placements at q = 0 with lengths in the size of the arm, and this unit, a power of ten [m].
+
+    So what is near, and what is rounding, does not depend on the unit of length.
+    """
+    data = pin.Data(robot.own_model)
+    pin.framesForwardKinematics(robot.own_model, data, pin.neutral(robot.own_model))
+    placements = [*data.oMi, *data.oMf]
+    size = max(float(np.abs(T.translation).max()) for T in placements)
+    unit = 10.0 ** round(log10(size)) if size > 0 else 1.0
+    for T in placements:
+        T.translation = T.translation / unit
+    return data, unit
+
+
+def _walk(
+    model: pin.Model, data: pin.Data, joints: list[int], frame: int, tolerance: float | None
+) -> tuple[pin.SE3, list[Step]]:
     """Return the base and the steps S_0 ... S_n.
 
     Each step starts from where the rounded ones before it lead, so that roundings do not add up.
     """
-    model, data = robot.own_model, robot.data
     T_world_tool = pin.SE3(data.oMf[frame])
     first, *others = [_axis(model, data, joint) for joint in joints]
     base, step = first_step(first)
     steps, T = [step], base * step.placement
-    parallel, coincident = (PARALLEL, COINCIDENT) if tolerance is None else (tolerance, tolerance)
+    near = (PARALLEL, COINCIDENT, FAR) if tolerance is None else (tolerance, tolerance)
     for axis in others:
-        steps.append(step_to(axis.seen_from(T), parallel, coincident))
+        steps.append(step_to(axis.seen_from(T), *near))
         T = T * steps[-1].placement
     return base, [*steps, last_step(T.actInv(T_world_tool))]
 
@@ -129,7 +146,9 @@ def _axis(model: pin.Model, data: pin.Data, joint: int) -> Axis:
     return Axis(np.array(T.translation), T.rotation @ (omega if omega.any() else v))
 
 
-def _closed(robot: Robot, joints: list[int], frame: int, rows: list[DHRow], convention: str, base: pin.SE3) -> DHTable:
+def _closed(
+    robot: Robot, joints: list[int], frame: int, rows: list[DHRow], convention: str, base: pin.SE3, unit: float
+) -> DHTable:
     """Return the table whose tool placement makes up the rest at q = 0, with its residual."""
     model, data = robot.own_model, robot.data
     index = [int(model.idx_qs[joint]) for joint in joints]
@@ -146,7 +165,17 @@ def _closed(robot: Robot, joints: list[int], frame: int, rows: list[DHRow], conv
         return pin.SE3(pin.updateFramePlacement(model, data, frame))
 
     zero = np.zeros(len(rows))
-    found = table(clean_placement(table(pin.SE3.Identity()).pose(zero).actInv(pose(zero))))
+    found = table(clean_placement(table(pin.SE3.Identity()).pose(zero).actInv(pose(zero)), unit))
     drawn = random_within(lower, upper, SAMPLES, np.random.default_rng(0))
     gaps = [np.abs(found.pose(q).homogeneous - pose(q).homogeneous).max() for q in drawn]
     return table(found.tool_placement, float(max(gaps)))
+
+
+def folded_tables(robot: Robot) -> str:
+    """Return the standard and the modified DH table as HTML, folded; nothing of a robot that has none."""
+    try:
+        tables = [urdf_to_dh(robot), urdf_to_dh(robot, convention="modified")]
+    except Robotics1Error:  # an open tool, or a joint on the way to it that no row describes
+        return ""
+    shown = "".join(table._repr_html_() for table in tables)
+    return f"<details><summary>DH tables, standard and modified</summary>{shown}</details>"

@@ -3,13 +3,13 @@
 from dataclasses import replace
 from typing import cast
 
-from robotics1.dh.from_robot import Convention, urdf_to_dh
-from robotics1.dh.table import DHRow, DHTable
+from robotics1.dh.from_robot import urdf_to_dh
+from robotics1.dh.table import Convention, DHRow, DHTable
 from robotics1.errors import Robotics1Error
 from robotics1.robot.model import Robot
 
 CHANGES = (1.25, 1.5)  # of one length, at which the table is made again
-SAME = 1e-9  # m
+SAME = 1e-9  # of the largest named length
 
 Lengths = dict[str, float]
 
@@ -44,10 +44,11 @@ def with_named_lengths(table: DHTable, robot: Robot, frame: str | None = None) -
 
 def _name(values: list[float], tried: list[Lengths]) -> float | str:
     """Return the name that has these values at the lengths that were tried, with its sign; the first value without."""
-    if abs(values[0]) < SAME:
+    near = SAME * max(map(abs, tried[0].values()), default=1.0)
+    if abs(values[0]) < near:
         return values[0]
     for name in tried[0]:
         for sign, written in ((1.0, name), (-1.0, f"-{name}")):
-            if all(abs(x - sign * lengths[name]) < SAME for x, lengths in zip(values, tried, strict=True)):
+            if all(abs(x - sign * lengths[name]) < near for x, lengths in zip(values, tried, strict=True)):
                 return written
     return values[0]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from functools import partial
+from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -23,7 +24,8 @@ from robotics1.robot.parameters import Parameters
 from robotics1.robot.placements import homogeneous
 from robotics1.tables import in_html, table_of
 
-CONVENTIONS = ("standard", "modified")
+Convention = Literal["standard", "modified"]
+CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 
@@ -141,12 +143,14 @@ class DHTable(Frozen):
     def written_rows(self) -> tuple[list[str], list[list[str]]]:
         """Return the headings and the rows as on paper, angles as multiples of π where they are."""
         shift = "" if self.convention == "standard" else "ᵢ₋₁"
+        size = max(abs(x) for _, a, _, d, _ in self.numbers for x in (a, d))
+        in_metres = partial(length, size=size or 1.0)
         rows = []
         for i, (kind, a, alpha, d, theta) in enumerate(self.rows, 1):
-            turn, slide = _written(theta, joint_value), _written(d, length)
+            turn, slide = _written(theta, joint_value), _written(d, in_metres)
             q_i = f"q{i}"
             turn, slide = (_with_offset(q_i, turn), slide) if kind == "R" else (turn, _with_offset(q_i, slide))
-            rows.append([str(i), kind, _written(a, length), _written(alpha, joint_value), slide, turn])
+            rows.append([str(i), kind, _written(a, in_metres), _written(alpha, joint_value), slide, turn])
         return ["i", "type", f"a{shift}", f"α{shift}", "d", "θ"], rows
 
     def _repr_html_(self) -> str:

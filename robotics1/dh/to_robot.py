@@ -6,21 +6,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import pi
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import pinocchio as pin
 
 from robotics1.angles import printed_twelfths_of_pi
 from robotics1.dh.entries import Limits
 from robotics1.dh.joints import joints_of, links_of, placements_of
-from robotics1.dh.table import DHTable
+from robotics1.dh.table import Convention, DHTable
 from robotics1.dh.to_urdf import dh_text
 from robotics1.notation import joint_value
 from robotics1.robot.building import build_model
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import Placements
-
-Convention = Literal["standard", "modified"]
 
 
 def robot_from_dh(

@@ -9,6 +9,7 @@ import numpy as np
 from robotics1.angles import warn_of_degrees
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array
+from robotics1.names import refuse_no_number
 
 Matrix = Any  # a float array, or a sympy.Matrix
 ROUNDING = 1e-12  # a coefficient below this is the difference of two that should cancel
@@ -52,7 +53,8 @@ def expression(name: str, entry: Any) -> Any:
     if isinstance(entry, str):
         if not entry.isidentifier():
             raise InputError(f"a name in {name} must be a word such as 'alpha'; it is {entry!r}")
-        return sympy.Symbol(entry, real=True)
+        refuse_no_number(name, entry)
+        return sympy.pi if entry == "pi" else sympy.Symbol(entry, real=True)
     if not isinstance(entry, sympy.Expr):
         number = float(real_array(f"an entry of {name}", entry, ()))
         return sympy.Integer(int(number)) if number.is_integer() else sympy.Float(number)

@@ -13,7 +13,6 @@ from .equilibrium import (
 from .exact_values import ConfigurationFormulas
 from .find import find_singularities
 from .intersections import find_intersections
-from .loads import Load, Payload
 from .other_lengths import parameter_conditions
 from .polytopes import JointBoundPolytope, force_polytope, velocity_polytope
 from .reduction import MeasureDistribution
@@ -22,7 +21,7 @@ from .rounding import RoundedConfiguration, singularity_within_rounding
 from .scan import scan_singularities
 from .scan_result import RefinedGroup, Refinement, SingularityScan
 from .spaces import RankStatus, Subspaces, subspaces
-from .statics import balancing_torque, exerting_torque
+from .statics import Load, Payload, balancing_torque, exerting_torque
 from .wrist import WristJacobian, wrist_jacobian
 
 __all__ = [

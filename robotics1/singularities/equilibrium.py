@@ -16,9 +16,13 @@ from robotics1.notation import enumeration, vector
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike
-from robotics1.singularities.loads import GRAVITY, Load, Payload, gravity_vector, loads_of, own_weight
-from robotics1.singularities.rounding import RoundedConfiguration, singularity_within_rounding
-from robotics1.singularities.spaces import RankStatus, echelon
+from robotics1.singularities.rounding import (
+    AtPrintedConfiguration,
+    RoundedConfiguration,
+    singularity_within_rounding,
+)
+from robotics1.singularities.spaces import echelon
+from robotics1.singularities.statics import GRAVITY, Load, Payload, gravity_vector, loads_of, own_weight
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.pose import PoseTask
 from robotics1.tasks.rows import unitless_factors, unitless_rows
@@ -99,7 +103,7 @@ def static_torques(
 
 
 @dataclass(frozen=True, eq=False)
-class FreeWrenches(Frozen):
+class FreeWrenches(AtPrintedConfiguration):
     """The wrenches on a link that need no torque: its bearings hold them.
 
     Attributes:
@@ -109,11 +113,6 @@ class FreeWrenches(Frozen):
 
     wrenches: Array
     rounded: RoundedConfiguration
-
-    @property
-    def status(self) -> RankStatus:
-        """Whether J has full rank, not, or not certainly with the digits of q."""
-        return self.rounded.status
 
     @property
     def at_singularity(self) -> Array:
@@ -162,7 +161,7 @@ def _named(basis: Array) -> str:
 
 
 @dataclass(frozen=True, eq=False)
-class LargestForce(Frozen):
+class LargestForce(AtPrintedConfiguration):
     """The largest force along a direction that motors within their bounds exert.
 
     Attributes:
@@ -178,11 +177,6 @@ class LargestForce(Frozen):
     torque: Array
     joints: tuple[str, ...]
     rounded: RoundedConfiguration
-
-    @property
-    def status(self) -> RankStatus:
-        """Whether J has full rank, not, or not certainly with the digits of q."""
-        return self.rounded.status
 
     def explain(self) -> str:
         """Return the force and what bounds it, in sentences."""

@@ -66,17 +66,8 @@ def _alike(a: "SingularBranch", b: "SingularBranch") -> bool:
 
 def _family(number: int, family: "list[SingularBranch]") -> str:
     """Return the sentences about one branch, or about several that differ in the value of one joint."""
-    if len(family) == 1:
-        return f"{number}. {branch_sentences(family[0])}"
-    places = [place(branch) for branch in family]
-    ends = [where.partition(" = ")[2] for where in places[1:]]
-    first = family[0]
-    heading = f"{' or '.join([places[0], *ends])}{_because(first)}{_whatever(first)}: {_rank(first)}"
-    lines = [f"{number}–{number + len(family) - 1}. {heading}", *([f"   {first.note}"] if first.note else [])]
-    for branch, where in zip(family, places, strict=True):
-        body = _body(branch, f"Where {where}")
-        lines += [*body[:-1], body[-1][:-1] + "."]
-    return "\n".join(lines)
+    numbers = f"{number}" if len(family) == 1 else f"{number}–{number + len(family) - 1}"
+    return f"{numbers}. {branch_sentences(*family)}"
 
 
 def _almost_everywhere(found: "SingularSet") -> list[str]:
@@ -138,13 +129,12 @@ def _called(joints: Iterable[str], robot: "Robot", *, symbols: bool) -> list[str
 def _besides(found: "SingularSet") -> list[str]:
     """Return what is singular outside the joint limits, or would be at other lengths."""
     from robotics1.singularities.other_lengths import parameter_conditions
-    from robotics1.symbolic.writing.printing import line_text
 
     lines = []
     if found.outside:
         places = "; ".join(place(branch) for branch in found.outside)
         lines.append(f"Outside the joint limits the arm would be singular at {places}.")
-    equations = "; ".join(map(line_text, parameter_conditions(found)))
+    equations = "; ".join(map(_line, parameter_conditions(found)))
     if equations:
         lines.append(f"At other lengths more is singular, namely where this has a solution: {equations}.")
     return lines
@@ -172,21 +162,24 @@ def place(branch: "SingularBranch") -> str:
 
 
 def _equation(branch: "SingularBranch", condition: Any) -> str:
-    """Return an equation; one whose coefficients are lengths in metres, one with other large ones with 1 for them."""
-    from robotics1.symbolic.writing.decimals import in_decimals, lengths_in
-    from robotics1.symbolic.writing.printing import line_text
+    """Return an equation, whose coefficients are lengths in metres where they can be."""
+    from robotics1.symbolic.writing.decimals import lengths_in
+    from robotics1.symbolic.writing.readable import readable
 
     if condition.lhs.is_Symbol and condition.rhs.is_number:
         return f"{condition.lhs} = {_value(condition.rhs)}"
-    text = in_decimals(condition.lhs, lengths_in(branch.robot, branch.task)) if condition.rhs == 0 else None
-    return line_text(condition) if text is None else f"{text} = 0"
+    return _line(readable(condition, lengths_in(branch.robot, branch.task)))
+
+
+def _line(formula: Any) -> str:
+    from robotics1.symbolic.writing.printing import line_text
+
+    return line_text(formula)
 
 
 def _value(exact: Any) -> str:
     """Return the value of a joint: exact where it is short, as −π/3 or atan(3/4), else four decimals."""
-    from robotics1.symbolic.writing.printing import line_text
-
-    text = line_text(exact)
+    text = _line(exact)
     return text if len(text) <= SHORT else joint_value(float(exact))
 
 
@@ -194,9 +187,7 @@ def _because(branch: "SingularBranch") -> str:
     """Say which relation between the lengths the branch owes itself to."""
     if branch.formulas is None or not branch.formulas.lengths:
         return ""
-    from robotics1.symbolic.writing.printing import line_text
-
-    return f" (since {enumeration(line_text(equation) for equation in branch.formulas.lengths)})"
+    return f" (since {enumeration(_line(equation) for equation in branch.formulas.lengths)})"
 
 
 def _described(condition: Any) -> str:
@@ -205,11 +196,21 @@ def _described(condition: Any) -> str:
     return f"an equation of {terms} terms between {enumeration(joints)} (see `conditions`)"
 
 
-def branch_sentences(branch: "SingularBranch") -> str:
-    """Return where the branch is, and what the robot cannot do, can do, and holds there."""
-    lines = [f"{place(branch)}{_because(branch)}{_whatever(branch)}: {_rank(branch)}"]
-    lines += [f"   {branch.note}"] if branch.note else []
-    return "\n".join([*lines, *_body(branch, "There")])[:-1] + "."
+def branch_sentences(first: "SingularBranch", *others: "SingularBranch") -> str:
+    """Return where a branch is, and what the robot cannot do, can do, and holds there; of several that differ in the
+    value of one joint too.
+    """
+    family = [first, *others]
+    places = [place(branch) for branch in family]
+    where = " or ".join([places[0], *(other.partition(" = ")[2] for other in places[1:])])
+    lines = [
+        f"{where}{_because(first)}{_whatever(first)}: {_rank(first)}",
+        *([f"   {first.note}"] if first.note else []),
+    ]
+    for branch, at in zip(family, places, strict=True):
+        lines += _body(branch, f"Where {at}" if others else "There")
+        lines[-1] = lines[-1][:-1] + "."
+    return "\n".join(lines)
 
 
 def _whatever(branch: "SingularBranch") -> str:
@@ -273,12 +274,11 @@ def _written(formulas: "BranchFormulas", name: str, found: "SingularSet | Singul
         return None
     if sum(entry.count_ops() for entry in basis) > LONGEST * max(basis.cols, 1):
         return None
-    from robotics1.symbolic.writing.decimals import in_decimals, lengths_in
-    from robotics1.symbolic.writing.printing import line_text
+    from robotics1.symbolic.writing.decimals import lengths_in
+    from robotics1.symbolic.writing.readable import readable_vector
 
     lengths = lengths_in(found.robot, found.task)
-    columns = [basis.col(i) for i in range(basis.cols)]
-    return " or ".join(in_decimals(column, lengths) or line_text(column) for column in columns)
+    return " or ".join(_line(readable_vector(basis.col(i), lengths)) for i in range(basis.cols))
 
 
 def directions(basis: Array) -> str:

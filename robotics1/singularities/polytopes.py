@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations, product
-from typing import Any
+from itertools import product
 
 import numpy as np
 import numpy.typing as npt
@@ -13,11 +12,14 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, positive_bound, real_array
 from robotics1.least_squares import RANK_TOLERANCE
 from robotics1.notation import vector
-from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.singularities.rounding import RoundedConfiguration, singularity_within_rounding
-from robotics1.singularities.spaces import RankStatus, Subspaces
+from robotics1.singularities.rounding import (
+    AtPrintedConfiguration,
+    RoundedConfiguration,
+    singularity_within_rounding,
+)
+from robotics1.singularities.spaces import Subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 
@@ -26,7 +28,7 @@ SAME = 1e-9  # relative: vertices, and directions of columns, that are one
 
 
 @dataclass(frozen=True, eq=False)
-class JointBoundPolytope(Frozen):
+class JointBoundPolytope(AtPrintedConfiguration):
     """A polytope about the origin of the task's space, the image or the pre-image of a box of the joints.
 
     Attributes:
@@ -52,11 +54,6 @@ class JointBoundPolytope(Frozen):
     def dimension(self) -> int:
         """r: 1 of a segment, 2 of a polygon, 3 of a polyhedron; without the unbounded directions."""
         return self.spaces.rank
-
-    @property
-    def status(self) -> RankStatus:
-        """Whether J has full rank, not, or not certainly with the digits of q."""
-        return self.rounded.status
 
     @property
     def largest(self) -> float:
@@ -102,20 +99,9 @@ class JointBoundPolytope(Frozen):
             return 0.0
         if np.linalg.norm(y) <= RANK_TOLERANCE:
             return np.inf
-        normals, distances = self._facets()
+        normals, distances = _facets(self.vertices @ self.spaces.range)
         outwards = normals @ y
         return float((distances[outwards > 0] / outwards[outwards > 0]).min())
-
-    def _facets(self) -> tuple[Array, Array]:
-        """Return the half-spaces N y ≤ d of the part in the range, (l, r) and (l,)."""
-        x = self.vertices @ self.spaces.range
-        if self.dimension == 1:
-            return np.array([[1.0], [-1.0]]), np.array([x.max(), -x.min()])
-        from scipy.spatial import ConvexHull
-
-        size = float(np.abs(x).max())
-        equations = ConvexHull(x / size).equations
-        return np.asarray(equations[:, :-1]), np.asarray(-equations[:, -1] * size)
 
     def explain(self) -> str:
         """Return what it is, and its largest norm, in a sentence."""
@@ -245,23 +231,27 @@ def _parallel(columns: Array) -> list[list[int]]:
 
 
 def _of_half_spaces(spaces: Subspaces, limits: Array) -> Array:
-    """Return the vertices (k, m) of {f ∈ R(J) : |Jᵀ f| ≤ T}: where r of the bounds are met, and none is passed."""
+    """Return the vertices (k, m) of {f ∈ R(J) : |Jᵀ f| ≤ T}."""
     U, r = spaces.range, spaces.rank
     if r == 0:
         return np.zeros((1, len(U)))
     A = (spaces.J.T @ U) / limits[:, None]  # (n, r): |A y| ≤ 1
-    found: list[Any] = []
-    for rows in combinations(range(len(A)), r):
-        block = A[list(rows)]
-        if np.linalg.cond(block) > 1 / RANK_TOLERANCE:
-            continue
-        corners = np.array(list(product((-1.0, 1.0), repeat=r)))
-        y = np.linalg.solve(block, corners.T).T
-        found.extend(y[(np.abs(y @ A.T) <= 1 + SAME).all(axis=1)])
-    points = np.array(found)
+    normals, distances = _facets(np.vstack([A, -A]))  # of the polar set; each is a vertex here
+    points = normals / distances[:, None]
     size = np.abs(points).max()
     distinct = points[np.unique(np.round(points / size / SAME / 10), axis=0, return_index=True)[1]]
     return np.asarray(distinct[_hull(distinct, U)] @ U.T)
+
+
+def _facets(points: Array) -> tuple[Array, Array]:
+    """Return the half-spaces N x ≤ d, (l, r) and (l,), whose intersection is the convex hull of points (k, r)."""
+    if points.shape[1] == 1:
+        return np.array([[1.0], [-1.0]]), np.array([points.max(), -points.min()])
+    from scipy.spatial import ConvexHull
+
+    size = float(np.abs(points).max())
+    equations = ConvexHull(points / size).equations
+    return np.asarray(equations[:, :-1]), np.asarray(-equations[:, -1] * size)
 
 
 def _hull(points: Array, U: Array) -> npt.NDArray[np.intp]:

@@ -5,8 +5,9 @@ The distribution is a histogram whose bins are of equal relative width. Two chun
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import reduce
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
@@ -167,22 +168,16 @@ def reduction_from(arrays: Mapping[str, npt.NDArray[Any]], measures: tuple[str, 
     return Reduction(count, undefined, distributions, arrays["worst"], arrays["worst_values"])
 
 
-def joined_together(keep: int, parts: list[Reduction]) -> Reduction:
-    """Return the reduction of all chunks of some reductions, in their order."""
-    total = parts[0]
-    for part in parts[1:]:
-        total = total.joined(part, keep)
-    return total
+def joined_together(keep: int, parts: Iterable[Reduction]) -> Reduction:
+    """Return the reduction of all chunks of some reductions, in their order; one at a time is in memory."""
+    return reduce(lambda total, part: total.joined(part, keep), parts)
 
 
 def reduced_together(
     measurement: Measurement, measures: tuple[str, ...], keep: int, chunks: tuple[Chunk, ...]
 ) -> Reduction:
     """Return what is kept of some chunks, joined where they were measured: this runs in the workers."""
-    total = reduced(measurement, measures, keep, chunks[0])
-    for chunk in chunks[1:]:  # one at a time, so that the memory does not grow
-        total = total.joined(reduced(measurement, measures, keep, chunk), keep)
-    return total
+    return joined_together(keep, (reduced(measurement, measures, keep, chunk) for chunk in chunks))
 
 
 def reduced(measurement: Measurement, measures: tuple[str, ...], keep: int, chunk: Chunk) -> Reduction:

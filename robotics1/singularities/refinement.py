@@ -1,7 +1,6 @@
 """From nearly singular configurations to singular ones, and to the branches of the singular set they lie on."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Hashable, Mapping, Sequence
 
 import numpy as np
 
@@ -15,19 +14,6 @@ from robotics1.singularities.scan_result import RefinedGroup, Refinement
 ONE_PLACE = 1e-6  # distance of two configurations that are one [rad, or reach]
 NOTHING = "The robot has no joints."
 STANDS_STILL = 1e-2  # part of a tangent direction that a constant joint may have
-
-
-@dataclass(frozen=True, eq=False)
-class _Reached:
-    start: int
-    q: Array
-    branch: int | None
-    values: Mapping[str, float]
-
-    @property
-    def key(self) -> tuple[object, ...]:
-        """What is the same of all that belong together."""
-        return (self.branch, *((name, round(value, 5)) for name, value in self.values.items()))
 
 
 def refine(
@@ -50,7 +36,8 @@ def refine(
         note = f"There are no formulas: {error}."
     branches = () if found is None else found.branches
     rng = np.random.default_rng(seed)
-    reached: list[_Reached] = []
+    kinds: dict[Hashable, tuple[int | None, dict[str, float]]] = {}
+    members: dict[Hashable, list[tuple[int, Array]]] = {}
     unreached = []
     for start, q in enumerate(worst):
         p = points.project(points.box.nearest(q))
@@ -58,27 +45,25 @@ def refine(
             unreached.append(start)
             continue
         branch = next((i for i, known in enumerate(branches) if _lies_on(points, p, known)), None)
-        reached.append(_Reached(start, p, branch, {} if branch is not None else _still(points, p, rng)))
-    groups: dict[tuple[object, ...], list[_Reached]] = {}
-    for one in reached:
-        groups.setdefault(one.key, []).append(one)
-    ordered = sorted(groups.values(), key=lambda members: -len(members))
-    return Refinement(tuple(_group(points, members) for members in ordered), tuple(unreached), found, note)
+        values = {} if branch is not None else _still(points, p, rng)
+        alike = (branch, *((name, round(value, 5)) for name, value in values.items()))
+        kinds.setdefault(alike, (branch, values))
+        members.setdefault(alike, []).append((start, p))
+    ordered = sorted(members, key=lambda alike: -len(members[alike]))
+    groups = tuple(_group(points, *kinds[alike], members[alike]) for alike in ordered)
+    return Refinement(groups, tuple(unreached), found, note)
 
 
-def _group(points: SingularPoints, members: Sequence[_Reached]) -> RefinedGroup:
+def _group(
+    points: SingularPoints, branch: int | None, values: Mapping[str, float], members: Sequence[tuple[int, Array]]
+) -> RefinedGroup:
     distinct: list[Array] = []
-    for one in members:
-        if all(np.linalg.norm(points.box.difference(one.q, other)) > ONE_PLACE for other in distinct):
-            distinct.append(one.q)
-    return RefinedGroup(
-        members[0].branch,
-        np.array(distinct),
-        np.array([points.relative_sigma(q) for q in distinct]),
-        tuple(points.rank_at(q) for q in distinct),
-        tuple(one.start for one in members),
-        members[0].values,
-    )
+    for _, q in members:
+        if all(np.linalg.norm(points.box.difference(q, other)) > ONE_PLACE for other in distinct):
+            distinct.append(q)
+    sigmas = np.array([points.relative_sigma(q) for q in distinct])
+    ranks, starts = tuple(map(points.rank_at, distinct)), tuple(start for start, _ in members)
+    return RefinedGroup(branch, np.array(distinct), sigmas, ranks, starts, values)
 
 
 def _lies_on(points: SingularPoints, q: Array, branch: SingularBranch) -> bool:

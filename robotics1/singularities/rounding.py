@@ -71,6 +71,17 @@ class RoundedConfiguration(Frozen):
         )
 
 
+class AtPrintedConfiguration(Frozen):
+    """An answer at a configuration, whose digits may stand for a singular one."""
+
+    rounded: RoundedConfiguration
+
+    @property
+    def status(self) -> RankStatus:
+        """Whether J has full rank, not, or not certainly with the digits of q."""
+        return self.rounded.status
+
+
 def singularity_within_rounding(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> RoundedConfiguration:
     """Return whether q, with the digits it is given by, may be singular: J(q') loses rank at a q' that rounds to q.
 

@@ -107,7 +107,7 @@ def _with_exact_jacobian(robot: Robot, task: Task, box: JointBox, rng: np.random
     lower = np.where(robot.revolute, -far, np.minimum(-far, box.lower))
     upper = np.where(robot.revolute, far, np.maximum(far, box.upper))
     anywhere = JointBox(lower, upper, robot.revolute, box.unit, TURN * turns)
-    jacobian = SymbolicJacobian(exact, rows, formula.groups, parameters, anywhere)
+    jacobian = SymbolicJacobian(exact, rows, formula.chain.groups, parameters, anywhere)
     return Found(points, jacobian, cleaned=formula.cleaned)
 
 

@@ -32,7 +32,7 @@ def verify(formulas: IKFormulas) -> None:
         for _ in range(TRIALS):
             q = np.where(robot.revolute, rng.uniform(-3, 3, robot.nq), robot.reach * rng.uniform(-1, 1, robot.nq))
             target = formulas.task.value(point.robot, q)
-            found = solve(target, point.parameters)
+            found = solve(target, list(point.parameters.values()))
             _compare(formulas, point.robot, q, target, found, columns)
 
 

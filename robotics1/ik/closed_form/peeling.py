@@ -21,7 +21,7 @@ from robotics1.ik.closed_form.one_unknown import ROUNDING, OneUnknown, Solved, r
 from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
 from robotics1.ik.closed_form.trial_point import TrialPoint
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
-from robotics1.symbolic.writing.sums_of_angles import with_decimals, written
+from robotics1.symbolic.writing.sums_of_angles import without_long_fractions, written
 
 VANISHES = 1e-9  # a coefficient at the trial point
 Equations = tuple[OneUnknown, ...]
@@ -94,7 +94,7 @@ class Peeling:
 
     def write(self, f: TrigPolynomial) -> sympy.Expr:
         """Return a polynomial as an expression, with the symbols of the pose."""
-        return with_decimals(written(f, self.target.groups))
+        return without_long_fractions(written(f, self.target.groups))
 
     # --- one equation after the other
     def _next(self) -> Solved:

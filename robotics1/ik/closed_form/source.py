@@ -11,8 +11,8 @@ from sympy.printing.octave import OctaveCodePrinter
 from robotics1.ik.closed_form.named_parts import in_named_parts
 from robotics1.names import printable
 from robotics1.symbolic.writing.decimals import lengths_in
-from robotics1.symbolic.writing.other_languages import MATLAB_WORDS, c_printer, identifier
-from robotics1.symbolic.writing.printing import INDENT, USED, latex_text, spelled
+from robotics1.symbolic.writing.printing import latex_text
+from robotics1.symbolic.writing.source_code import INDENT, MATLAB_WORDS, USED, c_printer, identifier, spelled
 
 if TYPE_CHECKING:
     from robotics1.ik.closed_form.family import IKFormulas

@@ -15,13 +15,14 @@ import sympy
 
 from robotics1.inputs import Array
 from robotics1.robot.joints import Joint
-from robotics1.symbolic.kinematics.chain import Chain, Pose, cross
+from robotics1.symbolic.kinematics.chain import Chain, Pose
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
-from robotics1.symbolic.writing.term_budget import TermBudget
+from robotics1.symbolic.writing.term_budget import TermBudget, skew
 
 Joints = tuple[Joint, ...]
-WHOLE = {("x", "y", "z", "ωx", "ωy", "ωz"): 6, ("x", "y", "z"): 3, ("ωx", "ωy", "ωz"): -3}
+TWIST = ("x", "y", "z", "ωx", "ωy", "ωz")
+WHOLE = (TWIST, TWIST[:3], TWIST[3:])
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,58 +51,44 @@ class MidChainJacobian:
 
     Attributes:
         M: (m, n) the Jacobian in the axes and, of six rows, at the origin of a link in the middle.
-        axes: R and p that lead back: the axes of the middle link in the world, and the tool in these axes; None
-            when M is J itself.
-        kind: 6 for a twist, 3 for a linear and −3 for an angular velocity.
+        X: (m, m) leads velocities back to the task's own axes and point; None where M is J itself.
+        X_force: (m, m) X⁻ᵀ, which leads forces back: the power uᵀ M q̇ stays what it is.
         leads_back: whether X is known; not of a task with quotients, whose rows are combinations of these.
     """
 
     M: Matrix
-    axes: Pose | None = None
-    kind: int = 0
+    X: Matrix | None = None
+    X_force: Matrix | None = None
     leads_back: bool = True
 
     def velocity(self, u: Matrix) -> Matrix:
-        """Return X u: a task velocity (m,), or (m, n) as columns, in the task's own axes, at its own point."""
-        if self.axes is None:
-            return u
-        R, p = self.axes
-        if self.kind != 6:
-            return np.asarray(R @ u)
-        return np.concatenate([R @ (u[:3] + cross(u[3:], p)), R @ u[3:]])
+        """Return X u, a task velocity (m,)."""
+        return u if self.X is None else np.asarray(self.X @ u)
+
+    def force(self, u: Matrix) -> Matrix:
+        """Return X⁻ᵀ u, a force (m,)."""
+        return u if self.X_force is None else np.asarray(self.X_force @ u)
 
     def numbers(self, q: Array, parameters: Mapping[sympy.Symbol, float]) -> Array:
         """Return X M at q (n,), (m, n)."""
         at = np.vectorize(lambda f: Evaluated(f, parameters)(q), otypes=[float])
-        M = at(self.M)
-        if self.axes is None:
-            return np.asarray(M)
-        R, p = map(at, self.axes)
-        return np.asarray(replace(self, axes=(R, p)).velocity(M), dtype=float)
-
-    def force(self, u: Matrix) -> Matrix:
-        """Return X⁻ᵀ u: a force (m,), whose power uᵀ M q̇ stays what it is."""
-        if self.axes is None:
-            return u
-        R, p = self.axes
-        if self.kind != 6:
-            return np.asarray(R @ u)
-        return np.concatenate([R @ u[:3], R @ (u[3:] - cross(p, u[:3]))])
+        return np.asarray(at(self.M) if self.X is None else at(self.X) @ at(self.M))
 
 
 def mid_chain_jacobian(chain: Chain, row_names: tuple[str, ...], J: Matrix, budget: TermBudget) -> MidChainJacobian:
     """Return the shorter form of J, of these rows in world axes, in polynomials of any length; J itself if its rows
     are not whole.
     """
-    kind = WHOLE.get(row_names)
-    if kind is None or all(joint.kind == "fixed" for joint in chain.joints):
+    if row_names not in WHOLE or all(joint.kind == "fixed" for joint in chain.joints):
         return MidChainJacobian(J)
     exact = replace(budget, most_products=maxsize, most_terms=maxsize)
     links = _links_from_the_middle(chain, exact)
     M = _jacobian_at_the_middle(chain, links, exact)
     R, p = links[0][0].T, links[-1][1]
-    rows = {6: M, 3: exact.sum(M[:3], exact.cross(M[3:], p)), -3: M[3:]}
-    return MidChainJacobian(rows[kind], (R, p), kind)
+    if row_names == TWIST:
+        zero, moment = R - R, -R @ skew(p)  # v of the point is R (v + ω × p)
+        return MidChainJacobian(M, np.block([[R, moment], [zero, R]]), np.block([[R, zero], [moment, R]]))
+    return MidChainJacobian(exact.sum(M[:3], exact.cross(M[3:], p)) if row_names == TWIST[:3] else M[3:], R, R)
 
 
 def frame_motion(chain: Chain, reference: Joints, budget: TermBudget) -> FrameMotion:

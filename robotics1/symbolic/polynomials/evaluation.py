@@ -1,10 +1,10 @@
 """Numbers from trigonometric polynomials."""
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
+import mpmath
 import numpy as np
 import numpy.typing as npt
 import sympy
@@ -15,9 +15,9 @@ from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
 from robotics1.symbolic.polynomials.trig_polynomial import ROOTS, TrigPolynomial
 
 VANISHES = 1e-12  # of a polynomial, beside its largest coefficient
-BITS = 64  # that are kept of a quotient
 LARGEST = 900  # the largest exponent, of either sign, of numbers that are left as they are
-NOTHING = -5000  # an exponent that makes zero of every double
+WIDE = mpmath.MPContext()  # numbers with 64 bits and an exponent of any size
+WIDE.prec = 64
 MOST_MULTIPLE = 4  # order of a zero that is found to rounding
 
 
@@ -49,27 +49,27 @@ class Evaluated:
         amplitudes, multiples, powers = [], [], []
         for k, c in self.f.terms.items():
             for m, a in c.terms():
-                value = _scaled(a)
+                value = _number(a)
                 power, multiple = np.zeros(len(self.q)), np.zeros(len(self.q))
                 for symbol, e in zip(F.ring.symbols, m, strict=True):
                     if symbol in self.q:
                         power[self.q.index(symbol)] = e
                     elif e:
-                        value = value.times(self._number(symbol), int(e))
+                        value *= self._value_of(symbol) ** int(e)
                 for symbol, e in zip(F.angles, k, strict=True):
                     if symbol in self.q:
                         multiple[self.q.index(symbol)] = e * self.unit / F.turns_of(symbol)
                     elif e:
-                        value = value.turned(e * self.unit * self.parameters[symbol])
+                        value *= WIDE.expj(e * self.unit * self.parameters[symbol])
                 amplitudes.append(value)
                 multiples.append(multiple)
                 powers.append(power)
         n = len(self.q)
         return _in_doubles(amplitudes), np.reshape(multiples, (-1, n)), np.reshape(powers, (-1, n))
 
-    def _number(self, symbol: sympy.Symbol) -> float:
+    def _value_of(self, symbol: sympy.Symbol) -> mpmath.mpf:
         square = ROOTS.get(str(symbol))
-        return float(np.sqrt(square)) if square is not None else self.parameters[symbol]
+        return WIDE.mpf(self.parameters[symbol]) if square is None else WIDE.sqrt(square)
 
     def __call__(self, q: Array) -> float:
         """Return f(q)."""
@@ -181,53 +181,13 @@ def evaluated_factor(part: IrreducibleFactor, parameters: Mapping[sympy.Symbol, 
     return Evaluated(part.in_angles, parameters)
 
 
-class Scaled(NamedTuple):
-    """The number m 2ᵉ, |m| being about one: a coefficient may be a quotient of whole numbers of thousands of digits."""
-
-    m: complex
-    e: int
-
-    def times(self, x: float, power: int) -> "Scaled":
-        """Return the product with x to a power that is not negative."""
-        fraction, e = math.frexp(x)
-        return _normal(self.m * fraction**power, self.e + e * power)
-
-    def turned(self, angle: float) -> "Scaled":
-        """Return the product with exp(i angle)."""
-        return Scaled(self.m * complex(math.cos(angle), math.sin(angle)), self.e)
+def _number(a: Any) -> mpmath.mpc:
+    """Return an element of ℚ(i), which may be a quotient of whole numbers of thousands of digits."""
+    return WIDE.mpc(*(WIDE.mpf(int(x.numerator)) / int(x.denominator) for x in (a.x, a.y)))
 
 
-def _scaled(a: Any) -> Scaled:
-    """Return an element of ℚ(i)."""
-    (x, e), (y, f) = _fraction(a.x), _fraction(a.y)
-    most = max(e, f)
-    return _normal(complex(math.ldexp(x, max(e - most, NOTHING)), math.ldexp(y, max(f - most, NOTHING))), most)
-
-
-def _in_doubles(numbers: Sequence[Scaled]) -> npt.NDArray[np.complex128]:
+def _in_doubles(numbers: Sequence[mpmath.mpc]) -> npt.NDArray[np.complex128]:
     """Return the numbers; all divided by one power of two if the largest of them is beyond what a double can hold."""
-    largest = max((number.e for number in numbers if number.m), default=0)
+    largest = max((int(WIDE.mag(number)) for number in numbers if number), default=0)
     shift = largest if abs(largest) > LARGEST else 0
-
-    def double(m: float, e: int) -> float:
-        return math.ldexp(m, max(e - shift, NOTHING))
-
-    return np.array([complex(double(n.m.real, n.e), double(n.m.imag, n.e)) for n in numbers], dtype=complex)
-
-
-def _fraction(x: Any) -> tuple[float, int]:
-    """Return m and e of a rational number, rounded once."""
-    p, q = int(x.numerator), int(x.denominator)
-    if p == 0:
-        return 0.0, NOTHING
-    shift = BITS + q.bit_length() - p.bit_length()
-    if abs(shift) <= LARGEST:
-        return math.frexp(p / q)
-    quotient = (p << shift) // q if shift >= 0 else p // (q << -shift)
-    m, e = math.frexp(quotient)
-    return m, e - shift
-
-
-def _normal(m: complex, e: int) -> Scaled:
-    shift = math.frexp(max(abs(m.real), abs(m.imag)))[1]
-    return Scaled(complex(math.ldexp(m.real, -shift), math.ldexp(m.imag, -shift)), e + shift)
+    return np.array([complex(WIDE.ldexp(n.real, -shift), WIDE.ldexp(n.imag, -shift)) for n in numbers], dtype=complex)

@@ -62,20 +62,20 @@ def check_time() -> None:
         raise OutOfTime
 
 
-def check_time_to_factor(N: "fmpq_mpoly") -> None:
-    """Raise OutOfTime when there is a limit, and factoring the polynomial would probably last beyond it."""
-    _check_long_step(N, SECONDS)
+def check_time_to_factor(N: "fmpq_mpoly", times: float = 1.0) -> None:
+    """Raise OutOfTime when the time is over, or factoring the polynomial would probably last beyond it.
 
-
-def check_time_to_divide(f: "fmpq_mpoly", g: "fmpq_mpoly") -> None:
-    """Raise OutOfTime as above, for a common divisor or a remainder of two polynomials."""
-    _check_long_step(f if len(f) >= len(g) else g, DIVISOR * SECONDS)
-
-
-def _check_long_step(N: "fmpq_mpoly", seconds: float) -> None:
+    `times` is how much longer the step takes than to factor.
+    """
+    check_time()
     deadline = _deadline.get()
     if len(N) <= SHORT or deadline == math.inf:
         return
     bits = max(int(c.p).bit_length() + int(c.q).bit_length() for c in N.coeffs())
-    if deadline - time.monotonic() < len(N) ** 2 * bits * seconds:
+    if deadline - time.monotonic() < len(N) ** 2 * bits * SECONDS * times:
         raise OutOfTime
+
+
+def check_time_to_divide(f: "fmpq_mpoly", g: "fmpq_mpoly") -> None:
+    """Raise OutOfTime as above, for a common divisor or a remainder of two polynomials."""
+    check_time_to_factor(max(f, g, key=len), DIVISOR)

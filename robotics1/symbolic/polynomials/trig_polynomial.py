@@ -12,7 +12,7 @@ turn by whole multiples of φ.
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
@@ -80,10 +80,7 @@ class TrigRing:
         # exp(iπ/12) = exp(iπ/4) exp(−iπ/6); products reduce √2² and √3²
         step = self.constant(self.root(2) * (1 + i) / 2) * self.constant((self.root(3) - i) / 2)
         quarters, rest = divmod(k % 24, 6)
-        turn = self.constant(i**quarters)
-        for _ in range(rest):
-            turn = turn * step
-        return turn
+        return self.constant(i**quarters) * step**rest
 
     @property
     def zero(self) -> Exponents:
@@ -130,6 +127,9 @@ class TrigPolynomial:
                 n = tuple(a + b for a, b in zip(k, m, strict=True))
                 terms[n] = terms[n] + c * d if n in terms else c * d
         return TrigPolynomial(self.trig_ring, {k: c for k, c in ((k, reduced(c)) for k, c in terms.items()) if c})
+
+    def __pow__(self, n: int) -> "TrigPolynomial":
+        return reduce(TrigPolynomial.__mul__, [self] * n, self.trig_ring.constant(1))
 
     @property
     def conjugate(self) -> "TrigPolynomial":

@@ -67,10 +67,6 @@ class BasisVector:
         halves = {angle: angle / 2 for angle in self.trig_ring.angles}
         return [written(entry, groups).subs(halves, simultaneous=True) for entry in self.entries]
 
-    def numbers(self, parameters: Mapping[sympy.Symbol, float]) -> list[Evaluated]:
-        """Return the entries as functions of q."""
-        return [Evaluated(entry, parameters, unit=0.5) for entry in self.entries]
-
 
 @dataclass(frozen=True, eq=False)
 class SpecialPoints:
@@ -86,8 +82,8 @@ class SpecialPoints:
 
     def values(self, vector: BasisVector) -> Array:
         """Return a vector at the points, (k, n), of length one; zero where its entries vanish together."""
-        functions = vector.numbers(self.parameters)
-        at = np.array([[f(q) for f in functions] for q in self.q]).reshape(len(self.q), len(functions))
+        functions = [Evaluated(entry, self.parameters, unit=0.5) for entry in vector.entries]
+        at = np.array([f.at_many(self.q) for f in functions]).T
         usual = np.abs(at).max(initial=0.0)
         lengths = np.linalg.norm(at, axis=1, keepdims=True)
         return np.where(lengths > RANK * usual, at / np.maximum(lengths, 1e-300), 0.0)

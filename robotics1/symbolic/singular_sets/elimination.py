@@ -131,7 +131,6 @@ def primitive_row(vector: Sequence[TrigPolynomial], locus: Locus) -> Row:
 
 
 def _remainder(entry: fmpq_mpoly, equation: fmpq_mpoly) -> fmpq_mpoly:
-    check_time()
     check_time_to_divide(entry, equation)
     return entry % equation
 
@@ -185,7 +184,6 @@ def primitive(row: Row) -> Row:
 
 
 def _common_divisor(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-    check_time()
     check_time_to_divide(a, b)
     return a.gcd(b)
 

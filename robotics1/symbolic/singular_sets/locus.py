@@ -78,10 +78,6 @@ class Locus:
         reopened = [old.part.whole for old in changed if old.part is not None]
         return replace(self, substitutions=(*values, new), zeros=(*kept, zero)), reopened
 
-    def rounded(self) -> "Locus":
-        """Return the locus, on which coefficients that are rounding are zero."""
-        return replace(self, in_numbers=True)
-
     @cached_property
     def joints(self) -> tuple[int, ...]:
         """The joints that matter on the locus: those that have a value, or are in one, or in an implicit equation."""

@@ -182,4 +182,4 @@ def _with_values(locus: Locus, joints: list[int], values: Array) -> Locus:
         else:
             zero = Zero(F.constant(F.ring(symbol)), Substitution(symbol, F.constant(0)))
         locus, _ = locus.where(zero)  # the equations hold, but for rounding
-    return locus.rounded()
+    return replace(locus, in_numbers=True)

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy
@@ -11,7 +12,7 @@ from robotics1.angles import twelfths_of_pi
 from robotics1.caching import cached_property
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_factor
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, irreducible_factors
-from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
+from robotics1.symbolic.polynomials.trig_polynomial import Exponents, TrigPolynomial, TrigRing
 
 ZERO = 1e-12  # of a polynomial in the lengths, beside the sum of its terms
 ROUNDED = 1e-15  # of the same, where √2 and √3 are fractions to 1e-16: sin(q3) + 1 is that, and has a double zero
@@ -38,35 +39,20 @@ class Substitution:
         """Return f with the symbol replaced."""
         if self.symbol not in f.symbols:
             return f
-        pieces = self._by_power_of_angle(f) if self.is_angle else self._by_power_of_length(f)
-        total = f.trig_ring.constant(0)
-        for power, piece in pieces.items():
-            total = total + piece * self._power(power)
-        return total
-
-    def _by_power_of_angle(self, f: TrigPolynomial) -> dict[int, TrigPolynomial]:
-        j = f.trig_ring.angles.index(self.symbol)
-        pieces: dict[int, TrigPolynomial] = {}
-        for k, c in f.terms.items():
-            pieces.setdefault(k[j], TrigPolynomial(f.trig_ring, {})).terms[(*k[:j], 0, *k[j + 1 :])] = c
-        return pieces
-
-    def _by_power_of_length(self, f: TrigPolynomial) -> dict[int, TrigPolynomial]:
-        ring = f.trig_ring.ring
-        i = ring.symbols.index(self.symbol)
-        pieces: dict[int, TrigPolynomial] = {}
+        F, powers_of = f.trig_ring, (self.value.conjugate, self.value)
+        j = [*F.angles, *F.ring.symbols].index(self.symbol)
+        pieces: dict[int, dict[Exponents, dict[Exponents, Any]]] = {}
         for k, c in f.terms.items():
             for m, a in c.terms():
-                terms = pieces.setdefault(m[i], TrigPolynomial(f.trig_ring, {})).terms
-                terms[k] = terms.get(k, ring.zero) + ring.from_dict({(*m[:i], 0, *m[i + 1 :]): a})
-        return pieces
-
-    def _power(self, power: int) -> TrigPolynomial:
-        base = self.value if power >= 0 else self.value.conjugate
-        found = self.value.trig_ring.constant(1)
-        for _ in range(abs(power)):
-            found = found * base
-        return found
+                exponents = [*k, *m]
+                power, exponents[j] = exponents[j], 0
+                others = tuple(exponents[: len(k)]), tuple(exponents[len(k) :])
+                pieces.setdefault(power, {}).setdefault(others[0], {})[others[1]] = a
+        total = F.constant(0)
+        for power, terms in pieces.items():
+            piece = TrigPolynomial(F, {k: F.ring.from_dict(c) for k, c in terms.items()})
+            total = total + piece * powers_of[power > 0] ** abs(power)
+        return total
 
 
 @dataclass(frozen=True, eq=False)

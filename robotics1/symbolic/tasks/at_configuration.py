@@ -191,21 +191,10 @@ def _at_random(M: sympy.Matrix) -> sympy.Matrix:
 
 
 def _pivot_columns(numbers: sympy.Matrix) -> tuple[int, ...]:
-    """Return the first columns that are independent, by elimination with pivoting of rows."""
-    rows = [list(numbers.row(i)) for i in range(numbers.rows)]
+    """Return the first columns that are independent."""
     size = max((abs(x) for x in numbers), default=0)
-    pivots, done = [], 0
-    for j in range(numbers.cols):
-        below = max(range(done, len(rows)), key=lambda i: abs(rows[i][j]), default=None)
-        if below is None or abs(rows[below][j]) <= ZERO * size:
-            continue
-        rows[done], rows[below] = rows[below], rows[done]
-        for i in range(done + 1, len(rows)):
-            factor = rows[i][j] / rows[done][j]
-            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[done], strict=True)]
-        pivots.append(j)
-        done += 1
-    return tuple(pivots)
+    pivots: tuple[int, ...] = numbers.rref(iszerofunc=lambda x: abs(x) <= ZERO * size)[1]
+    return pivots
 
 
 def _null(J: sympy.Matrix, pivots: tuple[tuple[int, ...], tuple[int, ...]]) -> sympy.Matrix:

@@ -24,7 +24,7 @@ from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomia
 from robotics1.symbolic.tasks.normal_form import NormalForm
 from robotics1.symbolic.tasks.task_map import TaskMap, each
 from robotics1.symbolic.tasks.task_rows import TaskRows, fractions, task_rows
-from robotics1.symbolic.writing.sums_of_angles import with_decimals, written_product
+from robotics1.symbolic.writing.sums_of_angles import without_long_fractions, written_product
 from robotics1.symbolic.writing.term_budget import TermBudget
 
 MOST_PRODUCTS = 20_000  # of terms, for an entry of the rows from which minors are made
@@ -60,7 +60,7 @@ class SymbolicTask:
     @cached_property
     def value(self) -> sympy.Matrix:
         """The value r = g(p, R, q)."""
-        return sympy.Matrix(each(self._normal.written, self.task.value)).applyfunc(with_decimals)
+        return sympy.Matrix(each(self._normal.written, self.task.value)).applyfunc(without_long_fractions)
 
     @cached_property
     def jacobian(self) -> sympy.Matrix:
@@ -68,7 +68,7 @@ class SymbolicTask:
         N, d = fractions(self.task)
         J = _weighted(each(self._normal.entry, N), self.motion.J, self.budget)
         rows = [[self._normal.times(f, _parts(1 / x)) for f in row] for row, x in zip(J, d, strict=True)]
-        return sympy.Matrix(rows).applyfunc(with_decimals)
+        return sympy.Matrix(rows).applyfunc(without_long_fractions)
 
     @cached_property
     def factored(self) -> TaskRows:
@@ -157,7 +157,7 @@ class SymbolicTask:
 
     def written_minor(self, minor: Minor) -> sympy.Expr:
         """Return Σ l f₁ f₂ ... in SymPy."""
-        return with_decimals(sympy.Add(*(left * written_product(f, self.chain.groups) for left, f in minor)))
+        return without_long_fractions(sympy.Add(*(left * written_product(f, self.chain.groups) for left, f in minor)))
 
     @cached_property
     def _normal(self) -> NormalForm:

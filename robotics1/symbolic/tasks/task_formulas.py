@@ -9,34 +9,41 @@ import numpy as np
 import sympy
 
 from robotics1.caching import cached_property
-from robotics1.differentiation import Estimate, derivative
+from robotics1.differentiation import Estimate
 from robotics1.errors import FormulaError, TaskError
-from robotics1.inputs import Array
+from robotics1.inputs import Array, one_of
+from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
-from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.symbolic.tasks.at_configuration import ConfigurationFormulas, at_values, exact_values
 from robotics1.symbolic.tasks.rates import rate_of, velocity_product_of
 from robotics1.symbolic.tasks.shown_formulas import in_characters, in_html, in_latex
 from robotics1.symbolic.tasks.symbolic_task import SymbolicTask
 from robotics1.symbolic.tasks.verification import (
     Point,
+    TaskNumbers,
     Trials,
     numeric_determinant,
-    numeric_jacobian,
     numeric_product,
-    numeric_value,
     rounded,
 )
-from robotics1.symbolic.tasks.written_formulas import WrittenFormulas
 from robotics1.symbolic.writing.decimals import lengths_in
+from robotics1.symbolic.writing.printing import latex_text
 from robotics1.symbolic.writing.readable import readable
-from robotics1.symbolic.writing.sums_of_angles import Groups
+from robotics1.symbolic.writing.source_code import c_function, matlab_function, python_function
 from robotics1.tasks.task import Task
+
+PRINTED = {
+    "value": "r = f(q)",
+    "jacobian": "J(q)",
+    "determinant": "det J(q)",
+    "jacobian_rate": "dJ/dt",
+    "velocity_product": "dJ/dt qdot",
+}
 
 
 @dataclass(frozen=True, eq=False)
-class Formulas(WrittenFormulas):
+class Formulas(Frozen):
     """The formulas of a task, in q1, q2, ... and the robot's named parameters.
 
     Each is compared with Pinocchio at random q and parameters when it is first asked for, and a FormulaError is
@@ -96,14 +103,14 @@ class Formulas(WrittenFormulas):
     def value(self) -> sympy.Matrix:
         """The value r = f(q): a column; of an orientation (3, 3), of a pose the homogeneous (4, 4)."""
         r = self.symbolic_task.value
-        self._trials.verify(r, self._value_at, "the value", difference=self._difference)
+        self._trials.verify(r, self._numbers.value, "the value", difference=self._difference)
         return r
 
     @cached_property
     def jacobian(self) -> sympy.Matrix:
         """J(q), (m, n)."""
         J = self.symbolic_task.jacobian
-        self._trials.verify(J, self._jacobian_at, "J")
+        self._trials.verify(J, self._numbers.jacobian, "J")
         return J
 
     @cached_property
@@ -118,7 +125,7 @@ class Formulas(WrittenFormulas):
     def jacobian_rate(self) -> sympy.Matrix:
         """J̇(q, q̇) = dJ/dt, (m, n)."""
         rates = rate_of(self.jacobian, self.q, self.qdot)
-        self._trials.verify(rates, self._jacobian_rate_at, "J̇")
+        self._trials.verify(rates, self._numbers.jacobian_rate, "J̇")
         return rates
 
     @cached_property
@@ -127,7 +134,7 @@ class Formulas(WrittenFormulas):
         product = velocity_product_of(self.jacobian, self.q, self.qdot)
 
         def numeric(point: Point) -> Estimate:
-            return numeric_product(self._jacobian_rate_at(point), rounded(point.qdot))
+            return numeric_product(self._numbers.jacobian_rate(point), rounded(point.qdot))
 
         self._trials.verify(product, numeric, "J̇ q̇")
         return product
@@ -159,7 +166,7 @@ class Formulas(WrittenFormulas):
         found = {out: self.symbolic_task.written_minor(minor) for out, minor in self.symbolic_task.minors.items()}
 
         def numeric(point: Point) -> Estimate:
-            J = self._jacobian_at(point)
+            J = self._numbers.jacobian(point)
             axis = int(J.value.shape[1] > J.value.shape[0])
             minors = [numeric_determinant(Estimate(*(np.delete(part, out, axis) for part in J))) for out in found]
             return Estimate(*map(np.array, zip(*minors, strict=True)))
@@ -177,7 +184,7 @@ class Formulas(WrittenFormulas):
         found = self.symbolic_task.gram_determinant if self.q else sympy.S.One
 
         def numeric(point: Point) -> Estimate:
-            J = self._jacobian_at(point)
+            J = self._numbers.jacobian(point)
             transposed = Estimate(J.value.T, J.error.T)
             wide = J.value.shape[0] <= J.value.shape[1]
             return numeric_determinant(numeric_product(*((J, transposed) if wide else (transposed, J))))
@@ -189,16 +196,6 @@ class Formulas(WrittenFormulas):
     def chain(self) -> Chain:
         """The joints from the world to the frame."""
         return self.symbolic_task.chain
-
-    @property
-    def groups(self) -> Groups:
-        """The angles that are added up: of consecutive joints with parallel axes."""
-        return self.chain.groups
-
-    @property
-    def rows(self) -> Matrix:
-        """J as trigonometric polynomials; of a task with quotients, those that are combined to the rows of J."""
-        return self.symbolic_task.rows
 
     def at(self, q: Sequence[Any] | None = None, /, **values: Any) -> ConfigurationFormulas:
         """Return value and Jacobian at a configuration, exact, with rank, bases and pseudoinverse: f.at(q1=0, q2=pi/2).
@@ -230,37 +227,62 @@ class Formulas(WrittenFormulas):
     def _trials(self) -> Trials:
         return Trials(self.robot, self.q, self.qdot)
 
-    @property
-    def _places(self) -> list[int]:
-        return [self.task.row_names.index(name) for name in self.row_names]
-
-    def _task_at(self, point: Point) -> Task:
-        """Return the task with its named lengths at the values of the point."""
-        if not hasattr(self.task, "with_parameters"):
-            return self.task
-        task: Task = self.task.with_parameters(dict(zip(self.robot.parameters, point.parameters, strict=True)))
-        return task
-
-    def _value_at(self, point: Point) -> Estimate:
-        r = numeric_value(self._task_at(point), point.robot, point.q)
-        if r.value.shape != (len(self.task.row_names),):
-            return r
-        return Estimate(r.value[self._places], r.error[self._places])
+    @cached_property
+    def _numbers(self) -> TaskNumbers:
+        return TaskNumbers(self.task, [self.task.row_names.index(name) for name in self.row_names])
 
     def _difference(self, ours: Array, theirs: Array) -> Array:
         """Return ours − theirs; angles of a task on a frame count up to whole turns."""
         difference = ours - theirs
         if self.symbolic_task.task.wraps and difference.shape == (len(self.row_names), 1):
-            angles = [self.task.row_units[i] == "rad" for i in self._places]
+            angles = [self.task.row_units[i] == "rad" for i in self._numbers.places]
             difference[angles] = np.angle(np.exp(1j * difference[angles]))
         return difference
 
-    def _jacobian_at(self, point: Point) -> Estimate:
-        value, error = numeric_jacobian(self._task_at(point), point.robot, point.q)
-        return Estimate(value[self._places], error[self._places])
+    def python(self, name: str = "jacobian") -> str:
+        """Return the source of a function f(q) of NumPy: f(q, qdot) for J̇ and J̇ q̇, parameters by keyword.
 
-    def _jacobian_rate_at(self, point: Point) -> Estimate:
-        def J(t: float) -> Estimate:
-            return self._jacobian_at(point._replace(q=point.q + t * point.qdot))
+        Args:
+            name: "value", "jacobian", "determinant", "jacobian_rate" or "velocity_product".
 
-        return derivative(lambda t: J(t).value, noise=J(0.0).error)  # J may itself be a derivative
+        Raises:
+            InputError: there is no such formula.
+        """
+        return python_function(name, *self._as_function(name))
+
+    def c(self, name: str = "jacobian") -> str:
+        """Return the source of a function of C99: `void name(const double *q, double l2, ..., double *out)`.
+
+        Raises:
+            InputError: there is no such formula.
+        """
+        return c_function(name, *self._as_function(name))
+
+    def matlab(self, name: str = "jacobian") -> str:
+        """Return the source of a function of MATLAB, and of GNU Octave: `function out = name(q, l2, ...)`.
+
+        Raises:
+            InputError: there is no such formula.
+        """
+        return matlab_function(name, *self._as_function(name))
+
+    def latex(self, name: str = "jacobian") -> str:
+        """Return a formula in LaTeX.
+
+        Raises:
+            InputError: there is no such formula.
+        """
+        return latex_text(getattr(self, one_of("name", name, tuple(PRINTED))))
+
+    def _as_function(self, name: str) -> tuple[Any, dict[str, Any], dict[str, float | None], str]:
+        """Return a formula, its arguments that are vectors, its parameters with their values, and what it is."""
+        one_of("name", name, tuple(PRINTED))
+        formula = getattr(self, name)
+        column = name == "velocity_product" or (name == "value" and formula.cols == 1)
+        vectors: dict[str, Any] = {"q": self.q}
+        if name in ("jacobian_rate", "velocity_product"):
+            vectors["qdot"] = self.qdot
+        values = {key: None if key in self.unvalued else value for key, value in self.robot.parameters.items()}
+        rows = f"; rows {', '.join(self.row_names)}" if name in ("jacobian", "jacobian_rate") else ""
+        summary = f"{PRINTED[name]} of {self.robot.name}, joints {', '.join(self.robot.joint_names)}{rows}"
+        return list(formula) if column else formula, vectors, values, summary

@@ -15,12 +15,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy
 
+from robotics1.symbolic.kinematics.mid_chain import TWIST
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
 from robotics1.symbolic.tasks.normal_form import NormalForm
 from robotics1.symbolic.tasks.task_map import Expressions, TaskMap
 
 SINGULAR = 1e-9
-TWIST = ("x", "y", "z", "ωx", "ωy", "ωz")
 
 
 @dataclass(frozen=True, eq=False)

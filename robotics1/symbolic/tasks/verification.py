@@ -28,7 +28,7 @@ class Point(NamedTuple):
     """Where a formula is tried: a robot with its parameters at some values, q and q̇."""
 
     robot: Robot
-    parameters: list[float]
+    parameters: dict[str, float]
     q: Array
     qdot: Array
 
@@ -55,7 +55,7 @@ class Trials:
             values = {key: value * rng.uniform(0.7, 1.3) for key, value in self.robot.parameters.items()}
             q, qdot = rng.uniform(-2, 2, self.robot.nq), rng.uniform(-1, 1, self.robot.nq)
             robot, _ = exact_robot(self.robot, values or None)
-            found.append(Point(robot, list(values.values()), q, qdot / np.abs(qdot).sum()))
+            found.append(Point(robot, values, q, qdot / np.abs(qdot).sum()))
         return found
 
     def verify(
@@ -78,7 +78,7 @@ class Trials:
         for point in self.points:
             theirs, error = numbers(point)
             with np.errstate(all="ignore"):
-                ours = np.asarray(evaluate(*point.q, *point.qdot, *point.parameters), dtype=float)
+                ours = np.asarray(evaluate(*point.q, *point.qdot, *point.parameters.values()), dtype=float)
             doubt = float(np.max(error, initial=0.0))
             terms = min(1.0, doubt / EPSILON) if doubt else 1.0  # rounding is as large as ε times the terms
             size = max(terms, np.abs(theirs).max(initial=0.0))
@@ -89,21 +89,48 @@ class Trials:
                 raise FormulaError(f"the formula of {name} differs from Pinocchio by {apart:.1e}")
 
 
-def numeric_value(task: Task, robot: Robot, q: Array) -> Estimate:
-    """Return r, of a pose as the homogeneous matrix."""
-    r = task.value(robot, q)
-    return rounded(r.homogeneous if isinstance(r, pin.SE3) else r)
+@dataclass(frozen=True, eq=False)
+class TaskNumbers:
+    """Value and Jacobian of a task in numbers, at the points of its trials.
 
+    Attributes:
+        task: of the robot of the points; its named lengths have the values of the point.
+        places: the rows that are read.
+    """
 
-def numeric_jacobian(task: Task, robot: Robot, q: Array) -> Estimate:
-    """Return J; of a function of the user's own as the derivative of its values."""
-    form = task.frame_map()
-    if form is None or form.S is not None:
-        return rounded(task.jacobian(robot, q))
-    if not robot.nv:
-        return rounded(np.zeros((task.rows, 0)))
-    columns = [derivative(lambda t, d=d: task.value(robot, q + t * d)) for d in np.eye(robot.nv)]  # type: ignore[misc]
-    return Estimate(*(np.stack(parts, axis=-1) for parts in zip(*columns, strict=True)))
+    task: Any
+    places: list[int]
+
+    def value(self, point: Point) -> Estimate:
+        """Return r, of a pose as the homogeneous matrix."""
+        r = self._at(point).value(point.robot, point.q)
+        found = rounded(r.homogeneous if isinstance(r, pin.SE3) else r)
+        return self._chosen(found) if found.value.shape == (self.task.rows,) else found
+
+    def jacobian(self, point: Point) -> Estimate:
+        """Return J; of a function of the user's own as the derivative of its values."""
+        task, robot, q = self._at(point), point.robot, point.q
+        form = task.frame_map()
+        if form is None or form.S is not None or not robot.nv:
+            return self._chosen(rounded(task.jacobian(robot, q) if robot.nv else np.zeros((task.rows, 0))))
+        columns = [derivative(lambda t, d=d: task.value(robot, q + t * d)) for d in np.eye(robot.nv)]  # type: ignore[misc]
+        return self._chosen(Estimate(*(np.stack(parts, axis=-1) for parts in zip(*columns, strict=True))))
+
+    def jacobian_rate(self, point: Point) -> Estimate:
+        """Return J̇ = dJ(q + t q̇)/dt."""
+
+        def J(t: float) -> Estimate:
+            return self.jacobian(point._replace(q=point.q + t * point.qdot))
+
+        return derivative(lambda t: J(t).value, noise=J(0.0).error)  # J may itself be a derivative
+
+    def _at(self, point: Point) -> Task:
+        if not hasattr(self.task, "with_parameters"):
+            return self.task  # type: ignore[no-any-return]
+        return self.task.with_parameters(point.parameters)  # type: ignore[no-any-return]
+
+    def _chosen(self, found: Estimate) -> Estimate:
+        return Estimate(found.value[self.places], found.error[self.places])
 
 
 def numeric_determinant(J: Estimate) -> Estimate:

@@ -1,4 +1,4 @@
-"""Sums with whole coefficients, written in metres where these are lengths of the arm; large ones always in decimals.
+"""By what a sum with whole coefficients is multiplied, so that these are lengths of the arm in metres.
 
 A factor of a determinant is known up to a constant: 8 cos q2 + 7 cos(q2 + q3). The lengths of the file say which
 constant makes it 0.8 cos q2 + 0.7 cos(q2 + q3). Where several do, as many coefficients as possible are lengths that
@@ -12,11 +12,11 @@ from typing import NamedTuple
 import sympy
 
 from robotics1.robot.model import Robot
-from robotics1.symbolic.writing.printing import JOINT, line_text
+from robotics1.symbolic.writing.printing import JOINT
 from robotics1.tasks.task import Task
 
 LEAST = 100  # of the largest coefficient: a sum of smaller ones is read as it is where they are no lengths
-MOST_TERMS = 12
+MOST_TERMS = 12  # of a sum whose coefficients are compared with lengths
 MOST_LENGTHS = 16  # whose sums and differences are formed
 SAME = 1e-6  # relative difference of a coefficient and a length that it is
 
@@ -52,62 +52,41 @@ def lengths_in(robot: Robot, task: Task) -> Lengths:
     return lengths
 
 
-def in_decimals(formula: sympy.Expr | sympy.Matrix, lengths: Lengths) -> str | None:
-    """Return a sum, or a column of sums, up to a factor: 0.425·cos(q2) + 0.39225·cos(q2 + q3).
-
-    The coefficients have five digits, the largest first. They are lengths of the arm where one factor makes lengths of
-    all, or sums or differences of two; else the largest is 1.
-
-    Args:
-        formula: sums with whole or rational coefficients, without named lengths.
-        lengths: those of the arm.
-
-    Returns:
-        The text, or None where the formula is no such sum, or its coefficients are small and no lengths.
-    """
-    column = isinstance(formula, sympy.MatrixBase)
-    entries = [sympy.expand(entry) for entry in (formula if column else [formula])]
-    scale = scale_to_lengths(entries, lengths)
-    if scale is None:
-        return None
-    factor, split = float(scale), [_terms(entry) for entry in entries]
-    if not column:  # an equation may change its sign, a vector keeps its own
-        factor = factor if max(split[0], key=lambda term: abs(term[0]))[0] > 0 else -factor
-    texts = [_sum([(float(c), "" if rest == 1 else line_text(rest)) for c, rest in terms], factor) for terms in split]
-    return f"({', '.join(texts)})" if column else texts[0]
-
-
 def scale_to_lengths(entries: Iterable[sympy.Expr], lengths: Lengths) -> sympy.Rational | None:
-    """Return by what expanded sums with whole coefficients are multiplied to have lengths for them.
+    """Return by what sums are multiplied so that the coefficients are lengths of the arm; else so that the largest is
+    one. None where they are small and no lengths.
 
     Where a slide's coordinate or a named length is in a term, its coefficient becomes 1, if the others are lengths
-    then. None where coefficients are no numbers, or too many, or small and no lengths.
+    then.
     """
-    split = [_terms(entry) for entry in entries]
+    split = [terms_of(entry) for entry in entries]
     terms = [term for sums in split for term in sums]
-    if not terms or max(map(len, split)) > MOST_TERMS or any(not term.coefficient.is_Rational for term in terms):
+    if not terms:
         return None
-    if any(rest.is_Add or (rest.is_number and rest != 1) for _, rest in terms):
-        return None
+    plain = all(term.coefficient.is_Rational and not term.rest.is_Add for term in terms)
+    factor = _scale_to_lengths(terms, lengths) if plain and max(map(len, split)) <= MOST_TERMS else None
+    if factor is None:
+        largest = max(abs(float(term.coefficient)) for term in terms)
+        factor = None if largest < LEAST else sympy.Rational(str(1 / largest))
+    return factor
+
+
+def _scale_to_lengths(terms: Sequence[Term], lengths: Lengths) -> sympy.Rational | None:
     with_bare = [bool(_bare_symbols(term.rest)) for term in terms]
     bare = {abs(term.coefficient) for term, is_bare in zip(terms, with_bare, strict=True) if is_bare}
     others = [term for term, is_bare in zip(terms, with_bare, strict=True) if not is_bare]
-    if len(bare) > 1:
-        return None
+    sizes = [float(abs(term.coefficient)) for term in others]
     if bare:
         k = 1 / bare.pop()
-        sizes = [float(k * abs(term.coefficient)) for term in others]
-        return k if sizes and _are_lengths(sizes, _with_sums(lengths)) else None
-    sizes = [float(abs(term.coefficient)) for term in others]
+        return k if sizes and not bare and _are_lengths([k * x for x in sizes], _with_sums(lengths)) else None
     factor = _factor_to_lengths(others, sizes, lengths)
-    if factor is None:
-        factor = None if max(sizes) < LEAST else 1 / max(sizes)
     return None if factor is None else sympy.Rational(str(factor))
 
 
-def _terms(entry: sympy.Expr) -> list[Term]:
+def terms_of(entry: sympy.Expr) -> list[Term]:
     """Return the coefficients of a sum and what each multiplies."""
-    return [Term(*summand.as_coeff_Mul()) for summand in sympy.Add.make_args(entry) if summand != 0]
+    summands = [summand for summand in sympy.Add.make_args(entry) if summand != 0]
+    return [Term(*summand.as_independent(*summand.free_symbols, as_Add=False)) for summand in summands]
 
 
 def _bare_symbols(e: sympy.Expr) -> set[sympy.Symbol]:
@@ -154,15 +133,3 @@ def _with_sums(lengths: Iterable[float]) -> list[float]:
 
 def _are_lengths(values: Iterable[float], known: Sequence[float]) -> bool:
     return all(any(abs(value - other) <= SAME * value for other in known) for value in values)
-
-
-def _sum(terms: list[tuple[float, str]], factor: float) -> str:
-    """Return a sum, the largest coefficient first; 0 of none."""
-    written = ""
-    for coefficient, rest in sorted(terms, key=lambda term: -abs(term[0])):
-        value = factor * coefficient
-        size = f"{abs(value):.5g}"
-        term = size if not rest else rest if size == "1" else f"{size}·{rest}"
-        sign = "−" if value < 0 else "+"
-        written += f" {sign} {term}" if written else f"{'−' if value < 0 else ''}{term}"
-    return written or "0"

@@ -1,25 +1,20 @@
-"""Formulas as text, for the terminal, for LaTeX and for a page (MathML); as functions of numbers, and their source."""
+"""Formulas as text, for the terminal, for LaTeX and for a page (MathML); and as functions of numbers."""
 
 import html
-import keyword
 import re
-import unicodedata
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import sympy
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.mathml import MathMLPresentationPrinter
-from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 from sympy.printing.str import StrPrinter
 
 from robotics1.names import printable
 
-INDENT = "    "
 LONGEST_NUMBER = 8  # characters of a number that is read as it is
-USED = {"np", "float", "__debug__"}  # a written function needs the first two; Python assigns the last to nothing
 LATEX = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}"}
 LATEX |= {">": r"\textgreater{}"} | {c: rf"\{c}" for c in "{}$&#%_"}
 JOINT = re.compile(r"q(\d+)")  # the symbol of a joint
@@ -128,83 +123,6 @@ def numpy_function(symbols: Sequence[sympy.Symbol], formula: Any) -> Callable[..
     """
     plain = [sympy.Dummy(f"x{i}", real=symbol.is_real) for i, symbol in enumerate(symbols)]
     return sympy.lambdify(plain, formula.xreplace(dict(zip(symbols, plain, strict=True))), modules="numpy")  # type: ignore[no-any-return]
-
-
-def python_function(
-    name: str,
-    formula: Formula,
-    vectors: Mapping[str, Sequence[sympy.Symbol]],
-    parameters: Mapping[str, float | None],
-    summary: str,
-) -> str:
-    """Return the source of a function that evaluates a formula, with NumPy.
-
-    Args:
-        name: what the function is called.
-        formula: an expression, a matrix, or a list that is a vector.
-        vectors: the arguments that are arrays: name → the symbols of its entries.
-        parameters: the arguments that are named lengths: name → value, or None if it must be given.
-        summary: what is returned; it may hold names from a file, for it is written as text.
-    """
-    used = {symbol.name for symbols in vectors.values() for symbol in symbols}
-    words = spelled(parameters, {*used, *vectors, *USED})
-    written = {sympy.Symbol(old, real=True): sympy.Symbol(new, real=True) for old, new in words.items()}
-    entries = [entry.xreplace(written) for entry in _entries(formula)]
-    free = (s for s in sympy.numbered_symbols("t", real=True) if s.name not in {*used, *words.values()})
-    shared, entries = sympy.cse(entries, symbols=free)
-    given = [words[p] if value is None else f"{words[p]}={value!r}" for p, value in parameters.items()]
-    taking = ", ".join([*vectors, *(["*", *given] if given else [])])
-    lines = [f"def {name}({taking}):", f'{INDENT}"""{_inside_quotes(summary)}"""']
-    for vector, symbols in vectors.items():
-        names = [symbol.name for symbol in symbols]
-        if names:
-            lines.append(f"{INDENT}{', '.join(names) if len(names) > 1 else f'({names[0]},)'} = {vector}")
-    lines += [f"{INDENT}{symbol.name} = {_python(e)}" for symbol, e in shared]
-    texts = [_python(entry) for entry in entries]
-    return "\n".join(["import numpy as np", "", "", *lines, *_returned(formula, texts)]) + "\n"
-
-
-def _entries(formula: Formula) -> list[sympy.Expr]:
-    return [formula] if isinstance(formula, sympy.Expr) else list(formula)
-
-
-def _returned(formula: Formula, texts: list[str]) -> list[str]:
-    """Return the lines of the return statement: of a number, a vector or a matrix."""
-    if isinstance(formula, sympy.Expr):
-        return [f"{INDENT}return {texts[0]}"]
-    if isinstance(formula, sympy.MatrixBase):
-        n = formula.cols
-        texts = [f"[{', '.join(texts[n * i : n * (i + 1)])}]" for i in range(formula.rows)]
-    rows = [f"{3 * INDENT}{text}," for text in texts]
-    return [
-        f"{INDENT}return np.array(",
-        f"{2 * INDENT}[",
-        *rows,
-        f"{2 * INDENT}],",
-        f"{2 * INDENT}dtype=float,",
-        f"{INDENT})",
-    ]
-
-
-def _python(e: sympy.Expr) -> str:
-    return re.sub(r"\bnumpy\.", "np.", NumPyPrinter().doprint(e))
-
-
-def spelled(names: Iterable[str], taken: set[str]) -> dict[str, str]:
-    """Return each name as an identifier of Python, no two alike and none of those that are taken."""
-    words: dict[str, str] = {}
-    for name in names:
-        word = re.sub(r"\W", "_", unicodedata.normalize("NFKC", name))  # Python takes "ﬁ" and "fi" for one name
-        word = word if word.isidentifier() else f"_{word}"
-        while keyword.iskeyword(word) or word in taken or word in words.values():
-            word += "_"
-        words[name] = word
-    return words
-
-
-def _inside_quotes(text: str) -> str:
-    """Return a text as it is written between three quotes, which nothing in it ends or continues."""
-    return printable(text.replace("\\", r"\\").replace('"', r"\""))
 
 
 class _Line(_LargestFirst, StrPrinter):  # type: ignore[misc]

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy
 
-from robotics1.symbolic.writing.decimals import SAME, Lengths, scale_to_lengths
+from robotics1.symbolic.writing.decimals import SAME, Lengths, scale_to_lengths, terms_of
 from robotics1.symbolic.writing.printing import DIGITS, with_decimals
 
 
@@ -48,7 +48,7 @@ def _parts(e: sympy.Expr, lengths: Lengths) -> tuple[sympy.Expr, list[sympy.Expr
             factors.append(scaled**power)
         else:
             factors.append(readable(base, lengths) ** power)
-    return _decimals(constant, lengths), factors
+    return _number(constant, lengths), factors
 
 
 def _is_wave(formula: Any) -> bool:
@@ -56,9 +56,18 @@ def _is_wave(formula: Any) -> bool:
 
 
 def _decimals(formula: Any, lengths: Lengths) -> Any:
-    """Return a formula with decimals for long fractions and for lengths, and 1 for 1.0."""
-    fractions = {x for x in formula.atoms(sympy.Rational) if not x.is_Integer and abs(float(x)) in lengths}
-    return _whole(with_decimals(formula.xreplace({x: sympy.Float(x, DIGITS) for x in fractions})))
+    """Return a formula with decimals for long fractions and for lengths, and 1 for 1.0; in a wave q2/2 stays."""
+    waves = {wave: sympy.Dummy() for wave in formula.atoms(sympy.sin, sympy.cos)}
+    outside = formula.xreplace(waves)
+    fractions = {x for x in outside.atoms(sympy.Rational) if not x.is_Integer and abs(float(x)) in lengths}
+    outside = outside.xreplace({x: sympy.Float(x, DIGITS) for x in fractions})
+    return _whole(with_decimals(outside.xreplace({dummy: wave for wave, dummy in waves.items()})))
+
+
+def _number(x: sympy.Expr, lengths: Lengths) -> sympy.Expr:
+    """Return a number as a short exact one, such as √3/2, or as one decimal."""
+    shown = _decimals(x, lengths)
+    return shown if x.is_Rational or x.has(sympy.pi) or not shown.has(sympy.Float) else sympy.Float(x.evalf(), DIGITS)
 
 
 def _alike(total: sympy.Expr) -> sympy.Expr:
@@ -83,9 +92,14 @@ def _with_lengths(total: sympy.Add, lengths: Lengths) -> tuple[sympy.Expr, sympy
     k = scale_to_lengths([total], lengths)
     if k is None:
         return sympy.S.One, readable(total, lengths)
-    largest = max((term.as_coeff_Mul()[0] for term in total.args), key=abs)
+    largest = max((term.coefficient for term in terms_of(total)), key=abs)
     k = k if largest > 0 else -k
-    return k, _alike(sympy.Add(*(_decimals(k * term, lengths) for term in total.args)))
+    return k, _scaled(k, total, lengths)
+
+
+def _scaled(k: sympy.Rational, total: sympy.Expr, lengths: Lengths) -> sympy.Expr:
+    terms = [_number(k * number, lengths) * _decimals(rest, lengths) for number, rest in terms_of(total)]
+    return _alike(sympy.Add(*terms))
 
 
 def readable_vector(column: sympy.Matrix, lengths: Lengths) -> sympy.Matrix:
@@ -93,5 +107,5 @@ def readable_vector(column: sympy.Matrix, lengths: Lengths) -> sympy.Matrix:
     expanded = column.applyfunc(sympy.expand)
     k = scale_to_lengths(list(expanded), lengths)
     if k is None:
-        return _decimals(column, lengths)
-    return expanded.applyfunc(lambda entry: _decimals(sympy.expand(k * entry), lengths))
+        return column.applyfunc(lambda entry: _decimals(entry, lengths))
+    return expanded.applyfunc(lambda entry: _scaled(k, entry, lengths))

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import sympy
 from sympy.polys.domains import QQ_I
+from sympy.polys.monomials import monomial_min
 from sympy.polys.rings import PolyElement
 
 from robotics1.symbolic.polynomials.trig_polynomial import Exponents, TrigPolynomial, polynomial
@@ -38,7 +39,8 @@ def written(f: TrigPolynomial, groups: Groups) -> sympy.Expr:
         return sympy.S.Zero
     waves = [set(key) for key in terms]
     shared = set.intersection(*waves)
-    lengths = _shared_monomial(list(terms.values()))
+    shared_powers = monomial_min(*(m for c in terms.values() for m in c.itermonoms()))
+    lengths = f.trig_ring.ring.from_dict({shared_powers: f.trig_ring.ring.domain.one})
     total = sympy.Add(
         *(
             polynomial(c.quo(lengths)) * sympy.Mul(*(_wave(wave, f) for wave in key if wave not in shared))
@@ -76,13 +78,6 @@ def _exponential(m: Exponents) -> list[tuple[tuple[Wave, ...], Any]]:
     return [((Wave(positive, False),), None), ((Wave(positive, True),), QQ_I(0, 1 if first > 0 else -1))]
 
 
-def _shared_monomial(coefficients: list[PolyElement]) -> PolyElement:
-    """Return the product of lengths that divides all coefficients."""
-    ring = coefficients[0].ring
-    powers = [min(powers) for powers in zip(*(m for c in coefficients for m in c.itermonoms()), strict=True)]
-    return ring.from_dict({tuple(powers): ring.domain.one})
-
-
 def _wave(wave: Wave, f: TrigPolynomial) -> sympy.Expr:
     angle = f.trig_ring.angle(wave.multiples)
     return sympy.sin(angle) if wave.sine else sympy.cos(angle)
@@ -101,8 +96,8 @@ def written_product(factors: tuple[TrigPolynomial, ...], groups: Groups) -> symp
     return number * sympy.Mul(*parts)
 
 
-def with_decimals(e: sympy.Expr) -> sympy.Expr:
-    """Return an expression with decimals for the fractions that nobody reads."""
+def without_long_fractions(e: sympy.Expr) -> sympy.Expr:
+    """Return an expression with floats for the fractions that nobody reads."""
     long = [x for x in e.atoms(sympy.Rational) if x.q > LONGEST_DENOMINATOR]
     return e.xreplace({x: sympy.Float(float(x)) for x in long})
 

@@ -74,6 +74,11 @@ class TermBudget:
 
     def cross(self, A: Matrix, p: Matrix) -> Matrix:
         """Return a × p for the columns a of A, (3, n)."""
-        zero = self.trig_ring.constant(0)
-        x, y, z = p
-        return self.product(np.array([[zero, z, -y], [-z, zero, x], [y, -x, zero]], dtype=object), A)
+        return self.product(skew(-p), A)
+
+
+def skew(p: Matrix) -> Matrix:
+    """Return [p]×, (3, 3): [p]× a = p × a."""
+    x, y, z = p
+    zero = x - x
+    return np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]], dtype=object)
