@@ -160,7 +160,7 @@ def _print_solutions(out: PlainConsole, found: IKSolutions, robot: Robot, degree
 def _solutions_as_json(found: IKSolutions) -> dict[str, Any]:
     return {
         "status": found.status.name,
-        "units": {"q": [] if found.robot is None else units(found.robot)},
+        "units": {"q": units(found.robot)},
         "complete": found.complete,
         "method": found.method,
         "solutions": found.q,
