@@ -8,6 +8,7 @@ from arms import arm
 from hypothesis import given, settings, strategies as st
 
 from robotics1 import InputError, PoseTask, PositionTask, TaskError, ik_solutions, robot_from_dh
+from robotics1.dh import dh_to_urdf
 from robotics1.ik import IKStatus, arm_angle, solutions_at_arm_angle
 
 H, POSE = pi / 2, PoseTask()
@@ -65,6 +66,15 @@ def test_eight_solutions_have_the_pose_and_the_arm_angle(seed, elbow):
 def test_the_arm_angle_turns_from_the_first_axis_to_the_elbow(seed, elbow):
     robot, q = iiwa(elbow), np.random.default_rng(seed).uniform(-2, 2, 7)
     assert arm_angle(robot, POSE, q) == pytest.approx(swivel(robot, q), abs=1e-9)
+
+
+def test_a_file_stands_for_the_robot_a_short_form_for_the_task_and_names_for_q(tmp_path):
+    robot, q = iiwa(), [0.3, 0.7, -0.4, 1.2, 0.5, -0.8, 0.2]
+    file = tmp_path / "arm.urdf"
+    dh_to_urdf([("R", 0, alpha, d, 0) for alpha, d in IIWA], file)
+    angle, target = arm_angle(robot, POSE, q), POSE.value(robot, q)
+    assert arm_angle(str(file), "pose", dict(zip(robot.joint_names, q, strict=True))) == pytest.approx(angle, abs=1e-9)
+    assert len(solutions_at_arm_angle(str(file), "pose", target, angle)) == 8
 
 
 def test_the_solutions_are_those_of_an_arm_whose_third_joint_is_locked():

@@ -25,9 +25,9 @@ from test_all_solutions import (
 
 import robotics1 as r1
 from robotics1.ik import PostureChangeStatus as Change, group_by_aspect, posture_change
-from robotics1.ik.postures.barrier import are_apart
 from robotics1.ik.postures.determinant import determinant
-from robotics1.ik.postures.walls import crossed_wall, walls
+from robotics1.ik.postures.path_between import region_of
+from robotics1.ik.postures.separation import are_apart, wall_between, walls
 
 H = pi / 2
 XY, PLANE = r1.PositionTask("xy"), r1.PlanarPoseTask()
@@ -183,12 +183,12 @@ def test_a_path_of_an_orthogonal_arm_exists_where_a_flood_fill_finds_one(a2, a3,
 
 def test_a_grid_separates_nothing_that_a_flood_fill_joins():
     """All configurations of the classical orthogonal arm at which det J has one sign are joined, also narrowly."""
-    det, ends, circular = determinant(robot_of(ORTHOGONAL), XYZ), np.full(3, pi), np.full(3, True)
+    det = determinant(robot_of(ORTHOGONAL), XYZ)
     q = np.random.default_rng(3).uniform(-pi, pi, (12, 3))
     for sign in (1, -1):
         first, *others = q[sign * det(q) > 0.01]
         assert all(same_part(first, other) for other in others)
-        assert not any(are_apart(det, first, other, -ends, ends, circular) for other in others[:1])
+        assert not are_apart(region_of(det, first[None], within_limits=False), first, others[0])
 
 
 @given(st.integers(0, 10_000), st.sampled_from([ORTHOGONAL, STANFORD, UR5, [R(0.2, 1, 0.3), P(0.8), R(0.3, 0.5, 0.1)]]))
@@ -247,13 +247,14 @@ def test_no_path_joins_postures_that_differ_by_a_factor_of_det_j(rows, task):
 def test_the_joint_values_at_which_det_j_always_vanishes_are_its_factors_in_one_joint():
     """Of a polar arm det J = ∓q3² sin q2: one sign on both sides of q3 = 0, which no path crosses all the same."""
     det = determinant(robot_of([R(0, H, 0.3), R(0, H, 0), P(0)], slide=1.0), XYZ)
-    circular = np.array([True, True, False])
-    found = walls(det, -np.ones(3), np.ones(3), circular)
+    a, b, c = np.array([[0.2, 1, 0.5], [0.4, 0.8, -0.5], [0.4, 0.8, 0.9]])
+    region = region_of(det, a[None], within_limits=False)
+    found = walls(region)
     assert sorted(np.abs(found[1])) == pytest.approx([0, pi, pi], abs=1e-9)
     assert found[2] == pytest.approx([0], abs=1e-6)
     assert sorted(found) == [1, 2]
-    a, b, c = np.array([[0.2, 1, 0.5], [0.4, 0.8, -0.5], [0.4, 0.8, 0.9]])
-    assert [crossed_wall(found, a, q, circular, circular) for q in (b, c)] == [2, None]
+    assert "q3 = 0," in wall_between(region, a, b)
+    assert wall_between(region, a, c) == ""
 
 
 def test_a_path_may_have_to_keep_the_limits():

@@ -161,7 +161,7 @@ def _print_solutions(out: PlainConsole, found: IKSolutions, arm: TypedRobot) -> 
 def _solutions_as_json(found: IKSolutions) -> dict[str, Any]:
     answer: dict[str, Any] = {
         "status": found.status.name,
-        "units": {"q": [] if found.robot is None else units(found.robot)},
+        "units": {"q": units(found.robot)},
     }
     answer |= {"complete": found.complete, "method": found.method, "solutions": found.q}
     return answer | attributes(found, "labels singular within_limits outside_limits error_norm free_joints dimension")

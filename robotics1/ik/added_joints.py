@@ -13,12 +13,11 @@ import numpy.typing as npt
 from scipy.spatial.transform import Rotation
 
 from robotics1.ik.general_six import Roots
-from robotics1.ik.joint_chain import FixedChain, fixed_chain
+from robotics1.ik.joint_chain import FixedChain, JointLines, chain_and_rows
+from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.structure import ClosedForm, closed_form
 from robotics1.ik.subproblems import inverse
 from robotics1.inputs import Array
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
 
 STILL = 1e-3  # coordinate of an added joint, lengths relative to the arm, that may be 0 but for rounding
 PLACES = 3  # of added joints; where rounding hides a solution with some, it does not with others
@@ -30,17 +29,10 @@ SAMPLES = 3
 PARALLEL = 1e-9  # sine of the angle between axes
 
 
-def way_to_all_solutions(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: Array) -> ClosedForm | None:
-    """Return the way to all solutions of a task with as many rows as joints that move it, or more; None if unknown.
-
-    `moving` and `still` are those of `fixed_chain`.
-    """
-    form = task.frame_map()
-    if form is None or form.pose_error is None or form.pose_error.axis.any() or not moving.any():
-        return None
-    chain = fixed_chain(robot, task, moving, still)
-    rows = sorted(form.pose_error.rows)
-    if chain is None or len(chain.prismatic) != np.count_nonzero(moving):
+def way_to_all_solutions(problem: ScaledTask) -> ClosedForm | None:
+    """Return the way to all solutions of a task with as many rows as joints that move it, or more; None if unknown."""
+    chain, rows = chain_and_rows(problem)
+    if chain is None:
         return None
     missing = len(rows) - len(chain.prismatic)
     if missing <= 0:
@@ -61,10 +53,11 @@ def _added(chain: FixedChain, rows: Sequence[int], count: int, place: int, toget
     Together, one or two meet the last own axis, and of three or more the last three meet in a point beside it. So they
     make a wrist that is spherical, which a planar arm cannot bear: there they are apart.
     """
-    tool = chain.poses_and_jacobians(np.zeros((1, len(chain.prismatic))))[0][0]
+    axes = chain.lines(np.zeros((1, len(chain.prismatic))))
+    tool = axes.T[0]
     places = np.tile(np.eye(4), (count, 1, 1))
     places[:, :3, :3] = DIRECTIONS[place, :count]
-    places[:, :3, 3] = (inverse(tool) @ [*_meeting_point(chain, tool), 1.0])[:3]
+    places[:, :3, 3] = (inverse(tool) @ [*_meeting_point(chain, axes), 1.0])[:3]
     beside = (chain.length or 1.0) * DIRECTIONS[place, :count, :, 0]
     if min(rows) < 3 <= max(rows) and len(rows) == 3:  # a planar pose: added axes are normal to the plane
         normal = tool[:3, :3].T @ np.eye(3)[rows[2] - 3]
@@ -88,19 +81,14 @@ def _is_regular(longer: FixedChain, rows: Sequence[int], added: int) -> bool:
     return bool((sigma[:, -1] > REGULAR * sigma[:, 0]).any())
 
 
-def _meeting_point(chain: FixedChain, tool: Array) -> Array:
+def _meeting_point(chain: FixedChain, axes: JointLines) -> Array:
     """Return the point of the last axis that is nearest to the axis before; the tool where there are no such axes."""
-    T = np.eye(4)
-    axes = []
-    for P in chain.P[:-1]:
-        T = T @ P
-        axes.append((T[:3, 3], T[:3, 2]))
     if chain.prismatic[-1]:
-        return np.asarray(tool[:3, 3])
-    point, axis = axes[-1]
-    if len(axes) == 1 or chain.prismatic[-2]:
+        return np.asarray(axes.p[0])
+    point, axis = axes.o[0, -1], axes.z[0, -1]
+    if len(chain.prismatic) == 1 or chain.prismatic[-2]:
         return np.asarray(point)
-    other, direction = axes[-2]
+    other, direction = axes.o[0, -2], axes.z[0, -2]
     normal = np.cross(direction, np.cross(axis, direction))
     if axis @ normal < PARALLEL**2:
         return np.asarray(point)
@@ -122,13 +110,13 @@ def _of_own_joints(squares: Sequence[ClosedForm], chain: FixedChain, rows: Seque
     first = squares[0]
 
     def solve(goal: Array) -> Array | None:
-        x = first.solve(goal)
-        return None if x is None else x[_still(first.chain, x, goal, n), :n]
+        found = first.candidates(goal)
+        return None if found is None else found.x[_still(first.chain, found.x, goal, n), :n]
 
     def roots(goal: Array) -> Roots | None:
         some = None
         for square in squares:
-            found = None if square.roots is None else square.roots(goal)
+            found = square.candidates(goal)
             if found is None:
                 continue
             longer = square.chain
@@ -143,7 +131,9 @@ def _of_own_joints(squares: Sequence[ClosedForm], chain: FixedChain, rows: Seque
 
     joints = "a joint" if len(first.chain.prismatic) == n + 1 else f"{len(first.chain.prismatic) - n} joints"
     method = f"{first.method}, with {joints} added"
-    return ClosedForm(method, chain, first.deviation, solve, roots=None if first.roots is None else roots)
+    if first.roots is None:
+        return ClosedForm(method, chain, first.deviation, solve)
+    return ClosedForm(method, chain, first.deviation, None, roots=roots)
 
 
 def _still(longer: FixedChain, x: Array, goal: Array, n: int) -> npt.NDArray[np.bool_]:

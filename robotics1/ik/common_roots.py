@@ -92,7 +92,7 @@ def common_roots(F: Complex, G: Complex, prismatic: Sequence[bool]) -> CommonRoo
         of_first = _distinct(real_roots(c, first))
         starts = [(x, y) for x in of_first for y in _second(A, B, x, first, second)]
         roots = _polished(F, G, np.array(starts).reshape(-1, 2)[:, order], prismatic)
-        free = [x for x in of_first if _size(A, B, x, first) < DOUBTFUL]
+        free = [x for x in of_first if _size(*_in_the_second(A, B, x, first)) < DOUBTFUL]
         family = np.full(len(roots), ALONE)
         for k, x in enumerate(free):
             family[np.abs(difference(roots[:, order[0]], x, first)) < LOST] = k
@@ -127,18 +127,21 @@ def _distinct(x: Array | None) -> Array:
 
 def _second(A: Complex, B: Complex, x: float, first: bool, second: bool) -> Array:
     """Return what may be the second coordinate where the first is x: the roots of either equation."""
-    w = _powers(np.array([x]), first)[0]
-    a, b = w @ A, w @ B
+    a, b = _in_the_second(A, B, x, first)
     members = samples(second) if second else 2 * np.pi / MEMBERS * np.arange(MEMBERS)
-    anywhere = members if max(np.abs(a).max(), np.abs(b).max()) < NEARLY_ARBITRARY else np.zeros(0)
+    anywhere = members if _size(a, b) < NEARLY_ARBITRARY else np.zeros(0)
     of_a, of_b = (real_roots(c, second) if np.abs(c).max() > ARBITRARY else None for c in (a, b))
     return np.concatenate([anywhere, _distinct(of_a), _distinct(of_b)])
 
 
-def _size(A: Complex, B: Complex, x: float, prismatic: bool) -> float:
-    """Return the largest coefficient of both equations in the second coordinate, where the first is x."""
+def _in_the_second(A: Complex, B: Complex, x: float, prismatic: bool) -> tuple[Complex, Complex]:
+    """Return the coefficients, (3,) each, of both equations in the second coordinate, where the first is x."""
     w = _powers(np.array([x]), prismatic)[0]
-    return float(max(np.abs(w @ A).max(), np.abs(w @ B).max()))
+    return w @ A, w @ B
+
+
+def _size(a: Complex, b: Complex) -> float:
+    return float(max(np.abs(a).max(), np.abs(b).max()))
 
 
 def _powers(x: Array, prismatic: bool) -> Complex:

@@ -8,7 +8,6 @@ import numpy as np
 
 from robotics1.ik.general_six import Roots, general_loop
 from robotics1.ik.joint_chain import FixedChain
-from robotics1.ik.subproblems import inverse
 from robotics1.ik.two_slides import roots_of_two_slides
 from robotics1.inputs import Array
 
@@ -65,18 +64,13 @@ def _best(chain: FixedChain, ways: list[Way]) -> Callable[[Array], Roots | None]
 
 def _roots(chain: FixedChain, way: Way, goal: Array) -> Roots | None:
     """Return the roots for a goal, lengths in metres."""
-    P, T, unit = chain.scaled(goal)
-    found = way([*P[1:6], P[6] @ inverse(T) @ P[0]])
-    return None if found is None else replace(found, x=found.x * np.where(chain.prismatic, unit, 1.0))
+    A, unit = chain.loop(goal)
+    found = way(A)
+    return None if found is None else replace(found, x=chain.in_metres(found.x, unit))
 
 
 def _roots_in_order(A: list[Array], prismatic: tuple[bool, ...], begin: int) -> Roots | None:
     """Return the roots of the loop that begins at one of its joints."""
-    order = [(begin + k) % 6 for k in range(6)]
-    around, slides = [A[k] for k in order], [prismatic[k] for k in order]
-    found = general_loop(around, slides).roots(around)
-    if found is None:
-        return None
-    x = np.zeros((len(found.x), 6))
-    x[:, order] = found.x
-    return replace(found, x=x)
+    A = A[begin:] + A[:begin]
+    found = general_loop(A, prismatic[begin:] + prismatic[:begin]).roots(A)
+    return None if found is None else replace(found, x=np.roll(found.x, begin, axis=1))

@@ -15,7 +15,7 @@ from robotics1.ik.joint_relations import joint_relations
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_search import SAME, SolutionSearch
-from robotics1.ik.solution_set import IKSolutions
+from robotics1.ik.solution_set import IKSolutions, solutions_of
 from robotics1.ik.structure import ClosedForm
 from robotics1.ik.surfaces import with_surfaces
 from robotics1.inputs import Array
@@ -63,18 +63,16 @@ class ExactSolver:
                 and for nearest misses.
         """
         goal = self.pose_error.goal(self.problem.robot, target)
-        roots = None if self.form.roots is None else self.form.roots(goal)
-        found = self.form.solve(goal) if self.form.roots is None else None if roots is None else roots.x
+        found = self.form.candidates(goal)
         if found is None:
             return otherwise(None)
         search = SolutionSearch(self.problem, target, points=self.points)
-        candidates, sigma = self._polished(np.array([self._whole(x) for x in found]), goal)
+        candidates, sigma = self._polished(np.array([self._whole(x) for x in found.x]), goal)
         reached = np.array([search.relative_error(q) <= REACHED for q in candidates], dtype=bool)
-        proven = self.form.deviation < AS_FORMULA or bool((reached & (sigma > REGULAR)).all())
-        if roots is not None:
-            proven = proven and roots.proven and bool(reached[roots.real].all())
-            if not proven and not reached.any():
-                return otherwise(None)
+        sure = found.proven and bool(reached[found.real].all())
+        if not sure and not reached.any():
+            return otherwise(None)
+        proven = sure and (self.form.deviation < AS_FORMULA or bool((reached & (sigma > REGULAR)).all()))
         every = self._roots(candidates[reached], sigma[reached], search)
         inside, outside = self._by_limits(every)
         families = Families(self.problem, search, lambda q: self._polished(q[None], goal)[0][0], self._within)
@@ -260,12 +258,8 @@ class ExactSolver:
             status=IKStatus.UNREACHABLE,
             complete=True,
             method=self.form.method,
-            outside_limits=self._rows(outside),
+            outside_limits=np.reshape([root.q for root in outside], (len(outside), self.problem.robot.nq)),
         )
-
-    def _rows(self, roots: list[Root]) -> Array:
-        """Return the configurations as (k, nq)."""
-        return np.array([root.q for root in roots]).reshape(len(roots), self.problem.robot.nq)
 
     def _answer(
         self,
@@ -278,19 +272,16 @@ class ExactSolver:
         near: float,
         dimension: int = 0,
     ) -> IKSolutions:
-        return IKSolutions(
-            q=self._rows(inside),
-            singular=np.array([root.singular for root in inside], dtype=bool),
+        return solutions_of(
+            self.problem,
+            [root.q for root in inside],
+            [root.singular for root in inside],
+            [root.q for root in outside],
             status=status,
             complete=proven,
             method=self.form.method,
             closest=inside[0].q,
             error_norm=search.error_norm(inside[0].q),
-            free_joints=self.problem.free_joints,
             dimension=dimension,
-            within_limits=np.ones(len(inside), dtype=bool),
-            outside_limits=self._rows(outside),
             boundary_distance=near,
-            robot=self.problem.robot,
-            task=self.problem.task,
         )

@@ -101,7 +101,9 @@ class GeneralLoop:
 
     def _real(self, companion: Array, offset: float) -> Roots:
         """Return the roots at eigenvalues that may be real; the others surely are not, or nothing is proven."""
-        t, left, vectors = eigen(companion)
+        from scipy.linalg import eig
+
+        t, left, vectors = eig(companion, left=True, right=True, check_finite=False)  # unit columns
         on_circle = (np.abs(t.real) + np.abs(np.abs(t.imag) - 1) < CIRCLE) & (not self.prismatic[2])
         overlap = np.abs((left.conj() * vectors).sum(axis=0))
         doubt = ROUNDING * np.linalg.norm(companion) / np.maximum(overlap, 1e-300)
@@ -155,13 +157,6 @@ def fourteen(p: Array, axis: Array) -> Array:
     moment = np.stack([y * c - z * b, z * a - x * c, x * b - y * a], axis=-1)
     parts = [p, axis, square, along, moment, square * axis - 2 * along * p]
     return np.moveaxis(np.concatenate(parts, axis=-1), -1, 0)
-
-
-def eigen(M: Array) -> tuple[Array, Array, Array]:
-    """Return the eigenvalues of M, and the left and right eigenvectors as unit columns."""
-    from scipy.linalg import eig
-
-    return tuple(eig(M, left=True, right=True, check_finite=False))
 
 
 def _basis(slides: bool) -> Array:

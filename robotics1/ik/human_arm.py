@@ -17,18 +17,18 @@ from robotics1.errors import TaskError
 from robotics1.ik.common_roots import coefficients, real_roots, samples
 from robotics1.ik.descent import REACHED
 from robotics1.ik.joint_chain import FixedChain, fixed_chain
-from robotics1.ik.loops import meeting
+from robotics1.ik.loops import meeting, miss_of_a_point
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.ik.solution_search import SAME, SolutionSearch
-from robotics1.ik.solution_set import IKSolutions
+from robotics1.ik.solution_set import IKSolutions, solutions_of
 from robotics1.ik.subproblems import Z, inverse, motion, moved, orientation, placed
 from robotics1.inputs import Array, real_number
 from robotics1.robot.box import nearest_turn
 from robotics1.robot.given import RobotLike
-from robotics1.robot.model import Robot
+from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.tasks.task import PoseError, Task
+from robotics1.tasks.task import PoseError
 
 APART = 1e-3  # of the arm's length, by which the axes of a shoulder or a wrist may miss a common point
 STRAIGHT = 1e-9  # of the arm's length, from the line SW, at which the elbow has no direction
@@ -49,7 +49,7 @@ class HumanArm:
     @property
     def is_exact(self) -> bool:
         """Whether the axes meet but for rounding."""
-        return max(_miss(self.chain, 1), _miss(self.chain, 5)) < EXACT * self.chain.length
+        return _miss(self.chain) < EXACT * self.chain.length
 
     @property
     def shoulder(self) -> float:
@@ -63,9 +63,14 @@ class HumanArm:
 
     def sides(self, elbow: float) -> tuple[Array, Array]:
         """Return the unit vectors along SW and across it to the elbow, before joint 4, for an angle of that joint."""
-        A, S = self.chain.P[3], self.shoulder * Z
+        A, S, length = self.chain.P[3], self.shoulder * Z, self.chain.length
         W = placed(A @ motion(False, elbow) @ self.chain.P[4], self.wrist[0] * Z)
-        return _axes(W - S, A[:3, 3] - S, A[:3, 2], self.chain.length)
+        along, axis = _direction(W - S, length), A[:3, 2]
+        foot = A[:3, 3] - S - ((A[:3, 3] - S) @ axis) * axis  # the point of axis 4 next to S, from there
+        across = foot - (foot @ along) * along
+        if np.linalg.norm(across) < STRAIGHT * length:
+            raise TaskError("the arm is straight, where it has no arm angle")
+        return along, across / np.linalg.norm(across)
 
     def elbow_angle(self, q: Array) -> float:
         """Return the arm angle of q (nq,) [rad].
@@ -145,24 +150,7 @@ def _direction(along: Array, length: float) -> Array:
     return np.asarray(along / distance)
 
 
-def _axes(along: Array, elbow: Array, axis: Array, length: float) -> tuple[Array, Array]:
-    """Return the unit vector along SW and that to the elbow across it.
-
-    Args:
-        along: W − S.
-        elbow: from S to a point of axis 4.
-        axis: the direction of axis 4.
-        length: of the arm.
-    """
-    along = _direction(along, length)
-    foot = elbow - (elbow @ axis) * axis
-    across = foot - (foot @ along) * along
-    if np.linalg.norm(across) < STRAIGHT * length:
-        raise TaskError("the arm is straight, where it has no arm angle")
-    return along, across / np.linalg.norm(across)
-
-
-def human_arm(robot: RobotLike, task: TaskLike) -> HumanArm:
+def _human_arm(robot: RobotLike, task: TaskLike) -> HumanArm:
     """Return the arm whose pose a task is.
 
     Raises:
@@ -175,21 +163,19 @@ def human_arm(robot: RobotLike, task: TaskLike) -> HumanArm:
     error = None if form is None else form.pose_error
     if error is None or sorted(error.rows) != list(range(6)):
         raise TaskError("an arm angle belongs to a pose: use PoseTask()")
-    chain = fixed_chain(robot, task, problem.moving, problem.middle)
+    chain = fixed_chain(problem)
     seven = chain is not None and len(chain.prismatic) == 7 and not any(chain.prismatic)
-    if chain is None or not seven or max(_miss(chain, 1), _miss(chain, 5)) > APART * chain.length:
+    if chain is None or not seven or _miss(chain) > APART * chain.length:
         raise TaskError(f"{NEEDED}; of robot {robot.name!r} lock a joint instead: ik_solutions(..., locked={{...}})")
     return HumanArm(problem, chain, error)
 
 
-def _miss(chain: FixedChain, i: int) -> float:
-    """Return by how much the axes on both sides of placements i and i + 1 miss a common point."""
-    _, second, miss = meeting(chain.P[i])
-    here, _, other = meeting(chain.P[i + 1])
-    return max(miss, other, abs(second - here))
+def _miss(chain: FixedChain) -> float:
+    """Return by how much the axes of the shoulder or of the wrist miss a common point [m]."""
+    return max(miss_of_a_point(chain.P[1:3]), miss_of_a_point(chain.P[5:7]))
 
 
-def arm_angle(robot: Robot, task: Task, q: Array) -> float:
+def arm_angle(robot: RobotLike, task: TaskLike, q: ConfigurationLike) -> float:
     """Return the arm angle of a configuration [rad], in (−π, π].
 
     It is the angle about the line SW from the direction of the first axis to that of the elbow.
@@ -202,10 +188,11 @@ def arm_angle(robot: Robot, task: Task, q: Array) -> float:
     Raises:
         TaskError: the arm has no shoulder, elbow and wrist; it is straight; or its wrist is on the first axis.
     """
-    return human_arm(robot, task).elbow_angle(robot.configuration(q))
+    arm = _human_arm(robot, task)
+    return arm.elbow_angle(arm.problem.robot.configuration(q))
 
 
-def solutions_at_arm_angle(robot: Robot, task: Task, target: Any, angle: float) -> IKSolutions:
+def solutions_at_arm_angle(robot: RobotLike, task: TaskLike, target: Any, angle: float) -> IKSolutions:
     """Return all solutions of a pose at which the arm has a given arm angle: eight at most.
 
     Args:
@@ -218,10 +205,10 @@ def solutions_at_arm_angle(robot: Robot, task: Task, target: Any, angle: float) 
         InputError: the target has the wrong form, or the angle is no number.
         TaskError: the arm has no shoulder, elbow and wrist; it is straight; or the wrist is to be on the first axis.
     """
-    arm, angle = human_arm(robot, task), real_number("angle", angle)
-    problem, target = arm.problem, task.target(target)
+    arm, angle = _human_arm(robot, task), real_number("angle", angle)
+    problem, target = arm.problem, arm.problem.task.target(target)
     found: list[Array] = []
-    for x in arm.candidates(arm.pose_error.goal(robot, target), angle):
+    for x in arm.candidates(arm.pose_error.goal(problem.robot, target), angle):
         q = problem.middle.copy()
         q[list(arm.chain.coordinate)] = x
         q = arm.polished(q, target, angle)
@@ -234,7 +221,7 @@ def solutions_at_arm_angle(robot: Robot, task: Task, target: Any, angle: float) 
 
 def _answer(arm: HumanArm, target: Any, found: list[Array]) -> IKSolutions:
     problem = arm.problem
-    robot, task = problem.robot, problem.task
+    robot = problem.robot
     q = np.array(found).reshape(-1, robot.nq)
     inside = np.array([robot.within_limits(p) for p in q], dtype=bool)
     sigmas = [np.linalg.svd(problem.jacobian(p), compute_uv=False) for p in q[inside]]
@@ -242,18 +229,15 @@ def _answer(arm: HumanArm, target: Any, found: list[Array]) -> IKSolutions:
     proven = arm.is_exact and not singular.any()
     missed = IKStatus.UNREACHABLE if proven else IKStatus.NOT_FOUND
     closest = q[inside][0] if inside.any() else SolutionSearch(problem, target).nearest_miss(problem.middle)
-    return IKSolutions(
-        q=q[inside],
-        singular=singular,
+    return solutions_of(
+        problem,
+        q[inside],
+        singular,
+        q[~inside],
         status=missed if not inside.any() else IKStatus.BOUNDARY if singular.any() else IKStatus.FINITE,
         complete=proven,
         method="shoulder, elbow and wrist at an arm angle",
         closest=closest,
-        error_norm=float(np.hypot.reduce(task.error(robot, closest, target))),
-        free_joints=problem.free_joints,
+        error_norm=float(np.hypot.reduce(problem.task.error(robot, closest, target))),
         dimension=0,
-        within_limits=np.ones(int(inside.sum()), dtype=bool),
-        outside_limits=q[~inside],
-        robot=robot,
-        task=task,
     )

@@ -2,21 +2,39 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from robotics1.ik.subproblems import motion, motions
+from robotics1.ik.scaled_task import ScaledTask
+from robotics1.ik.subproblems import inverse, motion, motions
 from robotics1.inputs import Array
 from robotics1.kernels.chain import chain_arrays
 from robotics1.kinematics import reference_axes
-from robotics1.robot.model import Robot
-from robotics1.tasks.task import Task
 
 SAME = 1e-9  # of a multiplier that is 1
 STEPS = 20  # of Newton's method
 RANK = 1e-9  # σ beside σ₁, in one of its steps
 EXACT = 1e-15  # |e|, lengths relative to the arm, at which it ends
+
+
+class JointLines(NamedTuple):
+    """The axes of n joints as lines in space, at k configurations, and the pose of the frame.
+
+    Attributes:
+        z: (k, n, 3) their directions.
+        o: (k, n, 3) a point on each [m].
+        T: (k, 4, 4) the frame's pose.
+    """
+
+    z: Array
+    o: Array
+    T: Array
+
+    @property
+    def p(self) -> Array:
+        """(k, 3) the frame's origin [m]."""
+        return self.T[:, :3, 3]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,24 +64,31 @@ class FixedChain:
         scale[:3, 3] = unit
         return [P / scale for P in self.P], goal / scale, unit
 
-    def in_metres(self, x: Array | None, unit: float) -> Array | None:
+    def loop(self, goal: Array) -> tuple[list[Array], float]:
+        """Return A of Z₀ A₀ Z₁ A₁ ... Z_{n−1} A_{n−1} = 1 where the frame is at a goal, and what is one length [m]."""
+        P, T, unit = self.scaled(goal)
+        return [*P[1:-1], P[-1] @ inverse(T) @ P[0]], unit
+
+    def in_metres(self, x: Array, unit: float) -> Array:
         """Return coordinates (k, n) with lengths in metres."""
-        return None if x is None else x * np.where(self.prismatic, unit, 1.0)
+        return x * np.where(self.prismatic, unit, 1.0)
+
+    def lines(self, x: Array) -> JointLines:
+        """Return the joint axes and the frame's pose at coordinates x (k, n) [rad or m], in the task's axes."""
+        T = np.broadcast_to(self.P[0], (len(x), 4, 4))
+        before = []
+        for i, slides in enumerate(self.prismatic):
+            before.append(T[:, :3])
+            T = T @ motions(slides, x[:, i]) @ self.P[i + 1]
+        joints = np.stack(before, axis=1)
+        return JointLines(joints[..., 2], joints[..., 3], T)
 
     def poses_and_jacobians(self, x: Array) -> tuple[Array, Array]:
         """Return T(x), (k, 4, 4), and the frame's Jacobians, (k, 6, n), in the task's axes."""
-        T = np.broadcast_to(self.P[0], (len(x), 4, 4))
-        axes, origins = [], []
-        for i, slides in enumerate(self.prismatic):
-            axes.append(T[:, :3, 2])
-            origins.append(T[:, :3, 3])
-            T = T @ motions(slides, x[:, i]) @ self.P[i + 1]
-        p = T[:, :3, 3]
-        columns = [
-            np.hstack([z, 0 * z] if slides else [np.cross(z, p - o), z])
-            for slides, z, o in zip(self.prismatic, axes, origins, strict=True)
-        ]
-        return T, np.stack(columns, axis=2)
+        lines, slides = self.lines(x), np.array(self.prismatic)[:, None]
+        linear = np.where(slides, lines.z, np.cross(lines.z, lines.p[:, None] - lines.o))
+        columns = np.concatenate([linear, np.where(slides, 0.0, lines.z)], axis=2)
+        return lines.T, columns.transpose(0, 2, 1)
 
     def polished(self, x: Array, goal: Array, rows: Sequence[int]) -> tuple[Array, Array]:
         """Return coordinates (k, n) after Newton's method, and σ_min/σ_max of the Jacobian, (k,).
@@ -93,16 +118,26 @@ class FixedChain:
         return best, sigma[:, -1] / np.maximum(sigma[:, 0], 1e-300)
 
 
-def fixed_chain(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: Array) -> FixedChain | None:
+def chain_and_rows(problem: ScaledTask) -> tuple[FixedChain | None, tuple[int, ...]]:
+    """Return the chain of the joints that move a task, and which rows of a pose it has; (None, ()) if it is no such."""
+    form = problem.task.frame_map()
+    if form is None or form.pose_error is None or form.pose_error.axis.any() or not problem.moving.any():
+        return None, ()
+    chain = fixed_chain(problem)
+    if chain is None or len(chain.prismatic) != np.count_nonzero(problem.moving):
+        return None, ()
+    return chain, tuple(sorted(form.pose_error.rows))
+
+
+def fixed_chain(problem: ScaledTask, still: Array | None = None) -> FixedChain | None:
     """Return the chain of a task's frame in the task's axes; None if a joint follows another.
 
     Args:
-        robot: the robot.
-        task: on one frame.
-        moving: (nq,) which joints move the task.
-        still: (nq,) where the others stand [rad or m].
+        problem: a task on one frame.
+        still: (nq,) where the joints that do not move it stand [rad or m]; None for the middle of the box.
     """
-    form = task.frame_map()
+    robot, form = problem.robot, problem.task.frame_map()
+    still = problem.middle if still is None else still
     if form is None:
         return None
     chain = chain_arrays(robot, form.frame, axes=reference_axes(robot, np.zeros(robot.nq), form.reference))
@@ -112,7 +147,7 @@ def fixed_chain(robot: Robot, task: Task, moving: npt.NDArray[np.bool_], still: 
     T = np.eye(4)
     for P, prismatic, j in zip(chain.placements, chain.prismatic, chain.coordinate, strict=False):
         T = T @ np.vstack([P, [0, 0, 0, 1]])
-        if moving[j]:
+        if problem.moving[j]:
             placements.append(T)
             kinds.append(bool(prismatic))
             coordinate.append(int(j))

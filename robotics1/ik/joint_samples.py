@@ -45,12 +45,12 @@ def moves_of_goals(problem: ScaledTask, joint: int, values: Array) -> tuple[Arra
     None unless the joint comes before or behind all joints that move, so that it changes just the first placement P₀
     or the last one P_n: P₀' M P_n' = T is P₀ M P_n = P₀ P₀'⁻¹ T P_n'⁻¹ P_n.
     """
-    now = fixed_chain(problem.robot, problem.task, problem.moving, problem.middle)
+    now = fixed_chain(problem)
     before, behind = [], []
     for value in values:
         still = problem.middle.copy()
         still[joint] = value
-        then = fixed_chain(problem.robot, problem.task, problem.moving, still)
+        then = fixed_chain(problem, still)
         if now is None or then is None:
             return None
         if any(np.abs(P - Q).max() > UNMOVED for P, Q in zip(now.P[1:-1], then.P[1:-1], strict=True)):

@@ -61,7 +61,7 @@ def loop_solver(between: Sequence[Array], prismatic: Sequence[bool], i: int, len
     """
     A = between[i : i + 2]
     turned = [prismatic[(i + k) % 6] for k in range(6)]
-    miss = _miss_of_a_point(A) / max(length, 1e-300)
+    miss = miss_of_a_point(A) / max(length, 1e-300)
     if not any(turned[:3]) and miss < ROUNDED:
         ends = meeting(A[0])[0], meeting(A[1])[1]
         return LoopSolver("a spherical wrist", miss, lambda A: _spherical(A, turned), ends=ends)
@@ -80,7 +80,7 @@ def meeting(A: Array) -> tuple[float, float, float]:
     return float(here), float(there), float(np.linalg.norm(M @ [here, there] - A[:3, 3])) if skew else np.inf
 
 
-def _miss_of_a_point(A: Sequence[Array]) -> float:
+def miss_of_a_point(A: Sequence[Array]) -> float:
     """Return by how much three axes, with two placements between them, miss a common point."""
     _, on_second, miss = meeting(A[0])
     second, _, other_miss = meeting(A[1])

@@ -79,6 +79,6 @@ def prepare(
     where = dict(by_name("box", box, "{'q1': (-1, 1)}")) | {name: (value, value) for name, value in values.items()}
     problem = scaled_task(robot, task, where or None)
     problem = replace(problem, moving=problem.moving & (problem.box.lower < problem.box.upper))  # not fixed
-    form = way_to_all_solutions(robot, task, problem.moving, problem.middle) if problem.moving.any() else None
+    form = way_to_all_solutions(problem)
     exact = None if form is None else ExactSolver(problem, form)
     return Prepared(problem, exact if exact is not None and exact.is_regular else None)

@@ -1,9 +1,11 @@
 """A task as a search for q sees it: without units, in a box, with the joints that move it."""
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import lru_cache, wraps
 from time import perf_counter
-from typing import Any, TypeGuard
+from typing import Any, TypeVar, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +21,7 @@ SAMPLES = 6  # random configurations at which the task is looked at
 MOVES = 1e-12  # an entry of J, beside the largest of its row, that is not rounding; of differences 1e-8
 EVALUATIONS, EVALUATIONS_A_JOINT = 700, 70  # of a function, for all this
 ROUNDED = 1e-5  # of the longest length at hand: an arm that is shorter is measured by that
+Answer = TypeVar("Answer")
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,12 +101,19 @@ class ScaledTask:
         return max(size, ROUNDED * base, ROUNDED * self.length)
 
 
-def never_changes(task: Task) -> TypeGuard[Hashable]:
-    """Whether what is found of a task can be kept: it is one on a pose, which no function of the user's makes, and has
-    a hash.
-    """
-    form = task.frame_map()
-    return form is not None and form.pose_error is not None and isinstance(task, Hashable)
+def kept_for_poses(find: Callable[[Robot, Task], Answer]) -> Callable[[Robot, Task], Answer]:
+    """Keep what a function finds for the last 64 robots and tasks on a pose, which are no functions of the user's."""
+    kept = lru_cache(maxsize=64)(find)
+
+    @wraps(find)
+    def found(robot: Robot, task: Task) -> Answer:
+        form = task.frame_map()
+        if form is not None and form.pose_error is not None:
+            with suppress(TypeError):  # a task that cannot be hashed
+                return kept(robot, cast(Hashable, task))
+        return find(robot, task)
+
+    return found
 
 
 def scaled_task(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -33,7 +34,7 @@ class Found:
     Attributes:
         targets: as they were given.
         first: the number of the first of them in its batch; None for one that stands alone.
-        goals: (k, ...) the targets in the form of the descent.
+        goals: (k, ...) the targets in the form of the search.
         starts: (k, nq) q0 of each target, or None.
         q, tried, error: where the least error is, how many starts were tried, and that error |e|.
         proven: (k,) whether a target is proven to be out of reach.
@@ -63,12 +64,13 @@ class Found:
         return IKBatch(self.q, status, self.error, self.tried)
 
 
-class Descent(Protocol):
-    """A way down to a target, from one start or from many, of one target or of many.
+class Search(ABC):
+    """The search for solutions inside the joint limits; a subclass says how starts are followed down to targets.
 
     Attributes:
         robot: whose joints move.
         tolerance: on |e|.
+        time_limit: for one target [s].
         at_once: how many targets are searched for together.
         cores: how many of them at the same time.
         enough: the part of the time limit after which no further starts are tried.
@@ -76,52 +78,47 @@ class Descent(Protocol):
 
     robot: Robot
     tolerance: float
+    time_limit: float
     at_once: int
     cores: int
     enough: float
 
+    @abstractmethod
     def goals(self, targets: list[Any], first: int | None) -> npt.NDArray[Any]:
-        """Return the targets in the form of the descent, checked; `first` is the number of the first in its batch."""
+        """Return the targets in the form of the search, checked; `first` is the number of the first in its batch."""
 
+    @abstractmethod
     def begin(self, found: Found, tables: Iterator[Table], seconds: float) -> None:
         """Try q0, or the first starts where there is none, in not much longer than these seconds."""
 
+    @abstractmethod
     def tables(self) -> Iterator[Table]:
         """Yield further starts, without an end."""
 
+    @abstractmethod
     def again(self, found: Found, left: Indices, starts: Table, seconds: float) -> Ends:
         """Return where further starts lead, for the targets that are left."""
 
-    def unreachable(self, goals: npt.NDArray[Any], seconds: float) -> npt.NDArray[np.bool_]:
-        """Return which goals are proven to be out of reach in that time."""
-
+    @abstractmethod
     def miss(self, found: Found, never: Indices, seconds: float) -> None:
         """Move what was found for targets that were not reached to where |e| is least around it."""
 
-    def prefer(self, found: Found) -> None:
+    def unreachable(self, goals: npt.NDArray[Any], seconds: float) -> npt.NDArray[np.bool_]:
+        """Return which goals are proven to be out of reach in that time: none, where nothing is known of the task."""
+        return np.zeros(len(goals), dtype=bool)
+
+    def prefer(self, found: Found) -> None:  # noqa: B027 (the first solution is as good as any)
         """Move the solutions to those that are preferred."""
-
-
-class Search:
-    """The search for solutions inside the joint limits.
-
-    Attributes:
-        descent: how a start is followed down to a target.
-        time_limit: for one target [s].
-    """
-
-    def __init__(self, descent: Descent, time_limit: float) -> None:
-        self.descent, self.time_limit = descent, time_limit
 
     def solve(self, target: Any, q0: npt.ArrayLike | None) -> IKResult:
         """Return the answer for one target."""
-        start = None if q0 is None else self.descent.robot.configuration(q0, "q0")[None]
+        start = None if q0 is None else self.robot.configuration(q0, "q0")[None]
         return self._answers([target], start, None)[0]
 
     def batch(self, targets: list[Any], q0: npt.ArrayLike | None, progress: Progress | None) -> IKBatch:
         """Return the answers for many targets."""
-        k, size = len(targets), self.descent.at_once
-        starts, parts = None if q0 is None else starts_of_all(self.descent.robot, q0, k), []
+        k, size = len(targets), self.at_once
+        starts, parts = None if q0 is None else starts_of_all(self.robot, q0, k), []
         for i in range(0, k, size):
             some = slice(i, min(i + size, k))
             with numbered(i) if size == 1 else nullcontext():
@@ -131,31 +128,31 @@ class Search:
         return parts[0] if len(parts) == 1 else IKBatch.of(parts)
 
     def _answers(self, targets: list[Any], starts: Array | None, first: int | None) -> IKBatch:
-        begin, k, nq = perf_counter(), len(targets), self.descent.robot.nq
+        begin, k, nq = perf_counter(), len(targets), self.robot.nq
         found = Found(
             targets,
             first,
-            self.descent.goals(targets, first),
+            self.goals(targets, first),
             starts,
             np.empty((k, nq)),
             np.zeros(k, dtype=np.int64),
             np.full(k, np.inf),
             np.zeros(k, dtype=bool),
         )
-        tables = self.descent.tables()
-        self.descent.begin(found, tables, self.descent.enough * self.time_limit)
-        left = np.flatnonzero(~(found.error <= self.descent.tolerance))  # NaN is a miss
+        tables = self.tables()
+        self.begin(found, tables, self.enough * self.time_limit)
+        left = np.flatnonzero(~(found.error <= self.tolerance))  # NaN is a miss
         if left.size:
             spent = self._restart(found, left, tables, (perf_counter() - begin) * self._share(k))
-            never = np.flatnonzero(found.error > self.descent.tolerance)  # what the kernel refused has no error
+            never = np.flatnonzero(found.error > self.tolerance)  # what the kernel refused has no error
             if never.size:
-                self.descent.miss(found, never, self.time_limit - spent)
-        self.descent.prefer(found)
-        return found.batch(self.descent.tolerance)
+                self.miss(found, never, self.time_limit - spent)
+        self.prefer(found)
+        return found.batch(self.tolerance)
 
     def _share(self, k: int) -> float:
         """Return the part of the time that passes for k targets which each of them has."""
-        return min(1.0, self.descent.cores / k)
+        return min(1.0, self.cores / k)
 
     def _restart(self, found: Found, left: Indices, tables: Iterator[Table], spent: float) -> float:
         """Try further starts for the targets that are left, until the time is over: return the seconds of a target.
@@ -163,7 +160,7 @@ class Search:
         First comes a short attempt to prove that there is no solution, then starts near the targets, a longer attempt,
         and starts anywhere.
         """
-        left, limit, size = self._not_proven(found, left, seconds=0.0), self.descent.enough * self.time_limit, SOON
+        left, limit, size = self._not_proven(found, left, seconds=0.0), self.enough * self.time_limit, SOON
         for number, (starts, group) in enumerate(tables):
             at = 0
             while at * group < len(starts):
@@ -172,8 +169,8 @@ class Search:
                 begin, share = perf_counter(), self._share(left.size)
                 some = (starts[at * group : (at + size) * group], group)
                 at += size
-                found.improve(left, self.descent.again(found, left, some, limit - spent))
-                left = left[~(found.error[left] <= self.descent.tolerance)]
+                found.improve(left, self.again(found, left, some, limit - spent))
+                left = left[~(found.error[left] <= self.tolerance)]
                 seconds = (perf_counter() - begin) * share
                 spent += seconds
                 size = int(np.clip(size * SHORT * self.time_limit / seconds, 1, MOST_GROUPS))
@@ -185,7 +182,7 @@ class Search:
 
     def _not_proven(self, found: Found, left: Indices, *, seconds: float) -> Indices:
         """Return the targets that are not proven, in the time, to be out of reach."""
-        proven = self.descent.unreachable(found.goals[left], seconds)
+        proven = self.unreachable(found.goals[left], seconds)
         found.proven[left[proven]] = True
         return left[~proven]
 

@@ -184,23 +184,12 @@ def _curves(
 
 
 def _is_on(problem: ScaledTask, q: Array, curve: TracedCurve) -> bool:
-    """Whether a solution is on a curve: next to one of its steps, and not beside it."""
-    apart = problem.box.difference(q, curve.q)
-    nearest = int(np.argmin(np.linalg.norm(apart, axis=1)))
-    steps = [(nearest - 1, nearest), (nearest, nearest + 1)]
-    last = len(curve.q) - 1
-    if curve.closed:
-        steps = [(i, j % (last + 1)) for i, j in steps]
-    for i, j in steps:
-        if not curve.closed and (i < 0 or j > last):
-            continue
-        chord = problem.box.difference(curve.q[j], curve.q[i])
-        d = problem.box.difference(q, curve.q[i])
-        length = float(np.linalg.norm(chord)) or 1.0
-        along = float(np.clip(d @ chord / length**2, 0, 1))
-        if np.linalg.norm(d - along * chord) < 0.25 * STEP:
-            return True
-    return bool(np.linalg.norm(apart[nearest]) < 0.25 * STEP)
+    """Whether a solution is on a curve: next to one of its chords."""
+    ends = np.roll(curve.q, -1, axis=0) if curve.closed else [*curve.q[1:], curve.q[-1]]
+    chords, d = problem.box.difference(np.array(ends), curve.q), problem.box.difference(q, curve.q)
+    along = (d * chords).sum(axis=1) / np.maximum((chords * chords).sum(axis=1), 1e-300)
+    beside = d - np.clip(along, 0, 1)[:, None] * chords
+    return bool(np.linalg.norm(beside, axis=1).min() < 0.25 * STEP)
 
 
 def _sampled(tracer: CurveTracer, curve: TracedCurve, samples: int, measure: Criterion) -> SelfMotionCurve:
@@ -208,11 +197,8 @@ def _sampled(tracer: CurveTracer, curve: TracedCurve, samples: int, measure: Cri
     box = tracer.problem.box
     steps = [box.difference(b, a) * box.unit for a, b in zip(curve.q[:-1], curve.q[1:], strict=True)]
     steps += [box.difference(curve.q[0], curve.q[-1]) * box.unit] if curve.closed else []
-    corners = curve.q[0] + np.vstack(
-        [np.zeros(curve.q.shape[1]), *np.cumsum(np.reshape(steps, (len(steps), -1)), axis=0)]
-    )
-    lengths = [np.linalg.norm(step / box.unit) for step in steps]
-    s = np.concatenate([[0.0], np.cumsum(lengths)])
+    corners = np.cumsum([curve.q[0], *steps], axis=0)
+    s = np.cumsum([0.0, *(np.linalg.norm(step / box.unit) for step in steps)])
 
     def at(place: float) -> Array:
         guess = np.array([np.interp(place, s, column) for column in corners.T])

@@ -46,8 +46,8 @@ class IKSolutionsBatch(Frozen):
     method: str
     free_joints: tuple[str, ...]
     careful: Mapping[int, IKSolutions]
-    robot: Robot | None = field(default=None, repr=False)
-    task: Task | None = field(default=None, repr=False)
+    robot: Robot = field(repr=False)
+    task: Task = field(repr=False)
 
     @cached_property
     def ends(self) -> npt.NDArray[np.int64]:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.ik.result import IKStatus
+from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import count, joint_value, number
@@ -18,6 +20,7 @@ from robotics1.robot.model import Robot
 from robotics1.tables import Table, table_of
 from robotics1.tasks.task import Task
 
+Rows = Sequence[Array] | Array
 SHOWN = 32  # solutions in a table; of infinitely many there are more
 
 
@@ -42,6 +45,7 @@ class IKSolutions(Frozen):
         dimension: of the family, when there are infinitely many: 1 for a curve; 0 for finitely many.
         within_limits: (k,) True where a solution is inside the robot's limits, as all in `q` are.
         outside_limits: (j, nq) the solutions outside the limits, where the method finds these too.
+        robot, task: whose solutions they are.
         boundary_distance: how far the target is from the nearest one with a double solution that was seen [m, rad],
             where that is less than 1e-6; else ∞. Of the two that meet one may be outside the limits.
         families: of each curve or set of solutions, equations that hold along it, such as ("q5 = 0", "q4 + q6 = 0.7").
@@ -50,7 +54,6 @@ class IKSolutions(Frozen):
             a redundant arm loses rank; empty where there are no curves.
         hits: (k,) how many starts of a search have led to each solution; empty where no search has found single ones.
         unseen: the estimated share of starts that lead to solutions not seen yet; 0 by formula.
-        robot, task: whose solutions they are.
     """
 
     q: Array
@@ -64,13 +67,13 @@ class IKSolutions(Frozen):
     dimension: int
     within_limits: npt.NDArray[np.bool_]
     outside_limits: Array
+    robot: Robot = field(repr=False)
+    task: Task = field(repr=False)
     boundary_distance: float = np.inf
     families: tuple[tuple[str, ...], ...] = ()
     tangents: Array = field(default_factory=lambda: np.zeros((0, 0)))
     hits: npt.NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     unseen: float = 0.0
-    robot: Robot | None = field(default=None, repr=False)
-    task: Task | None = field(default=None, repr=False)
 
     @cached_property
     def labels(self) -> tuple[tuple[str, ...], ...]:
@@ -98,8 +101,6 @@ class IKSolutions(Frozen):
         """Return the names of the postures of other configurations (k, nq), such as `outside_limits`."""
         from robotics1.ik.postures.labels import postures
 
-        if self.robot is None or self.task is None:
-            return ((),) * len(q)
         return postures(self.robot, self.task).labels(q)
 
     def __len__(self) -> int:
@@ -115,13 +116,11 @@ class IKSolutions(Frozen):
     def _tables(self) -> tuple[Table, ...]:
         if not len(self):
             return ()
-        angles = np.ones(self.q.shape[1], dtype=bool) if self.robot is None else self.robot.revolute
-        names = [f"q{i + 1}" for i in range(len(angles))] if self.robot is None else self.robot.joint_names
         rows = [
-            (str(i), *map(_written, q, angles), ", ".join((*labels, *(["singular"] * bool(flag)))))
+            (str(i), *map(_written, q, self.robot.revolute), ", ".join((*labels, *(["singular"] * bool(flag)))))
             for i, (q, labels, flag) in enumerate(zip(self.q[:SHOWN], self.labels, self.singular, strict=False))
         ]
-        return (table_of(("", *map(printable, names), "posture"), rows),)
+        return (table_of(("", *map(printable, self.robot.joint_names), "posture"), rows),)
 
     def explain(self) -> str:
         """Return how many solutions there are, and the nearest miss if there is none, in sentences."""
@@ -158,3 +157,20 @@ class IKSolutions(Frozen):
             NotConverged: there is none.
         """
         return require(self, len(self) > 0)
+
+
+def solutions_of(
+    problem: ScaledTask, q: Rows, singular: npt.ArrayLike, outside: Rows = (), **facts: Any
+) -> IKSolutions:
+    """Return solutions inside the limits, those outside, and the other facts that `IKSolutions` has of them."""
+    nq = problem.robot.nq
+    return IKSolutions(
+        q=np.reshape(q, (len(q), nq)),
+        singular=np.array(singular, dtype=bool),
+        within_limits=np.ones(len(q), dtype=bool),
+        outside_limits=np.reshape(outside, (len(outside), nq)),
+        free_joints=problem.free_joints,
+        robot=problem.robot,
+        task=problem.task,
+        **facts,
+    )

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from contextlib import suppress
-from functools import lru_cache
+from dataclasses import replace
+from itertools import product
 from typing import Any, Literal
 
-from robotics1.ik.prepared import Prepared, prepare
-from robotics1.ik.scaled_task import never_changes
+import numpy as np
+
+from robotics1.errors import InputError
+from robotics1.ik.prepared import prepare
+from robotics1.ik.scaled_task import ScaledTask, kept_for_poses
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solutions_by_search import searched
-from robotics1.ik.windings import with_windings
 from robotics1.inputs import counting_number, one_of, true_or_false
 from robotics1.robot.given import RobotLike
-from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.tasks.task import Task
 
 Method = Literal["auto", "search"]
+MOST_WINDINGS = 100_000  # copies by whole turns that are listed
 
 
 def ik_solutions(
@@ -79,25 +80,43 @@ def ik_solutions(
     starts = None if starts is None else counting_number("starts", starts, least=1)
     task.check_integrable(robot)
     target = task.target(target)
-    prepared = _prepared(robot, task, box, locked)
+    prepared = _kept(robot, task) if box is None and not locked else prepare(robot, task, box, locked)
     if method == "search":
         found = searched(prepared.problem, target, starts, seed)
     else:
         found = prepared.solve(target, starts, seed)
-    return with_windings(found, prepared.problem) if windings else found
+    return _with_windings(found, prepared.problem) if windings else found
 
 
-def _prepared(
-    robot: Robot,
-    task: Task,
-    box: Mapping[str, tuple[float, float]] | None,
-    locked: Mapping[str, float] | None,
-) -> Prepared:
-    """Return what does not depend on the target; of a task on a pose it is kept."""
-    if box is None and not locked and never_changes(task):
-        with suppress(TypeError):  # a task that cannot be hashed
-            return _kept(robot, task)
-    return prepare(robot, task, box, locked)
+_kept = kept_for_poses(prepare)
 
 
-_kept = lru_cache(maxsize=64)(prepare)
+def _with_windings(found: IKSolutions, problem: ScaledTask) -> IKSolutions:
+    """Return the solutions with all that differ from them by whole turns inside limits that both end.
+
+    Raises:
+        InputError: there are more than `MOST_WINDINGS` of them.
+    """
+    lower, upper = problem.lower, problem.upper
+    turning = problem.robot.revolute & problem.moving & np.isfinite(lower) & np.isfinite(upper)
+    period = problem.turns.period
+    least = np.where(turning, np.ceil((lower - found.q) / period - 1e-9), 0.0)
+    most = np.where(turning, np.floor((upper - found.q) / period + 1e-9), 0.0)
+    count = float(np.prod(most - least + 1, axis=1).sum())
+    if count > MOST_WINDINGS:
+        raise InputError(
+            f"inside these limits the solutions have {count:.3g} copies by whole turns; at most {MOST_WINDINGS} are "
+            f"listed: narrow the limits with box=, or leave windings out"
+        )
+    copies, sources = [], []
+    for i, q in enumerate(found.q):
+        ranges = zip(least[i].astype(int), most[i].astype(int), strict=True)
+        for turns in product(*(range(a, b + 1) for a, b in ranges)):
+            copies.append(q + np.where(turning, period, 0.0) * turns)
+            sources.append(i)
+    return replace(
+        found,
+        q=np.array(copies).reshape(len(copies), problem.robot.nq),
+        singular=found.singular[sources],
+        within_limits=found.within_limits[sources],
+    )

@@ -12,7 +12,7 @@ from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_search import FLAT, NEARLY_SINGULAR, SolutionSearch
-from robotics1.ik.solution_set import IKSolutions
+from robotics1.ik.solution_set import IKSolutions, solutions_of
 from robotics1.ik.surfaces import surfaces
 from robotics1.inputs import Array
 from robotics1.singularities.points import SingularPoints, singular_points
@@ -118,7 +118,7 @@ def unseen_share(hits: list[int]) -> float:
     return min(1.0, w * (w + 1) / (reached * (reached - 1))) if reached > 1 else 1.0
 
 
-def _dimension(search: "SolutionSearch", found: list[Array]) -> int:
+def _dimension(search: SolutionSearch, found: list[Array]) -> int:
     """Return the dimension of the largest family; where many were found, some of them are asked first."""
     some = found[:: max(1, len(found) // 8)]
     return max((search.dimension(q) for q in some), default=0) or max(
@@ -147,21 +147,16 @@ def _answer(
     dimension: int,
     singular: list[bool],
 ) -> IKSolutions:
-    robot = problem.robot
-    e = problem.task.error(robot, closest, target)
+    e = problem.task.error(problem.robot, closest, target)
     e = np.where(problem.turns.angle, problem.turns.wrapped(e), e)  # whole turns of an angle are no error
-    return IKSolutions(
-        q=np.array(found).reshape(len(found), robot.nq),
-        singular=np.array(singular, dtype=bool),
+    return solutions_of(
+        problem,
+        found,
+        singular,
         status=status,
         complete=status is IKStatus.UNREACHABLE or not (dimension or problem.moving.any()),
         method="search",
         closest=closest,
         error_norm=float(np.hypot.reduce(e)),
-        free_joints=problem.free_joints,
         dimension=dimension,
-        within_limits=np.array([robot.within_limits(q) for q in found], dtype=bool),
-        outside_limits=np.zeros((0, robot.nq)),
-        robot=robot,
-        task=problem.task,
     )

@@ -9,8 +9,8 @@ from typing import Any, Literal
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.ik.kernel_descent import KernelDescent, PoseSolver
-from robotics1.ik.python_descent import PythonDescent
+from robotics1.ik.kernel_search import KernelSearch, PoseSolver
+from robotics1.ik.python_search import PythonSearch
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.search import Search
 from robotics1.inputs import counting_number, one_of, real_number
@@ -67,16 +67,14 @@ class IKSolver:
         self._prepare()
 
     def _prepare(self) -> None:
-        form, options = self.task.frame_map(), dict(self._options)
-        time_limit = options.pop("time_limit")
+        form = self.task.frame_map()
         if form is None or form.pose_error is None:
-            self._search = Search(PythonDescent(self.robot, self.task, time_limit=time_limit, **options), time_limit)
+            self._search: Search = PythonSearch(self.robot, self.task, **self._options)
             self._solve = self._search.solve
             return
-        descent = KernelDescent(self.robot, self.task, **options)
-        self._search = Search(descent, time_limit)
-        usual = descent.pose_error.takes_poses and descent.preferred == "any"
-        self._solve = PoseSolver(descent, self._search.solve).solve if usual else self._search.solve
+        search = self._search = KernelSearch(self.robot, self.task, **self._options)
+        usual = search.pose_error.takes_poses and search.preferred == "any"
+        self._solve = PoseSolver(search).solve if usual else search.solve
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled and copied: what is prepared, machine code among it, is prepared again."""

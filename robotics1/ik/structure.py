@@ -6,6 +6,7 @@ what is found is then polished on the real arm.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -13,8 +14,10 @@ from robotics1.ik.elimination import elimination
 from robotics1.ik.general_six import Roots
 from robotics1.ik.joint_chain import FixedChain
 from robotics1.ik.loops import LoopSolve, LoopSolver, loop_solver
-from robotics1.ik.subproblems import inverse, one_row, orientation, planar_loop, point, turns_and_slides, two_rows
+from robotics1.ik.subproblems import one_row, orientation, planar_loop, point, turns_and_slides, two_rows
 from robotics1.inputs import Array
+
+Solve = Callable[[Array], Array | None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,17 +28,24 @@ class ClosedForm:
         method: its name.
         chain: of the joints that it finds.
         deviation: by how much the arm differs from one for which it is exact, relative.
-        solve: goal (4, 4) in the task's axes → (k, n), q modulo 2π; None where they are not finitely many.
+        solve: goal (4, 4) in the task's axes → q modulo 2π, (k, n); None where they are not finitely many.
         loop: of six joints, how their loop is solved, and the joint at which it begins.
-        roots: of six joints without special geometry, goal → the same with what is known about the roots.
+        roots: of six joints without special geometry, in place of `solve`: with what is known about the roots.
     """
 
     method: str
     chain: FixedChain
     deviation: float
-    solve: Callable[[Array], Array | None]
+    solve: Solve | None
     loop: tuple[LoopSolver, int] | None = None
     roots: Callable[[Array], Roots | None] | None = None
+
+    def candidates(self, goal: Array) -> Roots | None:
+        """Return what may be solutions of a goal; None where they are not finitely many, or not known."""
+        if self.roots is not None:
+            return self.roots(goal)
+        x = None if self.solve is None else self.solve(goal)
+        return None if x is None else Roots(x, np.zeros(len(x), dtype=bool), True)
 
 
 def closed_form(chain: FixedChain, rows: Sequence[int]) -> ClosedForm | None:
@@ -49,17 +59,18 @@ def closed_form(chain: FixedChain, rows: Sequence[int]) -> ClosedForm | None:
     if len(chain.prismatic) == 6:
         return _pose(chain)
     if max(rows) < 3:
-        method, solve = "elimination to a polynomial", _position(chain, rows)
+        method, solve = "elimination to a polynomial", _of_a_point(chain, rows)
     elif rows == [3, 4, 5] and not any(chain.prismatic):
-        method, solve = "three turns in sequence", _rotation(chain)
+        method, solve = "three turns in sequence", _of_a_rotation(chain)
     elif len(rows) == 3 and rows[1] < 3 <= rows[2]:
-        method, solve = "the planar loop", _planar_pose(chain, np.eye(3)[rows[2] - 3])
+        n = chain.P[0][:3, :3].T @ np.eye(3)[rows[2] - 3]
+        method, solve = "the planar loop", _of_a_loop(chain, partial(planar_loop, prismatic=chain.prismatic, n=n))
     else:
         return None
     return ClosedForm(method, chain, 0.0, solve)
 
 
-def _position(chain: FixedChain, rows: list[int]) -> Callable[[Array], Array | None]:
+def _of_a_point(chain: FixedChain, rows: list[int]) -> Solve:
     """Return the solver of as many coordinates of a point as joints move it: one, two or three."""
 
     def solve(goal: Array) -> Array | None:
@@ -72,23 +83,25 @@ def _position(chain: FixedChain, rows: list[int]) -> Callable[[Array], Array | N
             x = two_rows(P[1], chain.prismatic, c, R[rows], t[rows])
         else:
             x = point(P[1:3], chain.prismatic, c, R.T @ t)
-        return chain.in_metres(x, unit)
+        return None if x is None else chain.in_metres(x, unit)
 
     return solve
 
 
-def _rotation(chain: FixedChain) -> Callable[[Array], Array | None]:
+def _of_a_rotation(chain: FixedChain) -> Solve:
     R = [P[:3, :3] for P in chain.P]
     return lambda goal: orientation(R[1:3], R[0].T @ goal[:3, :3] @ R[3].T)
 
 
-def _planar_pose(chain: FixedChain, n: Array) -> Callable[[Array], Array | None]:
-    def solve(goal: Array) -> Array | None:
-        P, T, unit = chain.scaled(goal)
-        B = [P[1], P[2], P[3] @ inverse(T) @ P[0]]
-        return chain.in_metres(planar_loop(B, chain.prismatic, P[0][:3, :3].T @ n), unit)
+def _of_a_loop(chain: FixedChain, solve: LoopSolve, begin: int = 0) -> Solve:
+    """Return the solver of goals by one of the loop of the joints, which begins at one of them."""
 
-    return solve
+    def solve_goal(goal: Array) -> Array | None:
+        A, unit = chain.loop(goal)
+        x = solve(A[begin:] + A[:begin])
+        return None if x is None else chain.in_metres(np.roll(x, begin, axis=1), unit)
+
+    return solve_goal
 
 
 def _pose(chain: FixedChain) -> ClosedForm | None:
@@ -97,43 +110,9 @@ def _pose(chain: FixedChain) -> ClosedForm | None:
         part = loop_solver(chain.P[1:6], chain.prismatic, i, chain.length)
         if part is not None:
             name = f"{part.name}, joints {i + 1} to {i + 3}"
-            return ClosedForm(name, chain, part.deviation, _around(chain, i, part.solve), (part, i))
+            return ClosedForm(name, chain, part.deviation, _of_a_loop(chain, part.solve, i), (part, i))
     if sum(chain.prismatic) == 3:
-        return ClosedForm("three turns in sequence", chain, 0.0, _turns_and_slides(chain))
+        solve = partial(turns_and_slides, prismatic=chain.prismatic)
+        return ClosedForm("three turns in sequence", chain, 0.0, _of_a_loop(chain, solve))
     name, roots = elimination(chain)
-    if roots is None:
-        return None
-
-    def solve(goal: Array) -> Array | None:
-        found = roots(goal)
-        return None if found is None else found.x
-
-    return ClosedForm(name, chain, 0.0, solve, roots=roots)
-
-
-def _turns_and_slides(chain: FixedChain) -> Callable[[Array], Array | None]:
-    """Return the solver of three joints that turn and three that slide, in any order."""
-
-    def solve(goal: Array) -> Array | None:
-        P, T, unit = chain.scaled(goal)
-        x = turns_and_slides([*P[1:6], P[6] @ inverse(T) @ P[0]], chain.prismatic)
-        return chain.in_metres(x, unit)
-
-    return solve
-
-
-def _around(chain: FixedChain, i: int, solve: LoopSolve) -> Callable[[Array], Array | None]:
-    """Return the solver that gives the loop Z₀ P₁ Z₁ ... Z₅ P₆ T⁻¹ P₀ = 1, beginning at joint i, to another one."""
-    order = [(i + k) % 6 for k in range(6)]
-
-    def from_joint_i(goal: Array) -> Array | None:
-        P, T, unit = chain.scaled(goal)
-        A = [*P[1:6], P[6] @ inverse(T) @ P[0]]
-        found = solve([A[k] for k in order])
-        if found is None:
-            return None
-        x = np.zeros((len(found), 6))
-        x[:, order] = found
-        return chain.in_metres(x, unit)
-
-    return from_joint_i
+    return None if roots is None else ClosedForm(name, chain, 0.0, None, roots=roots)

@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.ik.general_six import Roots
 from robotics1.ik.resultants import Coefficients, common_angles, sampled
@@ -108,7 +109,7 @@ class Linkage:
         return np.column_stack([x, y, *others]), d
 
 
-def roots_of_two_slides(A: Sequence[Array], prismatic: Sequence[bool], begin: int, *, flipped: bool) -> Roots | None:
+def roots_of_two_slides(A: list[Array], prismatic: tuple[bool, ...], begin: int, *, flipped: bool) -> Roots | None:
     """Return candidates for placements A, six (4, 4); None where θ₁ and θ₂ do not determine the others.
 
     Args:
@@ -117,35 +118,32 @@ def roots_of_two_slides(A: Sequence[Array], prismatic: Sequence[bool], begin: in
         begin: the joint that is θ₁.
         flipped: whether θ₁ is eliminated, and not θ₂.
     """
-    order = [(begin + k) % 6 for k in range(6)]
-    slides = [prismatic[k] for k in order]
-    linkage = _linkage([A[k] for k in order], slides)
+    slides = np.array(prismatic[begin:] + prismatic[:begin])
+    linkage = _linkage(A[begin:] + A[:begin], slides)
     if linkage.sine < PARALLEL:
         return None
     found = common_angles(*linkage.equations(), flipped=flipped, most=MOST)
     if found is None:
         return None
     x = np.zeros((len(found.angles), 6))
-    angles, lengths = linkage.completed(*found.angles.T)
-    x[:, [k for k, slide in zip(order, slides, strict=True) if not slide]] = angles
-    x[:, [k for k, slide in zip(order, slides, strict=True) if slide]] = lengths
-    return Roots(x, found.real, found.proven)
+    x[:, ~slides], x[:, slides] = linkage.completed(*found.angles.T)
+    return Roots(np.roll(x, begin, axis=1), found.real, found.proven)
 
 
-def _linkage(A: Sequence[Array], prismatic: Sequence[bool]) -> Linkage:
+def _linkage(A: Sequence[Array], slides: npt.NDArray[np.bool_]) -> Linkage:
     """Return the linkage of a loop whose first joint turns."""
     ends: list[Array] = []
-    slides: list[tuple[int, Array]] = []
+    directions: list[tuple[int, Array]] = []
     T = A[0]
-    for slide, placement in zip(prismatic[1:], A[1:], strict=True):
+    for slide, placement in zip(slides[1:], A[1:], strict=True):
         if slide:
-            slides.append((len(ends), T[:3, 2]))
+            directions.append((len(ends), T[:3, 2]))
         else:
             ends.append(T)
             T = np.eye(4)
         T = T @ placement
     ends.append(T)
-    return Linkage([T[:3, :3] for T in ends], [T[:3, 3] for T in ends], slides)
+    return Linkage([T[:3, :3] for T in ends], [T[:3, 3] for T in ends], directions)
 
 
 def _view(term: Term) -> tuple[int, Array]:

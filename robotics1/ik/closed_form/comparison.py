@@ -7,7 +7,6 @@ That each of many q is found, wherever it lies, shows that no solution is missin
 from typing import Any
 
 import numpy as np
-import pinocchio as pin
 
 from robotics1.errors import FormulaError
 from robotics1.ik.closed_form.family import IKFormulas
@@ -27,12 +26,13 @@ def verify(formulas: IKFormulas) -> None:
     """
     robot, rng = formulas.robot, np.random.default_rng(1)
     columns = [robot.joint_names.index(name) for name in formulas.in_order]
-    solve = _compiled(formulas)
+    inverse = formulas.function()
     for point in Trials(robot, (), ()).points:
         for _ in range(TRIALS):
             q = np.where(robot.revolute, rng.uniform(-3, 3, robot.nq), robot.reach * rng.uniform(-1, 1, robot.nq))
             target = formulas.task.value(point.robot, q)
-            found = solve(target, list(point.parameters.values()))
+            lengths = dict(zip(inverse.__kwdefaults__ or {}, map(np.float64, point.parameters.values()), strict=True))
+            found = inverse(formulas.numbers(target), **lengths)
             _compare(formulas, point.robot, q, target, found, columns)
 
 
@@ -51,15 +51,3 @@ def _compare(formulas: IKFormulas, robot: Robot, q: Array, target: Any, found: A
         apart.append(np.abs(d).max(initial=0.0))
     if not apart or min(apart) > 1e3 * AGREES * size:
         raise FormulaError("a solution that is known is not among those of the formulas")
-
-
-def _compiled(formulas: IKFormulas) -> Any:
-    """Return a function of a target and the values of the parameters: the solutions, (k, n)."""
-    inverse = formulas.function()
-
-    def solve(target: Any, values: list[float]) -> Array:
-        flat = np.asarray(target.homogeneous if isinstance(target, pin.SE3) else target, dtype=float).ravel()
-        lengths = dict(zip(inverse.__kwdefaults__ or {}, map(np.float64, values), strict=True))
-        return np.asarray(inverse([sign * flat[n] for n, sign in formulas.places], **lengths))
-
-    return solve

@@ -10,7 +10,7 @@ import sympy
 
 from robotics1.caching import cached_property
 from robotics1.ik.closed_form.in_the_target import InTheTarget
-from robotics1.ik.closed_form.joint_formula import JointFormula
+from robotics1.ik.closed_form.one_unknown import JointFormula
 from robotics1.ik.closed_form.source import c_source, latex_source, matlab_source, python_source
 from robotics1.ik.closed_form.words import sentences
 from robotics1.inputs import Array
@@ -164,14 +164,19 @@ class IKFormulas(Frozen):
         Raises:
             InputError: the target has the wrong form.
         """
-        flat = np.asarray(getattr(target := self.task.target(target), "homogeneous", target), dtype=float).ravel()
-        found = self.function()([sign * flat[n] for n, sign in self.places])
+        target = self.task.target(target)
+        found = self.function()(self.numbers(target))
         q = np.zeros((len(found), self.robot.nq))
         q[:, [self.robot.joint_names.index(name) for name in self.in_order]] = found
         if len(self.joints) < self.task.rows:
             errors = [np.abs(self.task.error(self.robot, p, target)).max() for p in q]
             q = q[np.array(errors) <= CONSISTENT] if len(q) else q
         return q
+
+    def numbers(self, target: Any) -> list[float]:
+        """Return the numbers of the symbols of `target`, of one in the form of the task's value."""
+        flat = np.asarray(getattr(target, "homogeneous", target), dtype=float).ravel()
+        return [sign * flat[n] for n, sign in self.places]
 
     def function(self) -> Callable[..., Any]:
         """Return the function that `python` writes."""

@@ -5,16 +5,17 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
-from robotics1.errors import FormulaError, TaskError
+from robotics1.errors import FormulaError, Robotics1Error, TaskError
+from robotics1.ik.added_joints import way_to_all_solutions
 from robotics1.ik.closed_form.comparison import verify
 from robotics1.ik.closed_form.equations import PartOfChain
 from robotics1.ik.closed_form.family import IKFormulas
 from robotics1.ik.closed_form.links import Links, links_of, with_the_frame_as_a_link
 from robotics1.ik.closed_form.one_polynomial import NoEquation
-from robotics1.ik.closed_form.other_way import is_general, method_of, other_way
 from robotics1.ik.closed_form.peeling import Peeling
-from robotics1.ik.closed_form.target import Target, TargetChain, symbolic_target
+from robotics1.ik.closed_form.target import Target, TargetChain, is_given, number_given, symbolic_target
 from robotics1.ik.closed_form.trial_point import trial_point
+from robotics1.ik.scaled_task import scaled_task
 from robotics1.inputs import positive_number
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
@@ -27,6 +28,11 @@ from robotics1.tasks.task import FrameMap, Task
 PLACES = 3  # random q at which the rank of J is taken
 VANISHES = 1e-9  # a singular value of J [m or 1]
 LITTLE = 5.0  # s: for the arms of six joints that probably have no formulas
+OPEN = 1.0  # m: the range of a slide without limits, which makes no difference to the method
+POLYNOMIAL = (
+    "its solutions are the real roots of a polynomial of degree 16 at most (Raghavan and Roth, 1993), "
+    "all of which ik_solutions finds by {method}"
+)
 
 
 def ik_formulas(robot: RobotLike, task: TaskLike, *, time_limit: float = 30.0) -> IKFormulas:
@@ -58,7 +64,7 @@ def ik_formulas(robot: RobotLike, task: TaskLike, *, time_limit: float = 30.0) -
     if form is None:
         raise FormulaError(f"inverse formulas are written for tasks on a frame, not for {task!r}")
     limit = positive_number("time_limit", time_limit)
-    if is_general(method_of(robot, task)):
+    if _is_general(_method_of(robot, task)):
         limit = min(limit, LITTLE)
     try:
         with TimeLimit(limit).kept():
@@ -67,11 +73,11 @@ def ik_formulas(robot: RobotLike, task: TaskLike, *, time_limit: float = 30.0) -
             except (FormulaError, NoEquation):
                 return _found(robot, task, form, thorough=True)
     except NoEquation as left:
-        error = FormulaError(f"{left}; {other_way(robot, task)}{left.remains}")
+        error = FormulaError(f"{left}; {_other_way(robot, task)}{left.remains}")
         error.polynomial, error.joint = left.polynomial, left.joint
         raise error from None
     except OutOfTime:
-        raise FormulaError(f"no closed formula is found in {limit:g} s; {other_way(robot, task)}") from None
+        raise FormulaError(f"no closed formula is found in {limit:g} s; {_other_way(robot, task)}") from None
 
 
 def _found(robot: Robot, task: Task, form: FrameMap, *, thorough: bool) -> IKFormulas:
@@ -110,14 +116,9 @@ def _axes(robot: Robot, chain: TargetChain, form: FrameMap) -> Matrix | None:
 
 def _moving(chain: TargetChain, links: Links, target: Target) -> set[sympy.Symbol]:
     """Return the joints that move what the target gives."""
-    R, p = links.pose
-    given = []
-    for i in range(3):
-        for j in range(4):
-            (f,) = {target.pose[0][i, j]} if j < 3 else {target.pose[1][i]}
-            nothing = any(target.definitions.get(symbol, 0) is None for symbol in f.symbols)
-            if not nothing:
-                given.append(R[i, j] if j < 3 else p[i])
+    (R, p), (R_d, p_d) = links.pose, target.pose
+    entries = zip([*R.flat, *p], [*R_d.flat, *p_d], strict=True)
+    given = [f for f, entry in entries if is_given(entry, target.definitions)]
     return {symbol for f in given for symbol in f.symbols} & set(chain.q)
 
 
@@ -143,9 +144,37 @@ def _check_number(robot: Robot, task: Task, moving: list[int]) -> None:
 def _peeling(chain: TargetChain, links: Links, target: Target, moving: set[sympy.Symbol], *, thorough: bool) -> Peeling:
     """Return the beginning: all joints between the world and the last link, whose pose the target gives."""
     trial = trial_point({*chain.q, *chain.angles}, dict(chain.robot.parameters))
-    if target.known(target.pose[0] @ links.tool[0].T) < target.known(target.pose[0]):
+    R, in_the_last_link = target.pose[0], target.pose[0] @ links.tool[0].T
+    if number_given(in_the_last_link, target.definitions) < number_given(R, target.definitions):
         links = with_the_frame_as_a_link(chain, links)
     part = PartOfChain(chain, links, 0, len(links.steps), target.pose[0], target.pose[1], links.tool[1])
     peeling = Peeling(chain, target, part, target.definitions, set(moving), trial, thorough)
     peeling.begin(target.pose[0] @ links.tool[0].T)
     return peeling
+
+
+def _other_way(robot: Robot, task: Task) -> str:
+    """Return the method by which `ik_solutions` finds the numbers, in half a sentence."""
+    method = _method_of(robot, task)
+    if method is None:
+        return "ik_solutions finds the numbers, by a search"
+    if _is_general(method):
+        return POLYNOMIAL.format(method=method)
+    return f"ik_solutions finds the numbers, by {method}"
+
+
+def _method_of(robot: Robot, task: Task) -> str | None:
+    """Return the name of the method of `ik_solutions` that finds all solutions; None where it searches."""
+    slides = ~robot.revolute & ~(np.isfinite(robot.lower) & np.isfinite(robot.upper))
+    box = {name: (-OPEN, OPEN) for name, is_open in zip(robot.joint_names, slides, strict=True) if is_open}
+    try:
+        problem = scaled_task(robot, task, box or None)
+    except Robotics1Error:
+        return None
+    form = way_to_all_solutions(problem)
+    return None if form is None else form.method
+
+
+def _is_general(method: str | None) -> bool:
+    """Whether no three joints of six are special, so that formulas joint after joint are not to be expected."""
+    return method == "elimination to an eigenvalue problem"

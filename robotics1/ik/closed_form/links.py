@@ -129,20 +129,11 @@ def _foot_on(chain: Chain, steps: list[Step], i: int, link: int) -> Matrix | Non
 
     The link is i − 1 or i: the other axis is that of joint i − 1, or of i + 1.
     """
-    if not steps[i - 1].turns:
+    if not 0 < link < len(steps) or not (steps[link - 1].turns and steps[link].turns):
         return None
-    if link == i and i < len(steps):
-        own, other = (chain.still[1], steps[i - 1].axis), (steps[i].p, steps[i].R @ steps[i].axis)
-        turns = steps[i].turns
-    elif link == i - 1 and i >= 2:
-        step = steps[i - 1]
-        own, other = (step.p, step.R @ step.axis), (chain.still[1], steps[i - 2].axis)
-        turns = steps[i - 2].turns
-    else:
-        return None
-    if not turns:
-        return None
-    (a, n), (b, m) = own, other
+    before, behind = steps[link - 1], steps[link]  # the joints at both ends of the link
+    lines = (chain.still[1], before.axis), (behind.p, behind.R @ behind.axis)
+    (a, n), (b, m) = lines if link == i else lines[::-1]
     normal = cross(n, m)
     square: Any = normal @ normal
     inverse = _inverse(chain, square)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import sympy
 
-from robotics1.ik.closed_form.joint_formula import JointFormula
+from robotics1.ik.closed_form.one_unknown import JointFormula
 from robotics1.symbolic.writing.decimals import Lengths
 from robotics1.symbolic.writing.readable import readable
 

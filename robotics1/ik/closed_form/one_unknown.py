@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import sympy
 from sympy.polys.domains import QQ_I
@@ -16,22 +16,19 @@ ROUNDING = 1e-13  # of the largest coefficient
 
 @dataclass(frozen=True, eq=False)
 class OneUnknown:
-    """An equation in one unknown.
+    """An equation in one unknown joint q.
 
     Attributes:
-        unknown: the multiples k of the angles in an angle k·φ; or the symbol of a prismatic joint.
-        coefficients: A, B and C of A cos + B sin + C = 0; or C₀, C₁ and C₂ of C₀ + C₁ q + C₂ q² = 0.
+        q: its symbol.
+        is_angle: whether it turns.
+        coefficients: A, B and C of A cos q + B sin q + C = 0; or C₀, C₁ and C₂ of C₀ + C₁ q + C₂ q² = 0.
         terms: how many the equation has.
     """
 
-    unknown: Exponents | sympy.Symbol
+    q: sympy.Symbol
+    is_angle: bool
     coefficients: tuple[TrigPolynomial, ...]
     terms: int
-
-    @property
-    def is_angle(self) -> bool:
-        """Whether the unknown is an angle."""
-        return isinstance(self.unknown, tuple)
 
     @property
     def is_linear(self) -> bool:
@@ -39,26 +36,25 @@ class OneUnknown:
         return not self.is_angle and not self.coefficients[2]
 
 
-@dataclass(frozen=True, eq=False)
-class Solved:
-    """The solutions of an unknown.
+class JointFormula(NamedTuple):
+    """The solutions of a joint, in the target's symbols and in the joints before it.
 
     Attributes:
-        unknown: the joint that the equation gives.
-        options: the solutions, one or two.
-        exists_if: when there are any.
-        double_if: where the two are one.
-        free_if: where every value is a solution, or none.
+        q: its symbol.
+        options: one or two formulas.
+        exists_if, double_if, free_if: when there are any, when the two are one, and when q is not determined.
     """
 
-    unknown: Exponents | sympy.Symbol
+    q: sympy.Symbol
     options: tuple[sympy.Expr, ...]
     exists_if: Any
     double_if: Any
     free_if: Any
 
 
-def read(f: TrigPolynomial, angles: Collection[int], lengths: Collection[int], nothing: Collection[int]) -> Any:
+def read(
+    f: TrigPolynomial, angles: Collection[int], lengths: Collection[int], nothing: Collection[int]
+) -> OneUnknown | None:
     """Return an equation in one unknown; None if it has another number of them, or says nothing.
 
     Args:
@@ -87,11 +83,12 @@ def read(f: TrigPolynomial, angles: Collection[int], lengths: Collection[int], n
     number = sum(len(c) for c in f.terms.values())
     if len(moving) == 2 and not slides:
         k = max(moving)
-        if tuple(-m for m in k) not in parts:
+        (j, *others) = (j for j, m in enumerate(k) if m)
+        if others or not k[j] == F.turns_of(F.angles[j]) == 1 or tuple(-m for m in k) not in parts:
             return None
         first, i = TrigPolynomial(F, parts[k]), F.constant(F.ring(QQ_I(0, 1)))
         A, B = first + first.conjugate, (first - first.conjugate) * i
-        return OneUnknown(k, (A, B, TrigPolynomial(F, parts.get(F.zero, {}))), number)
+        return OneUnknown(F.angles[j], True, (A, B, TrigPolynomial(F, parts.get(F.zero, {}))), number)
     if not moving and len(slides) == 1:
         return _of_a_length(f, slides.pop(), number)
     return None
@@ -108,11 +105,11 @@ def _of_a_length(f: TrigPolynomial, place: int, number: int) -> OneUnknown | Non
             found = by_degree[m[place]].setdefault(k, {})
             found[bare] = a
     parts = [{k: ring.from_dict(found) for k, found in terms.items()} for terms in by_degree]
-    symbol = ring.symbols[place]
-    return OneUnknown(symbol, tuple(TrigPolynomial(f.trig_ring, terms) for terms in parts), number)
+    coefficients = tuple(TrigPolynomial(f.trig_ring, terms) for terms in parts)
+    return OneUnknown(ring.symbols[place], False, coefficients, number)
 
 
-def solve_one(equation: OneUnknown, write: Any) -> Solved:
+def solve_one(equation: OneUnknown, write: Any) -> JointFormula:
     """Return the solutions of one equation; `write` makes an expression of a polynomial."""
     if equation.is_angle:
         A, B, C = map(write, equation.coefficients)
@@ -122,22 +119,17 @@ def solve_one(equation: OneUnknown, write: Any) -> Solved:
         if a == 0 or b == 0:
             double = sympy.false if c == 0 else sympy.Eq(sympy.Abs(c / (a + b)), 1)
         free = _vanishes(a, b) if c == 0 or a == 0 or b == 0 else _vanishes(square)
-        return Solved(equation.unknown, tuple(angles_of(a, b, c)), existence(a, b, c), double, free)
+        return JointFormula(equation.q, tuple(angles_of(a, b, c)), existence(a, b, c), double, free)
     C0, C1, C2 = map(write, equation.coefficients)
     if C2 == 0:
-        return Solved(equation.unknown, (_quotient(-C0, C1),), sympy.true, sympy.false, _vanishes(C1))
+        return JointFormula(equation.q, (_quotient(-C0, C1),), sympy.true, sympy.false, _vanishes(C1))
     square = sympy.factor_terms(C1**2 / 4 - C0 * C2) / C2**2 if C1 != 0 else _quotient(-C0, C2)
     middle, root = _quotient(-C1, 2 * C2), sympy.sqrt(square)
-    return Solved(
-        equation.unknown,
-        (middle + root, middle - root),
-        sympy.Ge(square, 0),
-        sympy.Eq(square, 0),
-        _vanishes(C2),
-    )
+    options = middle + root, middle - root
+    return JointFormula(equation.q, options, sympy.Ge(square, 0), sympy.Eq(square, 0), _vanishes(C2))
 
 
-def solve_pair(one: OneUnknown, other: OneUnknown, write: Any) -> Solved:
+def solve_pair(one: OneUnknown, other: OneUnknown, write: Any) -> JointFormula:
     """Return the solution of two independent equations A cos + B sin + C = 0 in the same angle."""
     a1, b1, c1 = map(write, one.coefficients)
     a2, b2, c2 = map(write, other.coefficients)
@@ -155,7 +147,7 @@ def solve_pair(one: OneUnknown, other: OneUnknown, write: Any) -> Solved:
         sine, cosine = sine / det, cosine / det
         free = _vanishes(det)
     angle = angle_of(sympy.factor_terms(sine), sympy.factor_terms(cosine))
-    return Solved(one.unknown, (angle,), sympy.true, sympy.false, free)
+    return JointFormula(one.q, (angle,), sympy.true, sympy.false, free)
 
 
 def turned(one: OneUnknown, other: OneUnknown) -> int:

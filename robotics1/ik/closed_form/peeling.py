@@ -14,11 +14,18 @@ import numpy as np
 import sympy
 
 from robotics1.ik.closed_form.equations import SIDES, PartOfChain
-from robotics1.ik.closed_form.joint_formula import JointFormula
 from robotics1.ik.closed_form.links import from_the_first_joint
 from robotics1.ik.closed_form.one_polynomial import NoEquation, least_polynomial, shortest_two
-from robotics1.ik.closed_form.one_unknown import ROUNDING, OneUnknown, Solved, read, solve_one, solve_pair, turned
-from robotics1.ik.closed_form.target import Definitions, Target, TargetChain
+from robotics1.ik.closed_form.one_unknown import (
+    ROUNDING,
+    JointFormula,
+    OneUnknown,
+    read,
+    solve_one,
+    solve_pair,
+    turned,
+)
+from robotics1.ik.closed_form.target import Definitions, Target, TargetChain, is_given, number_given
 from robotics1.ik.closed_form.trial_point import TrialPoint
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
 from robotics1.symbolic.writing.sums_of_angles import without_long_fractions, written
@@ -56,7 +63,7 @@ class Peeling:
         first, one = self.part.links.steps[0], self.chain.trig_ring.constant(1)
         if any(f * f - one for f in first.R.flat if f):  # at an angle, where each entry would be a sum of three
             turned, moved = first.R.T @ R, first.R.T @ (p - first.p)
-            if self._known(np.column_stack([turned, moved])) == self._known(np.column_stack([R, p])):
+            if self._known(turned, moved) == self._known(R, p):
                 R, p = self._named(turned, moved)
                 self.part = replace(self.part, links=from_the_first_joint(self.chain, self.part.links))
         self.part = replace(self.part, R=R, p=p)
@@ -69,12 +76,8 @@ class Peeling:
         """
         self._peel()
         while self.unknown:
-            solved = self._next()
-            q = self._joint(solved.unknown)
-            rest = self._rest(solved.unknown, q)
-            options = tuple(self._defined(option) - rest for option in solved.options)
-            conditions = (solved.exists_if, solved.double_if, solved.free_if)
-            self.found.append(JointFormula(q, options, *map(self._defined, conditions)))
+            q, options, *conditions = self._next()
+            self.found.append(JointFormula(q, tuple(map(self._defined, options)), *map(self._defined, conditions)))
             self.unknown.discard(q)
             self._peel()
         return tuple(self.found)
@@ -90,25 +93,26 @@ class Peeling:
 
     def _without_unknowns(self) -> set[sympy.Expr]:
         equations = (f.without_rounding(ROUNDING * f.largest) for f in self.part.equations(0, 0))
-        return {self._defined(self.write(f)) for f in equations if self._says_something(f)}
+        told = (f for f in equations if f and self._is_given(f) and not f.symbols & self.unknown)
+        return {self._defined(self.write(f)) for f in told}
 
     def write(self, f: TrigPolynomial) -> sympy.Expr:
         """Return a polynomial as an expression, with the symbols of the pose."""
         return without_long_fractions(written(f, self.target.groups))
 
     # --- one equation after the other
-    def _next(self) -> Solved:
+    def _next(self) -> JointFormula:
         """Return the solution of the joint that has the fewest and shortest."""
-        equations: dict[Any, list[OneUnknown]] = {}
+        equations: dict[sympy.Symbol, list[OneUnknown]] = {}
         pose = self._trial_pose()
         best = None
         for sides in SIDES:
             if best is not None and (best[0] == 1 or (sum(sides) > 1 and not self.thorough)):
                 break
             for f in self.part.equations(*sides):
-                found = self._read(f)
+                found = read(f, self._angles, self._lengths, self._nothing)
                 if found is not None and self._counts(found, pose):
-                    equations.setdefault(found.unknown, []).append(found)
+                    equations.setdefault(found.q, []).append(found)
             best = self._best(equations, pose)
         if best is None:
             raise self._nothing_left()
@@ -128,17 +132,16 @@ class Peeling:
 
     def _pairs_of_equations(self) -> list[tuple[set[sympy.Symbol], tuple[sympy.Expr, sympy.Expr]]]:
         """Return two joints and the two shortest different equations in them, of all pairs of joints that have them."""
-        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
         pairs: dict[tuple[str, ...], tuple[set[sympy.Symbol], set[sympy.Expr]]] = {}
         for sides in SIDES:
             for f in self.part.equations(*sides):
                 left = f.symbols & self.unknown
-                if len(left) == 2 and not f.symbols & nothing:
+                if len(left) == 2 and self._is_given(f):
                     key = tuple(sorted(symbol.name for symbol in left))
                     pairs.setdefault(key, (left, set()))[1].add(self._defined(self.write(f)))
         return [(left, shortest_two(found)) for left, found in pairs.values() if len(found) > 1]
 
-    def _best(self, equations: dict[Any, list[OneUnknown]], pose: Numbers) -> tuple[int, Equations] | None:
+    def _best(self, equations: dict[sympy.Symbol, list[OneUnknown]], pose: Numbers) -> tuple[int, Equations] | None:
         """Return the number of solutions and the equation, or the pair, that gives the fewest and is the shortest."""
         choices: list[tuple[int, int, Equations]] = []
         for found in equations.values():
@@ -176,14 +179,8 @@ class Peeling:
         part = self.part
         return self.trial.pose(self.chain.entries, part.links, part.i, part.j, part.point)
 
-    def _read(self, f: TrigPolynomial) -> OneUnknown | None:
-        found = read(f, self._angles, self._lengths, self._nothing)
-        return found if found is None or self._joint(found.unknown) is not None else None
-
-    def _says_something(self, f: TrigPolynomial) -> bool:
-        places = {m for c in f.terms.values() for m in c.itermonoms()}
-        known = not any(m[place] for m in places for place in (*self._nothing, *self._lengths))
-        return bool(f) and known and not self._angles & set(f.angles)
+    def _is_given(self, f: TrigPolynomial) -> bool:
+        return is_given(f, self.definitions)
 
     @property
     def _angles(self) -> set[int]:
@@ -198,16 +195,6 @@ class Peeling:
         symbols = self.chain.trig_ring.ring.symbols
         return {j for j, symbol in enumerate(symbols) if self.definitions.get(symbol, 0) is None}
 
-    def _joint(self, unknown: Any) -> Any:
-        """Return the joint that an unknown is, or None."""
-        if isinstance(unknown, sympy.Symbol):
-            return unknown
-        angles = [self.chain.trig_ring.angles[j] for j, m in enumerate(unknown) if m]
-        return angles[0] if len(angles) == 1 and sum(unknown) == self.chain.trig_ring.turns_of(angles[0]) == 1 else None
-
-    def _rest(self, unknown: Any, q: sympy.Symbol) -> sympy.Expr:
-        return sympy.S.Zero
-
     def _defined(self, e: Any) -> Any:
         for whole, shorter in self.target.identities:
             e = e.subs(whole, shorter)
@@ -220,7 +207,7 @@ class Peeling:
         while part.i < part.j and not self._moves_unknown(part.i):
             step = links.steps[part.i]
             turned, moved = step.direction_behind(part.R), step.point_behind(part.p)
-            if self._known(np.column_stack([turned, moved])) < self._known(np.column_stack([part.R, part.p])):
+            if self._known(turned, moved) < self._known(part.R, part.p):
                 break  # less would be left of a point of which not all coordinates are given
             R, p = self._named(turned, moved)
             part = replace(part, i=part.i + 1, R=R, p=p)
@@ -244,10 +231,9 @@ class Peeling:
                 T[place] = f
         return replace(part, R=T[:, :3], p=T[:, 3])
 
-    def _known(self, R: Matrix) -> int:
-        """Return how many entries are known."""
-        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
-        return sum(not f.symbols & nothing for f in R.flat)
+    def _known(self, *parts: Matrix) -> int:
+        """Return how many entries of a pose are known."""
+        return sum(number_given(M, self.definitions) for M in parts)
 
     def _moves_unknown(self, k: int) -> bool:
         step = self.part.links.steps[k]
@@ -256,7 +242,6 @@ class Peeling:
 
     def _at_a_better_point(self, part: PartOfChain) -> PartOfChain:
         """Return the part with the position of the point that most joints before the last link leave where it is."""
-        nothing = {self.chain.trig_ring.ring.symbols[j] for j in self._nothing}
         if part.i == part.j:
             return part
 
@@ -268,9 +253,9 @@ class Peeling:
             return len(used & self.unknown)
 
         def is_known(point: Matrix) -> bool:
-            return not any(f.symbols & nothing for f in part.p + part.R @ (point - part.point))
+            return all(map(self._is_given, part.p + part.R @ (point - part.point)))
 
-        points = [point for point in part.links.points[part.j] if is_known(point)]
+        points = filter(is_known, part.links.points[part.j])
         point = min(points, key=joints_behind, default=part.point)
         if joints_behind(point) >= joints_behind(part.point):
             return part
@@ -279,17 +264,14 @@ class Peeling:
 
     def _named(self, R: Matrix, p: Matrix) -> tuple[Matrix, Matrix]:
         """Return a pose with new symbols for the entries that hold such symbols."""
-        ring = self.chain.trig_ring.ring
         definitions: Definitions = {}
         T = np.column_stack([*R.T, p])
         named = np.array(T)
         symbols = set(self.chain.entries.flat)
-        nothing = {ring.symbols[j] for j in self._nothing}
         for place, f in np.ndenumerate(T):
-            used = f.symbols & symbols
-            if used:
+            if f.symbols & symbols:
                 symbol = self.chain.entries[place]
-                definitions[symbol] = None if used & nothing else self._defined(self.write(f))
+                definitions[symbol] = self._defined(self.write(f)) if self._is_given(f) else None
                 named[place] = self.chain.generator(symbol)
         self.definitions = definitions
         return named[:, :3], named[:, 3]

@@ -85,19 +85,26 @@ class Target:
     groups: Groups
     identities: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()
 
-    def known(self, R: Matrix) -> int:
-        """Return how many entries of a matrix are known."""
-        return sum(all(self.definitions.get(symbol, 0) is not None for symbol in f.symbols) for f in R.flat)
+
+def is_given(f: TrigPolynomial, definitions: Definitions) -> bool:
+    """Whether no entry of the pose is in f of which nothing is known."""
+    return all(definitions.get(symbol, 0) is not None for symbol in f.symbols)
+
+
+def number_given(M: Matrix, definitions: Definitions) -> int:
+    """Return how many entries of a matrix are known."""
+    return sum(is_given(f, definitions) for f in M.flat)
 
 
 def symbolic_target(chain: TargetChain, task: Task, form: FrameMap, pose: Pose) -> Target:
     """Return the target of a task whose frame has this pose, of polynomials in q.
 
     Raises:
-        FormulaError: a row of the task is no entry of the pose, and no angle of the frame.
+        FormulaError: the task has the angles of a sequence, or a row that is no entry of the pose, and no angle of the
+            frame.
     """
     if hasattr(task, "representation") and hasattr(task.representation, "sequence"):
-        return _of_a_sequence(chain, task, form)
+        raise FormulaError("inverse formulas are written for the rotation itself; leave out angles=")
     value = task_map(form, task.rows, chain.q)
     here = {s: (i, j) for (i, j), s in np.ndenumerate(np.column_stack([value.R, value.p]))}
     M = np.column_stack([*pose[0].T, pose[1]])
@@ -195,8 +202,3 @@ def _set_angle(
     place_of_phi = F.angles.index(phi)
     joined = [group for group in groups if own & set(group) or place_of_phi in group]
     groups[:] = [group for group in groups if group not in joined] + [tuple(sorted({j for g in joined for j in g}))]
-
-
-def _of_a_sequence(chain: TargetChain, task: Any, form: FrameMap) -> Target:
-    """Return the target of a task with the angles of a sequence, φ1, φ2, φ3, and perhaps a position."""
-    raise FormulaError("inverse formulas are written for the rotation itself; leave out angles=")

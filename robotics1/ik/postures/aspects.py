@@ -6,7 +6,6 @@ from itertools import combinations
 import numpy as np
 
 from robotics1.errors import InputError
-from robotics1.ik.postures.barrier import are_apart
 from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import postures
 from robotics1.ik.postures.path_between import (
@@ -15,8 +14,8 @@ from robotics1.ik.postures.path_between import (
     by_signs,
     path_of,
     region_of,
-    wall_between,
 )
+from robotics1.ik.postures.separation import are_apart, wall_between
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.inputs import Array, counting_number
 from robotics1.notation import count
@@ -60,7 +59,7 @@ def group_by_aspect(found: IKSolutions, *, samples: int = 600, seed: int = 0) ->
     Source: Borrel and Liégeois, A study of multiple manipulator inverse kinematic solutions with applications to
     trajectory planning and workspace determination, ICRA 1986 (aspects).
     """
-    if not isinstance(found, IKSolutions) or found.robot is None or found.task is None:
+    if not isinstance(found, IKSolutions):
         raise InputError("give what ik_solutions returns")
     seed, samples = counting_number("seed", seed), counting_number("samples", samples, least=1)
     det, names = determinant(found.robot, found.task), postures(found.robot, found.task)
@@ -94,14 +93,12 @@ def _merge(
                 continue
             a, b = members.index(i), members.index(j)
             corners = region.path(a, b) if nodes else region.direct(q[i], q[j])
-            if path_of(det, region, corners, q[i], q[j]).status is PostureChangeStatus.FOUND:
+            if path_of(region, corners, q[i], q[j]).status is PostureChangeStatus.FOUND:
                 first, other = leader[i], leader[j]
                 leader.update({k: first for k in leader if leader[k] == other})
         if all(leader[i] == leader[j] for i, j in pairs):
             return True
     return det.has_bound and all(
-        leader[i] == leader[j]
-        or wall_between(det, region, q[i], q[j]) != ""
-        or are_apart(det, q[i], q[j], region.lower, region.upper, region.circular)
+        leader[i] == leader[j] or wall_between(region, q[i], q[j]) != "" or are_apart(region, q[i], q[j])
         for i, j in pairs
     )

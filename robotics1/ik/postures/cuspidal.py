@@ -186,7 +186,7 @@ class _Search:
             self.maps[sign] = region.grown(self.samples, np.random.default_rng(self.seed))
         region = self.maps[sign]
         apart = [(a, b) for a, b in combinations(solutions, 2) if np.abs(region.step(a, b)).max() > APART]
-        straight = (path_of(self.det, region, region.direct(a, b), a, b) for a, b in apart)
+        straight = (path_of(region, region.direct(a, b), a, b) for a, b in apart)
         for (a, b), change in zip(apart, straight, strict=True):
             if change.status is PostureChangeStatus.FOUND:
                 return a, b, change
@@ -195,7 +195,7 @@ class _Search:
         for i, j in combinations(range(len(solutions)), 2):
             a, b = solutions[i], solutions[j]
             if parts[i] == parts[j] and np.abs(region.step(a, b)).max() > APART:
-                change = path_of(self.det, region, region.path(k + i, k + j), a, b)
+                change = path_of(region, region.path(k + i, k + j), a, b)
                 if change.status is PostureChangeStatus.FOUND:
                     return a, b, change
         return None

@@ -15,7 +15,6 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.ik.joint_chain import FixedChain
-from robotics1.ik.postures.joint_lines import joint_lines
 from robotics1.inputs import Array
 
 Complex = npt.NDArray[np.complex128]
@@ -108,7 +107,7 @@ def _reduced_map(chain: FixedChain) -> tuple[TrigSurface, TrigSurface]:
     turns = np.arange(GRID) * 2 * np.pi / GRID
     q2, q3 = np.meshgrid(turns, turns, indexing="ij")
     x = np.stack([np.zeros(GRID**2), q2.ravel(), q3.ravel()], axis=1)
-    lines = joint_lines(chain, x)
+    lines = chain.lines(x)
     v = (lines.p - lines.o[:, 0]) / (chain.length or 1.0)
     height = (v * lines.z[:, 0]).sum(axis=1)
     rho2 = (v * v).sum(axis=1) - height**2

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.errors import TaskError
-from robotics1.ik.joint_chain import FixedChain, fixed_chain
+from robotics1.ik.joint_chain import FixedChain, chain_and_rows
 from robotics1.ik.scaled_task import ScaledTask, scaled_task
 from robotics1.inputs import Array
 from robotics1.notation import count
@@ -48,10 +48,6 @@ class Determinant:
         if value < ZERO:
             raise TaskError("J is singular everywhere, so that no configuration is apart from a singularity")
         return value
-
-    def require_regular(self) -> None:
-        """Raise TaskError if J is singular everywhere."""
-        _ = self.largest
 
     @cached_property
     def active(self) -> npt.NDArray[np.bool_]:
@@ -123,16 +119,5 @@ def determinant(robot: Robot, task: Task) -> Determinant:
         )
     chain, rows = chain_and_rows(problem)
     found = Determinant(problem, chain if len(rows) == n else None, rows)
-    found.require_regular()
+    _ = found.largest  # raises where J is singular everywhere
     return found
-
-
-def chain_and_rows(problem: ScaledTask) -> tuple[FixedChain | None, tuple[int, ...]]:
-    """Return the chain of the joints that move a task, and which rows of a pose it has; (None, ()) if it is no such."""
-    form = problem.task.frame_map()
-    if form is None or form.pose_error is None or form.pose_error.axis.any() or not problem.moving.any():
-        return None, ()
-    chain = fixed_chain(problem.robot, problem.task, problem.moving, problem.middle)
-    if chain is None or len(chain.prismatic) != np.count_nonzero(problem.moving):
-        return None, ()
-    return chain, tuple(sorted(form.pose_error.rows))

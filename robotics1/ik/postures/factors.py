@@ -18,21 +18,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from robotics1.ik.joint_chain import FixedChain
-from robotics1.ik.postures.joint_lines import (
-    JointLines,
-    are_parallel,
-    are_perpendicular,
-    joint_lines,
-    meeting_point,
-)
+from robotics1.ik.joint_chain import FixedChain, JointLines
 from robotics1.inputs import Array
 
 SEEN_FROM = np.array([1.0, -1.0, 1.0])  # planes yz, xz and xy are seen from +x, −y and +z: up is y or z on paper
-ROUNDED, EXACT = (
-    1e-5,
-    1e-10,
-)  # sine of the angle of axes that count as parallel; distance, beside the arm, of those that meet
+ROUNDED, EXACT = 1e-5, 1e-10  # sine of an angle that counts as 0; distance, beside the arm, of axes that meet
 Quantity = Callable[[JointLines], Array]
 
 
@@ -66,7 +56,7 @@ class Arm:
 
     def parallel(self, i: int, j: int) -> bool:
         """Whether the axes of joints i and j are parallel everywhere."""
-        return are_parallel(self.lines.z[:, i], self.lines.z[:, j], self.tolerance)
+        return _are_parallel(self.lines.z[:, i], self.lines.z[:, j], self.tolerance)
 
     def meet(self, joints: Sequence[int]) -> bool:
         """Whether the axes of revolute joints go through one point, neighbours not being parallel."""
@@ -80,7 +70,7 @@ class Arm:
         if self.turn(i, j):
             return self.parallel(i, j)
         if self.turn(i) or self.turn(j):
-            return are_perpendicular(self.lines.z[:, i], self.lines.z[:, j], self.tolerance)
+            return _are_perpendicular(self.lines.z[:, i], self.lines.z[:, j], self.tolerance)
         return not self.parallel(i, j)
 
     def normal(self, lines: JointLines, i: int, j: int) -> Array:
@@ -92,7 +82,7 @@ class Arm:
     def crosses(self, k: int, i: int, j: int) -> bool:
         """Whether joint k moves points out of the plane of joints i and j."""
         n = self.normal(self.lines, i, j)
-        return not (are_parallel if self.turn(k) else are_perpendicular)(self.lines.z[:, k], n, ROUNDED)
+        return not (_are_parallel if self.turn(k) else _are_perpendicular)(self.lines.z[:, k], n, ROUNDED)
 
 
 def posture_factors(chain: FixedChain, rows: Sequence[int], tolerance: float = ROUNDED) -> tuple[Factor, ...]:
@@ -104,7 +94,7 @@ def posture_factors(chain: FixedChain, rows: Sequence[int], tolerance: float = R
         tolerance: by how much axes may miss each other, or a parallel.
     """
     n = len(chain.prismatic)
-    arm = Arm(chain, joint_lines(chain, some_coordinates(chain, 4)), tolerance)
+    arm = Arm(chain, chain.lines(some_coordinates(chain, 4)), tolerance)
     if max(rows) < 3:
         return _of_a_point(arm, lambda lines: lines.p) if len(rows) == n else ()
     if n == 3:
@@ -243,6 +233,30 @@ def _crossing(joints: Sequence[int]) -> Quantity:
 def _on(joint: int) -> Quantity:
     """Return a point on the axis of a joint."""
     return lambda lines: lines.o[:, joint]
+
+
+def meeting_point(z: Array, o: Array) -> tuple[Array, Array]:
+    """Return the point next to several lines, (k, 3), and its distance from the farthest of them, (k,).
+
+    Args:
+        z: (k, j, 3) unit directions.
+        o: (k, j, 3) a point on each [m].
+    """
+    across = np.eye(3) - z[..., :, None] * z[..., None, :]
+    A, b = across.sum(axis=1), (across @ o[..., None])[..., 0].sum(axis=1)
+    c = (np.linalg.pinv(A, rcond=1e-9) @ b[..., None])[..., 0]
+    apart = np.linalg.norm((across @ (c[:, None] - o)[..., None])[..., 0], axis=2)
+    return c, apart.max(axis=1)
+
+
+def _are_parallel(a: Array, b: Array, tolerance: float) -> bool:
+    """Whether unit vectors (k, 3) are parallel or opposite at all k configurations."""
+    return bool(np.linalg.norm(np.cross(a, b), axis=1).max() < tolerance)
+
+
+def _are_perpendicular(a: Array, b: Array, tolerance: float) -> bool:
+    """Whether unit vectors (k, 3) are perpendicular at all k configurations."""
+    return bool(np.abs(_dot(a, b)).max() < tolerance)
 
 
 def _dot(a: Array, b: Array) -> Array:

@@ -1,17 +1,14 @@
 """The names of postures: "shoulder right", "elbow up", "wrist not flipped"."""
 
-from contextlib import suppress
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from robotics1.errors import TaskError
-from robotics1.ik.joint_chain import FixedChain
-from robotics1.ik.postures.determinant import Determinant, chain_and_rows, determinant
+from robotics1.ik.joint_chain import FixedChain, chain_and_rows
+from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.factors import EXACT, Factor, posture_factors, some_coordinates
-from robotics1.ik.postures.joint_lines import joint_lines
-from robotics1.ik.scaled_task import never_changes, scaled_task
+from robotics1.ik.scaled_task import kept_for_poses, scaled_task
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
@@ -49,7 +46,7 @@ class Postures:
         """Return the factors relative to their largest values at configurations (k, nq): (k, f)."""
         if self.chain is None or not self.factors:
             return np.zeros((len(q), 0))
-        lines = joint_lines(self.chain, q[:, list(self.chain.coordinate)])
+        lines = self.chain.lines(q[:, list(self.chain.coordinate)])
         return np.stack([factor.values(lines) for factor in self.factors], axis=1) / self.sizes
 
     def labels(self, q: Array) -> tuple[tuple[str, ...], ...]:
@@ -62,28 +59,19 @@ class Postures:
         return tuple((f"det J {'<=>'[int(sign) + 1]} 0",) for sign in signs)
 
 
+@kept_for_poses
 def postures(robot: Robot, task: Task) -> Postures:
-    """Return what distinguishes the postures of a robot in a task; for a task on a pose it is kept."""
-    if never_changes(task):
-        with suppress(TypeError):
-            return _kept(robot, task)
-    return _postures(robot, task)
-
-
-def _postures(robot: Robot, task: Task) -> Postures:
+    """Return what distinguishes the postures of a robot in a task."""
     problem = scaled_task(robot, task, open_ranges=True)
     chain, rows = chain_and_rows(problem)
     factors = () if chain is None else posture_factors(chain, rows)
     if chain is None or not factors:
         return Postures(chain, (), np.zeros(0), False, _determinant(robot, task))
-    lines = joint_lines(chain, some_coordinates(chain, SAMPLES))
+    lines = chain.lines(some_coordinates(chain, SAMPLES))
     sizes = np.array([np.abs(factor.values(lines)).max() for factor in factors])
     exact = posture_factors(chain, rows, EXACT)
     rounded = [factor.part for factor in exact] != [factor.part for factor in factors]
     return Postures(chain, factors, sizes, rounded, None)
-
-
-_kept = lru_cache(maxsize=64)(_postures)
 
 
 def _determinant(robot: Robot, task: Task) -> Determinant | None:

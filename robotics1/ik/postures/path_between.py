@@ -8,13 +8,11 @@ from enum import Enum
 import numpy as np
 
 from robotics1.errors import InputError
-from robotics1.ik.postures.barrier import are_apart
 from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import NO_POSTURE, Postures, postures
 from robotics1.ik.postures.roadmap import Region, least_along
-from robotics1.ik.postures.walls import crossed_wall, walls
+from robotics1.ik.postures.separation import are_apart, wall_between
 from robotics1.inputs import Array, counting_number, true_or_false
-from robotics1.notation import joint_value, number
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
@@ -107,44 +105,31 @@ def posture_change(
         if within_limits and not robot.within_limits(q):
             raise InputError(f"{name} is outside the joint limits; leave within_limits out, or give another one")
     found = by_signs(det, postures(robot, task), np.array(ends))
-    return found or join(det, ends[0], ends[1], within_limits=within_limits, samples=samples, seed=seed)
+    return found or _join(det, ends[0], ends[1], within_limits=within_limits, samples=samples, seed=seed)
 
 
-def join(
-    det: Determinant, a: Array, b: Array, *, within_limits: bool, samples: int, seed: int, refute: bool = True
-) -> PostureChange:
+def _join(det: Determinant, a: Array, b: Array, *, within_limits: bool, samples: int, seed: int) -> PostureChange:
     """Return a path between configurations (nq,) at which det J has the same sign, or why there is none."""
     region = region_of(det, np.array([a, b]), within_limits=within_limits)
     corners = region.direct(a, b)
-    provable = refute and det.has_bound
-    reason = wall_between(det, region, a, b) if corners is None and provable else ""
+    reason = wall_between(region, a, b) if corners is None and det.has_bound else ""
     rng = np.random.default_rng(seed)
     for count in (*[n for n in GROWTH if n < samples], samples):
         if corners is not None or reason:
             break
         region = region.grown(count - (len(region.nodes) - 2), rng)
         corners = region.path(0, 1)
-        if corners is None and provable and count == min(GROWTH[1], samples):
-            apart = are_apart(det, a, b, region.lower, region.upper, region.circular)
+        if corners is None and det.has_bound and count == min(GROWTH[1], samples):
+            apart = are_apart(region, a, b)
             reason = "a grid over the joints that det J depends on separates them" if apart else ""
     if reason:
         return _impossible(reason)
-    return path_of(det, region, corners, a, b)
+    return path_of(region, corners, a, b)
 
 
-def wall_between(det: Determinant, region: Region, a: Array, b: Array) -> str:
-    """Return at which values of a joint every path from a to b, (nq,) each, meets a singularity; "" if at none."""
-    robot = det.problem.robot
-    found = walls(det, region.lower, region.upper, region.circular)
-    j = crossed_wall(found, a, b, region.circular, robot.revolute)
-    if j is None:
-        return ""
-    values = ", ".join(map(joint_value if robot.revolute[j] else number, found[j].tolist()))
-    return f"det J vanishes at {robot.joint_names[j]} = {values}, whatever the other joints do"
-
-
-def path_of(det: Determinant, region: Region, corners: Array | None, a: Array, b: Array) -> PostureChange:
+def path_of(region: Region, corners: Array | None, a: Array, b: Array) -> PostureChange:
     """Return the path with these corners (k, nq) from a to b if det J keeps its sign on it; else what was looked at."""
+    det = region.determinant
     if corners is None:
         return _not_found(region)
     if not det.active.all():  # the other joints go along

@@ -48,6 +48,13 @@ class Region:
     nodes: Array
     edges: dict[tuple[int, int], Array] = field(default_factory=dict)
 
+    @property
+    def ranges(self) -> tuple[Array, Array]:
+        """(nq,) and (nq,) from where to where each joint goes: one turn, or its limits in the box of det J."""
+        box = self.determinant.problem.box
+        low = np.where(self.circular, -np.pi, np.maximum(self.lower, box.lower))
+        return low, np.where(self.circular, np.pi, np.minimum(self.upper, box.upper))
+
     def step(self, a: Array, b: Array) -> Array:
         """Return b − a, (..., nq), the short way round."""
         d = b - a
@@ -62,9 +69,7 @@ class Region:
 
     def grown(self, count: int, rng: np.random.Generator) -> "Region":
         """Return the region with `count` more random configurations on its roadmap, or as many as are found."""
-        box, found, size = self.determinant.problem.box, [], 0
-        low = np.where(self.circular, -np.pi, np.maximum(self.lower, box.lower))
-        high = np.where(self.circular, np.pi, np.minimum(self.upper, box.upper))
+        (low, high), found, size = self.ranges, [], 0
         for _ in range(20):
             q = np.where(self.determinant.active, rng.uniform(low, high, (4 * count, len(low))), self.nodes[:1])
             found.append(q[self.sign * self.determinant(q) > NEAR_ZERO][: count - size])

@@ -1,4 +1,4 @@
-"""Descents in Python, of one target at a time: for tasks that the kernels do not know, as functions of the user."""
+"""The search in Python, of one target at a time: for tasks that the kernels do not know, as functions of the user."""
 
 from collections.abc import Iterator
 from time import perf_counter
@@ -10,7 +10,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.descent import OutOfTime, TaskDescent
 from robotics1.ik.scaled_task import scaled_task
-from robotics1.ik.search import Ends, Found, Table
+from robotics1.ik.search import Ends, Found, Search, Table
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.robot.model import Robot
@@ -22,7 +22,7 @@ GROUP = 8  # random starts; the one with the least error is taken
 PREPARING = 0.2  # of the time limit, that a look at the task may take
 
 
-class PythonDescent:
+class PythonSearch(Search):
     """Damped least squares on the task's own error and Jacobian; a goal is the `TaskDescent` to a target.
 
     Attributes:
@@ -40,7 +40,7 @@ class PythonDescent:
             raise TaskError("nothing moves this task: the robot has no joint")
         import scipy.optimize  # noqa: F401  (now, and not while the time runs)
 
-        self.robot, self.task, self.tolerance = robot, task, tolerance
+        self.robot, self.task, self.tolerance, self.time_limit = robot, task, tolerance, time_limit
         self.seed, self.grace = seed, max(GRACE, LONGER * time_limit)
         self.problem = scaled_task(robot, task, open_ranges=True, seconds=PREPARING * time_limit)
         begin = perf_counter()
@@ -73,10 +73,6 @@ class PythonDescent:
         q = self._wound(descent, q, around)
         return q[None], np.ones(1, dtype=np.int64), np.array([descent.error_norm(q)])
 
-    def unreachable(self, goals: npt.NDArray[Any], seconds: float) -> npt.NDArray[np.bool_]:
-        """Return that nothing is proven: of such a task nothing is known."""
-        return np.zeros(len(goals), dtype=bool)
-
     def miss(self, found: Found, never: Indices, seconds: float) -> None:
         """Move what was found to where |e| is least around it; that may take a little longer than the time."""
         grace = self.grace if self.quick else 0.0
@@ -86,9 +82,6 @@ class PythonDescent:
             error = descent.error_norm(q)
             if error < found.error[i]:
                 found.q[i], found.error[i] = q, error
-
-    def prefer(self, found: Found) -> None:
-        """Do nothing: the first solution is as good as any."""
 
     def _best(self, descent: TaskDescent, starts: Array) -> Array:
         """Return the best of some random starts, of a slow function the first one."""

@@ -1,4 +1,4 @@
-"""Descents in the kernels, of many targets at once: for tasks whose error is made of rows of the pose error."""
+"""The search in the kernels, of many targets at once: for tasks whose error is made of rows of the pose error."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -15,7 +15,7 @@ from robotics1.caching import cached_property
 from robotics1.ik.pose_problem import pose_problem
 from robotics1.ik.proof import UnreachableProof
 from robotics1.ik.result import IKResult, IKStatus
-from robotics1.ik.search import SOON, Ends, Found, Table, numbered
+from robotics1.ik.search import SOON, Ends, Found, Search, Table, numbered
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import on_all_cores, threads
@@ -34,7 +34,7 @@ FINER = 1e-3  # tolerance on the turn where the task's error holds angles in its
 CHUNK = 4096  # targets that are searched for together
 
 
-class KernelDescent:
+class KernelSearch(Search):
     """Damped least squares in the kernels: from q0, then from random starts near the target.
 
     Attributes:
@@ -45,9 +45,9 @@ class KernelDescent:
     at_once = CHUNK
     enough = 0.92
 
-    def __init__(self, robot: Robot, task: Task, *, prefer: str, seed: int, tolerance: float) -> None:
+    def __init__(self, robot: Robot, task: Task, *, prefer: str, seed: int, tolerance: float, time_limit: float):
         self.robot, self.task, self.seed, self.preferred = robot, task, seed, prefer
-        self.problem = pose_problem(robot, task)
+        self.problem, self.time_limit = pose_problem(robot, task), time_limit
         self.pose_error = self.problem.pose_error
         self.tolerance = tolerance * (FINER if self.pose_error.by_angles else 1.0)
         self.cores, self.middle = threads(), self.problem.middle
@@ -175,7 +175,7 @@ class KernelDescent:
 
 
 class PoseSolver:
-    """`Search.solve` with the usual case in front: a pose as target, q0 an array or None, a solution at once.
+    """`KernelSearch.solve` with the usual case in front: a pose as target, q0 an array or None, a solution at once.
 
     Checks are left to the kernel, which refuses what is no pose or not finite: around a kernel of four microseconds
     every function call and every attribute counts.
@@ -183,9 +183,9 @@ class PoseSolver:
 
     __slots__ = ("carefully", "kernel", "middle", "number", "shape", "tolerance")
 
-    def __init__(self, descent: KernelDescent, carefully: Callable[[Any, Any], IKResult]) -> None:
-        self.carefully, self.kernel, self.tolerance = carefully, descent.solve_one, descent.tolerance
-        self.middle, self.shape, self.number = descent.middle, descent.middle.shape, descent.middle.dtype
+    def __init__(self, search: KernelSearch) -> None:
+        self.carefully, self.kernel, self.tolerance = search.solve, search.solve_one, search.tolerance
+        self.middle, self.shape, self.number = search.middle, search.middle.shape, search.middle.dtype
 
     def solve(self, target: Any, q0: Any) -> IKResult:
         """Return the answer for one target."""
