@@ -15,31 +15,44 @@ def numeric_rank(singular_values: Array) -> int:
     return int(np.count_nonzero(singular_values > RANK_TOLERANCE * singular_values[:1]))
 
 
+def rank_of(A: Array, scale: Array | float = 1.0) -> int:
+    """Return the rank of `scale` * A, (m, n): with factors that take the units out of A, the unit of length is no
+    matter.
+    """
+    return numeric_rank(np.linalg.svd(scale * A, compute_uv=False))
+
+
 @dataclass(frozen=True, eq=False)
 class GeneralizedInverse:
     """A# = V diag(σ/(σ² + λ²)) Uᵀ of A = U Σ Vᵀ, (m, n); without damping, λ = 0, it is the pseudoinverse A⁺.
 
     Attributes:
-        U, sigma, Vt: the singular value decomposition, (m, k), (k,) and (k, n).
+        U, sigma, Vt: the singular value decomposition, (m, m), (min(m, n),) and (n, n).
+        rank: r; the σᵢ after the first r count as zero in A⁺.
         damping: λ; A# b minimises |b − A x|² + λ² |x|².
     """
 
     U: Array
     sigma: Array
     Vt: Array
-    damping: float
-
-    @property
-    def rank(self) -> int:
-        """The number of σᵢ > 1e-9 σ₁; the others count as zero in A⁺."""
-        return numeric_rank(self.sigma)
+    rank: int
+    damping: float = 0.0
 
     def solve(self, b: Array) -> Array:
         """Return A# b."""
-        if self.damping > 0:
-            return np.asarray(self.Vt.T @ (self.sigma / (self.sigma**2 + self.damping**2) * (self.U.T @ b)))
-        r = self.rank
-        return np.asarray(self.Vt[:r].T @ (self.U[:, :r].T @ b / self.sigma[:r]))
+        sigma = self.sigma if self.damping > 0 else self.sigma[: self.rank]
+        factors = sigma / (sigma**2 + self.damping**2) if self.damping > 0 else 1 / sigma
+        return np.asarray((self.Vt[: len(sigma)].T * factors) @ (self.U[:, : len(sigma)].T @ b))
+
+    @property
+    def null(self) -> Array:
+        """(n, n − r) a basis of the null space of A, orthonormal columns."""
+        return self.Vt[self.rank :].T
+
+    @property
+    def left_null(self) -> Array:
+        """(m, m − r) a basis of the null space of Aᵀ, orthonormal columns."""
+        return self.U[:, self.rank :]
 
     def null_part(self, x: Array) -> Array:
         """Return (1 − A⁺A) x, the part of x that A maps to zero."""
@@ -47,16 +60,24 @@ class GeneralizedInverse:
         return np.asarray(x - rows.T @ (rows @ x))
 
 
-def generalized_inverse(A: Array, damping: float | Callable[[Array], float] = 0.0) -> GeneralizedInverse:
+def generalized_inverse(
+    A: Array, damping: float | Callable[[Array], float] = 0.0, *, rank: int | None = None
+) -> GeneralizedInverse:
     """Return A# of a matrix (m, n), with a damping λ, or one that depends on the singular values.
 
     It is a step of every iteration here: Δq = A# r of Gauss and Newton (λ = 0), or of Levenberg and Marquardt.
 
+    Args:
+        A: (m, n).
+        damping: λ, or σ → λ.
+        rank: r, where it is known; by default the number of σᵢ > 1e-9 σ₁.
+
     Source: Golub, Van Loan, Matrix Computations, 2013, section 5.5; Nakamura, Hanafusa, J. Dyn. Sys. Meas. Control 108,
     1986, and Wampler, IEEE Trans. SMC 16, 1986 (damping).
     """
-    U, sigma, Vt = np.linalg.svd(A, full_matrices=False)
-    return GeneralizedInverse(U, sigma, Vt, float(damping(sigma) if callable(damping) else damping))
+    U, sigma, Vt = np.linalg.svd(A)
+    r = numeric_rank(sigma) if rank is None else rank
+    return GeneralizedInverse(U, sigma, Vt, r, float(damping(sigma) if callable(damping) else damping))
 
 
 def least_distance_in_box(M: Array, b: Array) -> float:
