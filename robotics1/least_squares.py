@@ -24,10 +24,11 @@ def rank_of(A: Array, scale: Array | float = 1.0) -> int:
 
 @dataclass(frozen=True, eq=False)
 class GeneralizedInverse:
-    """A# = V diag(σ/(σ² + λ²)) Uᵀ of A = U Σ Vᵀ, (m, n); without damping, λ = 0, it is the pseudoinverse A⁺.
+    """A# = V diag(σ/(σ² + λ²)) Uᵀ D of D A = U Σ Vᵀ, (m, n); without damping, λ = 0, it is the pseudoinverse A⁺.
 
     Attributes:
         U, sigma, Vt: the singular value decomposition, (m, m), (min(m, n),) and (n, n).
+        rows: (m,) the diagonal of D: 1, but where A is known to have full row rank.
         rank: r; the σᵢ after the first r count as zero in A⁺.
         damping: λ; A# b minimises |b − A x|² + λ² |x|².
     """
@@ -35,14 +36,15 @@ class GeneralizedInverse:
     U: Array
     sigma: Array
     Vt: Array
+    rows: Array
     rank: int
-    damping: float = 0.0
+    damping: float
 
     def solve(self, b: Array) -> Array:
         """Return A# b."""
         sigma = self.sigma if self.damping > 0 else self.sigma[: self.rank]
         factors = sigma / (sigma**2 + self.damping**2) if self.damping > 0 else 1 / sigma
-        return np.asarray((self.Vt[: len(sigma)].T * factors) @ (self.U[:, : len(sigma)].T @ b))
+        return np.asarray((self.Vt[: len(sigma)].T * factors) @ (self.U[:, : len(sigma)].T @ (self.rows * b.T).T))
 
     @property
     def null(self) -> Array:
@@ -76,8 +78,11 @@ def generalized_inverse(
     1986, and Wampler, IEEE Trans. SMC 16, 1986 (damping).
     """
     U, sigma, Vt = np.linalg.svd(A)
-    r = numeric_rank(sigma) if rank is None else rank
-    return GeneralizedInverse(U, sigma, Vt, r, float(damping(sigma) if callable(damping) else damping))
+    lam, rows = float(damping(sigma) if callable(damping) else damping), np.ones(len(A))
+    if rank == len(A) and lam == 0:  # rows of different units lose no digits: A⁺ = (D A)⁺ D
+        rows = 1 / np.linalg.norm(A, axis=1)
+        U, sigma, Vt = np.linalg.svd(rows[:, None] * A)
+    return GeneralizedInverse(U, sigma, Vt, rows, numeric_rank(sigma) if rank is None else rank, lam)
 
 
 def least_distance_in_box(M: Array, b: Array) -> float:

@@ -121,7 +121,7 @@ class ControlLaw:
         rate_inside = A.rate.T @ e + A.A.T @ e_rate
         feedback = self.D @ rate_inside + self.K @ inside + 2 * A.rate.T @ e_rate + A.acceleration.T @ e
         asked = self.feedforward * ahead[1] + A.A @ feedback
-        rates = resolved(self.robot, self.task, self.resolution, (q, v), asked, self.null_motion)
+        rates = resolved(self.robot, self.task, self.resolution, q, asked, self.null_motion, u=v)
         return ControlCommand(rates.joints, e, inside, e_rate, asked, asked - rates.realised)
 
     def decay(self, q0: npt.ArrayLike, qdot0: npt.ArrayLike | None = None) -> ErrorDecay:
@@ -197,4 +197,4 @@ class ControlLaw:
     def _velocity(self, q: Array, asked: Array, J: Array) -> Array:
         if self.method == "gradient":
             return np.asarray(J.T @ asked)
-        return resolved(self.robot, self.task, self.resolution, (q,), asked, self.null_motion).joints
+        return resolved(self.robot, self.task, self.resolution, q, asked, self.null_motion).joints

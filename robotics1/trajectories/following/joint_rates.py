@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array
-from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse
 from robotics1.printed_digits import shared_half_units
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
@@ -217,25 +217,30 @@ def _at_the_given_digits(
     asked_wish: tuple[Array, Wish],
     made: Callable[[Rates, dict[str, Any]], AnyRates],
 ) -> AnyRates:
-    """Return what is made of the rates at q, with what is made of those at the singular configuration within its digits.
+    """Return what is made of the rates at q; with it that at the singular configuration that rounds to q, if there is.
 
     Without q̇ a velocity is asked, else an acceleration.
     """
     asked, wish = asked_wish
     k = resolution.inputs(robot, robot.configuration(q)).shape[1]
-    u = () if qdot is None else (real_array("qdot", qdot, (k,), "one number for each joint, or each input"),)
+    u = None if qdot is None else real_array("qdot", qdot, (k,), "one number for each joint, or each input")
     scale = resolution.scale(robot, task, k)
     rounded = rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q, scale)
 
     def at(x: Array) -> AnyRates:
-        rates = resolved(robot, task, resolution, (x, *u), asked, wish)
+        rates = resolved(robot, task, resolution, x, asked, wish, u=u)
 
         def near(y: Array) -> Array:
-            drift = drifts(robot, task, resolution, y, *u)[0] if u else 0.0
+            drift = 0.0 if u is None else drifts(robot, task, resolution, y, u)[0]
             return np.asarray(task.jacobian(robot, y) @ resolution.inputs(robot, y) @ rates.inputs + drift)
 
-        def within(N: Array, outside: Array) -> bool:
-            return realised_within_digits(N, (asked, shared_half_units(asked)), outside, near, (x, rounded.half_units))
+        def within(rank: int, outside: Array) -> bool:
+            rows = rates.rows  # without units
+            N = generalized_inverse(rows[:, None] * rates.A, rank=rank).left_null
+            given, half_units = rows * asked, rows * shared_half_units(asked)
+            return realised_within_digits(
+                N, (given, half_units), rows * outside, lambda y: rows * near(y), (x, rounded.half_units)
+            )
 
         return made(rates, {**_outcome(rates, asked, within), "rounded": rounded})
 
@@ -245,22 +250,22 @@ def _at_the_given_digits(
     return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=at(rounded.singular_q))
 
 
-def _outcome(rates: Rates, asked: Array, within: Callable[[Array, Array], bool]) -> dict[str, Any]:
+def _outcome(rates: Rates, asked: Array, within: Callable[[int, Array], bool]) -> dict[str, Any]:
     """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding.
 
-    So is a part outside the range of A that the digits leave open, as `within` says of the basis of N(Aᵀ) and the part.
+    So is a part outside the range of A that the digits leave open, as `within` says of the rank of A and the part.
     """
-    b, spaces = asked - rates.drift, subspaces_without_units(rates.A, rates.scale)
-    rounding = RANK_TOLERANCE * float(np.linalg.norm(asked) + np.linalg.norm(rates.drift))
+    b, spaces, rows = asked - rates.drift, subspaces_without_units(rates.A, rates.scale), rates.rows
+    rounding = RANK_TOLERANCE * float(np.linalg.norm(rows * asked) + np.linalg.norm(rows * rates.drift))
     unrealisable, residual = spaces.unrealisable(b), asked - rates.realised
-    inside = bool(np.linalg.norm(unrealisable) <= rounding)
+    inside = bool(np.linalg.norm(rows * unrealisable) <= rounding)
     sigma = np.linalg.svd(rates.scale * rates.A, compute_uv=False)
     lost = spaces.rank < min(rates.A.shape)
     status = RateStatus.REALISED_ALL_THE_SAME if lost else RateStatus.REALISED
     if not inside:
-        inside = within(spaces.left_null, unrealisable)
+        inside = within(spaces.rank, unrealisable)
         status = RateStatus.REALISED_WITHIN_DIGITS if inside else RateStatus.OUT_OF_RANGE
-    elif rates.damping > 0 and np.linalg.norm(residual) > rounding:
+    elif rates.damping > 0 and np.linalg.norm(rows * residual) > rounding:
         status = RateStatus.DAMPED
     return {
         "inputs": rates.inputs,

@@ -71,7 +71,7 @@ class PathFlow:
         if self.order == 2:
             qdot = self.resolution.inputs(robot, q) @ u
             asked += self.gains[1] * (self.trajectory.velocity(t, side=side) - task.jacobian(robot, q) @ qdot)
-        at = (q,) if self.order == 1 else (q, u)
-        rates = resolved(robot, task, self.resolution, at, asked, self.wish, SOFT)
+        given = u if self.order == 2 else None
+        rates = resolved(robot, task, self.resolution, q, asked, self.wish, u=given, soft=SOFT)
         rate = rates.joints if self.order == 1 else np.concatenate([qdot, rates.inputs])
         return Command(rates.joints, rate, error, asked - rates.realised, rates.A)

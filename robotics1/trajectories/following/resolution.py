@@ -141,6 +141,7 @@ class Rates(NamedTuple):
 
     Attributes:
         A: (m, k) J G.
+        rows: (m,) factors that take the units out of ṙ, or r̈.
         scale: (m, k) factors that take the units out of A.
         inputs: (k,) u, or u̇.
         damping: the λ that was used.
@@ -149,6 +150,7 @@ class Rates(NamedTuple):
     """
 
     A: Array
+    rows: Array
     scale: Array
     inputs: Array
     damping: float
@@ -165,21 +167,27 @@ def resolved(
     robot: Robot,
     task: Task,
     resolution: Resolution,
-    state: tuple[Array] | tuple[Array, Array],
+    q: Array,
     asked: Array,
     wish: Wish,
+    *,
+    u: Array | None = None,
     soft: float = 0.0,
 ) -> Rates:
     """Return u = A# ṙ + (1 − A⁺A) u₀ and q̇ = G u at a q; or at a state (q, u) what accelerates the task by r̈:
     u̇ = A# (r̈ − Ȧ u) + (1 − A⁺A) u̇₀ and q̈ = G u̇ + Ġ u. `soft` is that of `Resolution.solve`, of A without units.
     """
-    q, *u = state
     G = resolution.inputs(robot, q)
     A, scale = task.jacobian(robot, q) @ G, resolution.scale(robot, task, G.shape[1])
-    drift, turning = drifts(robot, task, resolution, q, u[0]) if u else (np.zeros(task.rows), np.zeros(robot.nv))
-    wanted = wished("null_acceleration" if u else "null_velocity", wish, A, *state)
+    if u is None:
+        drift: Array = np.zeros(task.rows)
+        turning: Array = np.zeros(robot.nv)
+        wanted = wished("null_velocity", wish, A, q)
+    else:
+        drift, turning = drifts(robot, task, resolution, q, u)
+        wanted = wished("null_acceleration", wish, A, q, u)
     x, damping = resolution.solve(A, asked - drift, wanted, rank=rank_of(A, scale), soft=_with_units(soft, A, scale))
-    return Rates(A, scale, x, damping, G @ x + turning, drift)
+    return Rates(A, unitless_rows(robot, task), scale, x, damping, G @ x + turning, drift)
 
 
 def _with_units(soft: float, A: Array, scale: Array) -> float:
