@@ -314,3 +314,16 @@ def test_bounds_that_are_not_positive_are_input_errors(name, value):
 def test_a_deceleration_alone_is_an_input_error():
     with pytest.raises(r1.InputError, match="needs one on the acceleration"):
         r1.MotionLimits(deceleration=1)
+
+
+@pytest.mark.parametrize(
+    ("law", "a", "c", "b"), [("cubic", 3, 2, 1), ("quintic", 5, 3, 2), ("septic", 7, 4, 3)], ids=["3", "5", "7"]
+)
+@given(share=st.floats(-0.5, 0.99), V=st.floats(0.01, 100), d=st.floats(0.01, 100), mirrored=st.booleans())
+def test_from_the_bound_V_the_first_derivative_that_is_not_zero_must_lead_back(law, a, c, b, share, V, d, mirrored):
+    """At v0 = V the velocity may only touch V: q̈(0) = 0 gives a cubic 6Δ = (4V + 2v1) T, d³q/dt³(0) = 0 a quintic
+    60Δ = (36V + 24v1) T, and d⁴q/dt⁴(0) = 0 a septic 35Δ = (20V + 15v1) T.
+    """
+    ends = {"v0": share * V, "v1": V} if mirrored else {"v0": V, "v1": share * V}
+    found = r1.minimum_time(0, d, r1.MotionLimits(velocity=V), law, **ends)
+    assert found.duration == pytest.approx(a * d / ((c + b * share) * V), rel=1e-10)

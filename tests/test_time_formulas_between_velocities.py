@@ -104,6 +104,18 @@ def test_a_bang_bang_law_that_may_not_exceed_v_accelerates_less():
     assert back.conditions == (sympy.Lt(D, sympy.Abs(V0 - V1) * (V0 + V1) / (2 * A)),)
 
 
+@pytest.mark.parametrize("bounds", [{}, {"acceleration": "A"}], ids=["V", "V, A"])
+def test_a_bang_bang_law_from_V_to_V_keeps_it(bounds):
+    """Δ (2V − v0 − v1)/(V² − (v0² + v1²)/2) is 0/0 there; T = Δ/V."""
+    formula = time_formula("bang_bang", velocity="V", v0="v0", v1="v1", **bounds)
+    for V in (0.3, 1.0, 7.0):
+        found = formula.case_of(Delta=2, V=V, v0=V, v1=V, **dict.fromkeys(bounds.values(), 3))
+        assert (found.duration, found.velocity, found.acceleration) == pytest.approx((2 / V, V, 0))
+        assert found.times == ()
+    numbers = time_formula("bang_bang", velocity=0.7, v0=0.7, v1=0.7, **bounds)
+    assert [str(case.duration) for case in numbers.cases] == ["10*Delta/7"]
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_bang_bang_law_arrives_with_its_velocity_and_one_bound_is_reached(seed):
     f = time_formula("bang_bang", **BOUNDS, **ENDS)

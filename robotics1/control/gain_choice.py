@@ -18,12 +18,13 @@ from robotics1.inputs import (
     real_array,
     real_number,
 )
-from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.least_squares import generalized_inverse, rank_of
 from robotics1.notation import vector
 from robotics1.results import tuple_with_arrays
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.rows import unitless_factors
 
 Criterion = Literal["error", "smallest", "common"]
 CRITERIA: tuple[Criterion, ...] = get_args(Criterion)
@@ -118,9 +119,9 @@ def largest_gains(
     e = task.error(robot, q, wanted if motion is None else motion(t))
     ahead = np.zeros(task.rows) if motion is None else real_array("ṙ_d", motion.velocity(t), (task.rows,))
     J = task.jacobian(robot, q)
-    if numeric_rank(np.linalg.svd(J, compute_uv=False)) < task.rows:
+    if (rank := rank_of(J, unitless_factors(robot, task))) < task.rows:
         raise TaskError("J has not full row rank at this q, so that no law realises every error rate")
-    inverse = np.linalg.pinv(J, rcond=RANK_TOLERANCE)
+    inverse = generalized_inverse(J, rank=rank).solve(np.eye(task.rows))
     base = inverse @ ahead
     if (np.abs(base) > V * (1 + 1e-12)).any():
         raise InputError(f"the feedforward alone, q̇ = {vector(base)}, is beyond the limits {vector(V)}")

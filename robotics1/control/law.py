@@ -19,12 +19,7 @@ from robotics1.kinematics import velocity_of_joints
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
-from robotics1.trajectories.following.resolution import (
-    Resolution,
-    Wish,
-    resolved_acceleration,
-    resolved_velocity,
-)
+from robotics1.trajectories.following.resolution import Resolution, Wish, resolved
 
 DOT, DOTS = {"q": "q̇", "r": "ṙ"}, {"q": "q̈", "r": "r̈"}
 
@@ -126,9 +121,8 @@ class ControlLaw:
         rate_inside = A.rate.T @ e + A.A.T @ e_rate
         feedback = self.D @ rate_inside + self.K @ inside + 2 * A.rate.T @ e_rate + A.acceleration.T @ e
         asked = self.feedforward * ahead[1] + A.A @ feedback
-        rates = resolved_acceleration(self.robot, self.task, self.resolution, (q, v), asked, self.null_motion)
-        left = asked - rates.drift - rates.A @ rates.inputs
-        return ControlCommand(rates.joints, e, inside, e_rate, asked, left)
+        rates = resolved(self.robot, self.task, self.resolution, q, asked, self.null_motion, u=v)
+        return ControlCommand(rates.joints, e, inside, e_rate, asked, asked - rates.realised)
 
     def decay(self, q0: npt.ArrayLike, qdot0: npt.ArrayLike | None = None) -> ErrorDecay:
         """Return the error in the law's axes as a function of time, from the start at t = 0.
@@ -203,4 +197,4 @@ class ControlLaw:
     def _velocity(self, q: Array, asked: Array, J: Array) -> Array:
         if self.method == "gradient":
             return np.asarray(J.T @ asked)
-        return resolved_velocity(self.robot, self.task, self.resolution, q, asked, self.null_motion).joints
+        return resolved(self.robot, self.task, self.resolution, q, asked, self.null_motion).joints

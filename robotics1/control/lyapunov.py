@@ -12,12 +12,12 @@ import numpy.typing as npt
 from robotics1.control.gain_matrix import gain_matrix
 from robotics1.control.laws import METHODS, Method
 from robotics1.inputs import Array, one_of
-from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, rank_of
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
-from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.rows import unitless_factors
 
 
 class LyapunovStatus(Enum):
@@ -91,15 +91,15 @@ def lyapunov_rate(
     gain: Array = gain_matrix("K", K, task.rows, symmetric=law == "gradient")
     e, J = task.error(robot, q, target), task.jacobian(robot, q)
     weight = gain @ e if law == "gradient" else e
-    inverse = J.T if law == "gradient" else np.linalg.pinv(J, rcond=RANK_TOLERANCE)
-    qdot, value = np.asarray(inverse @ gain @ e), 0.5 * float(e @ weight)
+    inverse = generalized_inverse(J, rank=rank_of(J, unitless_factors(robot, task)))
+    qdot = np.asarray(J.T @ gain @ e) if law == "gradient" else inverse.solve(gain @ e)
+    value = 0.5 * float(e @ weight)
     rate = -float(weight @ J @ qdot)
-    size = float(np.linalg.norm(e))
-    if size == 0:
+    inside = J @ inverse.solve(gain @ e)
+    if not e.any():
         status = LyapunovStatus.AT_TARGET
+    elif np.linalg.norm(inside) <= RANK_TOLERANCE * np.linalg.norm(gain @ e):
+        status = LyapunovStatus.STUCK
     else:
-        seen = subspaces(J)
-        inside = float(np.linalg.norm((gain @ e) - seen.unrealisable(gain @ e)))
-        stuck = inside <= RANK_TOLERANCE * float(np.linalg.norm(gain @ e))
-        status = LyapunovStatus.STUCK if stuck else LyapunovStatus.DECREASES
+        status = LyapunovStatus.DECREASES
     return LyapunovRate(value, rate, qdot, e, status, law)

@@ -120,7 +120,7 @@ def follow_by_priority(
         return _run(robot, tracks, times, *moved, complete=True)  # rates within limits do not run away
 
     def rate(t: float, q: Array, side: Side) -> Array:
-        rows = [(track.task.jacobian(robot, q), track.asked(robot, t, q, side)) for track in tracks]
+        rows = [(track.task.jacobian(robot, q), track.asked(robot, t, q, side), track.scale) for track in tracks]
         found = by_levels(rows, robot.nv, damping=damping)
         wish = 0.0 if objective is None else found.null @ (found.null.T @ (gain * gradient_of(objective, q, robot.nv)))
         return np.asarray(found.x + wish)

@@ -1,18 +1,114 @@
-"""Levels as the caller hands them in: pairs of a task and what is asked of it, the most important first."""
+"""Levels as the caller hands them in, the most important first: a task, and what is asked of it at a state."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
+import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, moderate, real_array
+from robotics1.kinematics import velocity_of_joints
+from robotics1.redundancy.hierarchy import Level
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, task_from
+from robotics1.tasks.rows import unitless_factors, unitless_rows
 from robotics1.tasks.task import Task
+from robotics1.trajectories.following.task_rates import jacobian_rate
+
+
+class LevelRows(NamedTuple):
+    """J x + drift of one level, with x = q̇ or q̈.
+
+    Attributes:
+        J: (m, nv).
+        drift: (m,) J̇ q̇; zero of velocities.
+        scale: (m, nv) factors that take the units out of J.
+        units: (m,) factors that take the units out of what is asked.
+    """
+
+    J: Array
+    drift: Array
+    scale: Array
+    units: Array
+
+    def equation(self, asked: Array) -> Level:
+        """Return J x = asked − drift, as `by_levels` takes it."""
+        return self.J, asked - self.drift, self.scale
+
+    def size(self, *rates: Array) -> float:
+        """Return the sum of the norms of rates, without units."""
+        return float(sum(np.linalg.norm(self.units * rate) for rate in rates))
+
+
+@dataclass(frozen=True, eq=False)
+class AskedLevels:
+    """The rates, or accelerations, that are asked of several tasks.
+
+    Attributes:
+        robot: whose joints make them.
+        tasks: of each level.
+        asked: of each level ṙ, or r̈, (m,).
+        qdot: (nv,) q̇, where accelerations are asked.
+    """
+
+    robot: Robot
+    tasks: tuple[Task, ...]
+    asked: tuple[Array, ...]
+    qdot: Array | None = None
+
+    def rows(self, q: Array) -> list[LevelRows]:
+        """Return the rows of each level at a configuration."""
+        robot = self.robot
+        return [
+            LevelRows(
+                task.jacobian(robot, q), self._drift(task, q), unitless_factors(robot, task), unitless_rows(robot, task)
+            )
+            for task in self.tasks
+        ]
+
+    def _drift(self, task: Task, q: Array) -> Array:
+        if self.qdot is None:
+            return np.zeros(task.rows)
+        return np.asarray(jacobian_rate(self.robot, task, q, self.qdot) @ self.qdot)
+
+
+def asked_levels(
+    robot: RobotLike,
+    levels: Sequence[tuple[TaskLike, npt.ArrayLike]],
+    symbol: str,
+    qdot: npt.ArrayLike | None = None,
+) -> AskedLevels:
+    """Return the levels, checked, and what is asked of them, which `symbol` names; with q̇ it is accelerations.
+
+    Raises:
+        InputError: as `level_pairs`, or a rate has not one number for each row of its task.
+        TaskError: a task does not fit the robot.
+    """
+    robot, pairs = robot_from(robot), level_pairs(levels, symbol)
+    for task, _ in pairs:
+        task.check(robot)
+    asked = [
+        real_array(f"{symbol} of level {number}", rate, (task.rows,), "one number for each row of J")
+        for number, (task, rate) in enumerate(pairs, 1)
+    ]
+    return AskedLevels(robot, tuple(task for task, _ in pairs), tuple(asked), _speed(robot, qdot))
+
+
+def asked_of_one(
+    robot: Robot, task: Task, name: str, asked: npt.ArrayLike, qdot: npt.ArrayLike | None = None
+) -> AskedLevels:
+    """Return the same of one task; `name` is that of the argument."""
+    rate = real_array(name, asked, (task.rows,), "one number for each row of J")
+    return AskedLevels(robot, (task,), (rate,), _speed(robot, qdot))
+
+
+def _speed(robot: Robot, qdot: npt.ArrayLike | None) -> Array | None:
+    return None if qdot is None else moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
 
 
 def level_pairs(levels: Any, symbol: str) -> list[tuple[Task, Any]]:
@@ -32,22 +128,3 @@ def level_pairs(levels: Any, symbol: str) -> list[tuple[Task, Any]]:
             raise InputError(f"level {number} has the same task as one before it, which decides it already: {task!r}")
         pairs.append((task, level[1]))
     return pairs
-
-
-def checked_levels(
-    robot: RobotLike, levels: Sequence[tuple[TaskLike, npt.ArrayLike]], symbol: str
-) -> tuple[Robot, list[Task], list[Array]]:
-    """Return the robot, and the tasks and the rates of the levels.
-
-    Raises:
-        InputError: as `level_pairs`, or a rate has not one number for each row of its task.
-        TaskError: a task does not fit the robot.
-    """
-    robot, pairs = robot_from(robot), level_pairs(levels, symbol)
-    for task, _ in pairs:
-        task.check(robot)
-    rates = [
-        real_array(f"{symbol} of level {number}", rate, (task.rows,), "one number for each row of J")
-        for number, (task, rate) in enumerate(pairs, 1)
-    ]
-    return robot, [task for task, _ in pairs], rates

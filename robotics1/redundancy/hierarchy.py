@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
 
-Level = tuple[Array, Array]
+Level = tuple[Array, Array, Array | float]  # A, b, and factors that take the units out of A
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +37,7 @@ def by_levels(levels: Sequence[Level], n: int, *, damping: float = 0.0) -> Hiera
     Of all solutions x is the shortest.
 
     Args:
-        levels: pairs (Aᵢ, bᵢ).
+        levels: (Aᵢ, bᵢ, scaleᵢ); ranks are those of scaleᵢ * Aᵢ, which has no units.
         n: the length of x.
         damping: λ of the inverses of the levels after the first.
 
@@ -45,18 +45,18 @@ def by_levels(levels: Sequence[Level], n: int, *, damping: float = 0.0) -> Hiera
     ICAR 1991; Baerlocher, Boulic, An inverse kinematics architecture enforcing an arbitrary number of strict priority
     levels, The Visual Computer 20, 2004.
     """
-    x, N = np.zeros(n), np.eye(n)
-    ranks, free = [], []
-    for number, (A, b) in enumerate(levels):
-        sigma = np.linalg.svd(A, compute_uv=False)
-        U, s, Vt = np.linalg.svd(A @ N)
+    x, N, free = np.zeros(n), np.eye(n), np.eye(n)  # `free` is N without units
+    ranks, free_ranks = [], []
+    for number, (A, b, scale) in enumerate(levels):
+        sigma = np.linalg.svd(scale * A, compute_uv=False)
+        _, s, turned = np.linalg.svd(scale * A @ free)
         r = int(np.count_nonzero(s > RANK_TOLERANCE * sigma[:1]))  # of the size of A, else rounding would count
-        y = s[:r] / (s[:r] ** 2 + (damping if number else 0.0) ** 2) * (U[:, :r].T @ (b - A @ x))
-        x = x + N @ (Vt[:r].T @ y)
-        N = N @ Vt[r:].T
+        inverse = generalized_inverse(A @ N, damping if number else 0.0, rank=r)
+        x = x + N @ inverse.solve(b - A @ x)
+        N, free = N @ inverse.null, free @ turned[r:].T
         ranks.append(numeric_rank(sigma))
-        free.append(r)
-    return Hierarchy(x, tuple(ranks), tuple(free), N)
+        free_ranks.append(r)
+    return Hierarchy(x, tuple(ranks), tuple(free_ranks), N)
 
 
 def by_projection(levels: Sequence[Level], n: int) -> Hierarchy:
@@ -70,8 +70,7 @@ def by_projection(levels: Sequence[Level], n: int) -> Hierarchy:
     """
     x = np.zeros(n)
     exact = by_levels(levels, n)
-    for i, (A, b) in enumerate(levels):
-        own = np.linalg.pinv(A, rcond=RANK_TOLERANCE) @ b
+    for i, (A, b, _) in enumerate(levels):
         N = by_levels(levels[:i], n).null
-        x = x + N @ (N.T @ own)
+        x = x + N @ (N.T @ generalized_inverse(A, rank=exact.ranks[i]).solve(b))
     return Hierarchy(x, exact.ranks, exact.free_ranks, exact.null)

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, real_array, real_number
-from robotics1.least_squares import numeric_rank
+from robotics1.least_squares import rank_of
 from robotics1.redundancy.objectives import Objective
 from robotics1.redundancy.weighted import null_vectors, pivot_columns
 from robotics1.results import Frozen, require
@@ -17,6 +17,7 @@ from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.function import FunctionTask
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.rows import unitless_factors
 from robotics1.tasks.stacked import StackedTask
 from robotics1.trajectories.following.joint_rates import JointVelocity, joint_velocity
 from robotics1.trajectories.following.resolution import Resolution
@@ -158,7 +159,7 @@ def reduced_gradient(
     k = real_number("gain", gain)
     if not robot.nv:
         raise TaskError(f"robot {robot.name!r} has no joint: nothing is redundant")
-    if numeric_rank(np.linalg.svd(J, compute_uv=False)) < task.rows:
+    if rank_of(J, unitless_factors(robot, task)) < task.rows:
         raise InputError("the reduced gradient needs a Jacobian of full row rank; at this q it has not")
     A = list(pivot_columns(J))
     B = [i for i in range(robot.nv) if i not in A]

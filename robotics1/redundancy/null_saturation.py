@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.least_squares import generalized_inverse, rank_of
 from robotics1.redundancy.within_bounds import within
 from robotics1.results import tuple_with_arrays
 
@@ -46,7 +46,7 @@ class Saturated:
     steps: tuple[SaturationStep, ...] = ()
 
 
-def saturate_step_by_step(A: Array, b: Array, low: Array, high: Array) -> Saturated:
+def saturate_step_by_step(A: Array, b: Array, low: Array, high: Array, scale: Array) -> Saturated:
     """Return x with A x = s b and low ≤ x ≤ high, holding one joint after the other at its limit.
 
     x = x_N + (A W)⁺ (b − A x_N), where W is the identity without the held joints, which have their limits in x_N.
@@ -58,35 +58,36 @@ def saturate_step_by_step(A: Array, b: Array, low: Array, high: Array) -> Satura
         A: (m, n).
         b: (m,) in the range of A.
         low, high: (n,) limits, with low ≤ 0 ≤ high.
+        scale: (m, n) factors that take the units out of A.
 
     Source: Flacco, De Luca, Khatib, Motion control of redundant robots under joint constraints: saturation in the null
     space, ICRA 2012, algorithms 1 and 2.
     """
-    n, rank = A.shape[1], numeric_rank(np.linalg.svd(A, compute_uv=False))
+    n, rank = A.shape[1], rank_of(A, scale)
     held = np.zeros(n, dtype=bool)
     x_held: Array = np.zeros(n)
     best: tuple[float, Array, Array] = (0.0, np.zeros(n), np.zeros(n))  # s, and x = (s-part) + (constant part)
     steps: list[SaturationStep] = []
     while True:
         free = np.where(held, 0.0, A)
-        inverse = np.linalg.pinv(free, rcond=RANK_TOLERANCE)
-        per_scale, constant = inverse @ b, x_held - inverse @ (A @ x_held)
+        inverse = generalized_inverse(free, rank=rank)
+        per_scale, constant = inverse.solve(b), x_held - inverse.solve(A @ x_held)
         x = np.asarray(per_scale + constant, dtype=float)
         inside = np.abs(A @ x - b).max(initial=0.0) <= 1e-8 * np.abs(b).max(initial=0.0)
-        scale, critical = _scale(per_scale, constant, low, high, ~held)
+        s, critical = _scale(per_scale, constant, low, high, ~held)
         done = inside and within(x, low, high)
         steps.append(
-            SaturationStep(x, tuple(np.flatnonzero(held).tolist()), 1.0 if done else scale, -1 if done else critical)
+            SaturationStep(x, tuple(np.flatnonzero(held).tolist()), 1.0 if done else s, -1 if done else critical)
         )
         if done:
             return Saturated(np.clip(x, low, high), 1.0, tuple(steps))
-        if inside and scale > best[0]:
-            best = scale, per_scale, constant
+        if inside and s > best[0]:
+            best = s, per_scale, constant
         if critical < 0:
             break
         held[critical] = True
         x_held[critical] = high[critical] if x[critical] > high[critical] else low[critical]
-        if numeric_rank(np.linalg.svd(np.where(held, 0.0, A), compute_uv=False)) < rank:
+        if rank_of(np.where(held, 0.0, A), scale) < rank:
             break
     s, slope, start = best
     return Saturated(np.clip(s * slope + start, low, high), s, tuple(steps))

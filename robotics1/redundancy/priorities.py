@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Literal, get_args
 
@@ -13,16 +13,15 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import Array, moderate, one_of, positive_numbers, real_number
 from robotics1.kinematics import velocity_of_joints
-from robotics1.least_squares import RANK_TOLERANCE
-from robotics1.redundancy.given_levels import checked_levels
-from robotics1.redundancy.hierarchy import Hierarchy, by_levels, by_projection
-from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
+from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse
+from robotics1.redundancy.given_levels import AskedLevels, LevelRows, asked_levels
+from robotics1.redundancy.hierarchy import Hierarchy, Level, by_levels, by_projection
+from robotics1.redundancy.rates_within_digits import rates_within_digits, with_singularity
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
-from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.robot.model import ConfigurationLike
 from robotics1.singularities.rounding import RoundedConfiguration
 from robotics1.tasks.given import TaskLike
-from robotics1.trajectories.following.task_rates import jacobian_rate
 
 Method = Literal["levels", "projection", "stacked"]
 METHODS: tuple[Method, ...] = get_args(Method)
@@ -143,12 +142,7 @@ def priority_velocity(
     Source: Nakamura, Hanafusa, Yoshikawa, Int. J. Robotics Research 6, 1987; Siciliano, Slotine, ICAR 1991
     ("levels"); Chiaverini, IEEE Trans. Robotics and Automation 13, 1997 ("projection").
     """
-    robot, tasks, rates = checked_levels(robot, levels, "ṙ")
-
-    def rows_at(near: Array) -> list[tuple[Array, Array]]:
-        return [(task.jacobian(robot, near), np.zeros(task.rows)) for task in tasks]
-
-    return _solved(robot, rows_at, rates, q, method, null_velocity, damping, weights)
+    return _solved(asked_levels(robot, levels, "ṙ"), q, method, null_velocity, damping, weights)
 
 
 def priority_acceleration(
@@ -180,45 +174,26 @@ def priority_acceleration(
 
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 3.7.4 (second order).
     """
-    robot, tasks, rates = checked_levels(robot, levels, "r̈")
-    speed = moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
-
-    def rows_at(near: Array) -> list[tuple[Array, Array]]:
-        return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed) for task in tasks]
-
-    return _solved(robot, rows_at, rates, q, method, null_acceleration, damping)
+    return _solved(asked_levels(robot, levels, "r̈", qdot), q, method, null_acceleration, damping)
 
 
 def _solved(
-    robot: Robot,
-    rows_at: RowsAt,
-    asked: list[Array],
-    q: ConfigurationLike,
-    method: str,
-    wish: Any,
-    damping: float,
-    weights: Any = None,
+    levels: AskedLevels, q: ConfigurationLike, method: str, wish: Any, damping: float, weights: Any = None
 ) -> Priorities:
+    robot, asked = levels.robot, levels.asked
     solve = _solver(one_of("method", method, METHODS), len(asked), robot.nv, damping, weights)
     extra = None if wish is None else moderate("the null motion", velocity_of_joints(robot, "the null motion", wish))
 
     def at(x: ConfigurationLike) -> Priorities:
-        levels = rows_at(robot.configuration(x))
-        rows = [(J, b - drift) for (J, drift), b in zip(levels, asked, strict=True)]
-        found = solve(rows)
+        rows = levels.rows(robot.configuration(x))
+        found = solve([row.equation(b) for row, b in zip(rows, asked, strict=True)])
         joints = found.x if extra is None else found.x + found.null @ (found.null.T @ extra)
-        meant = rates_within_digits(robot, rows_at, asked, x)
-        return Priorities(joints, _outcomes(levels, asked, meant, joints), found.null, method)
+        return Priorities(joints, _outcomes(rows, asked, rates_within_digits(levels, x), joints), found.null, method)
 
-    answer, rounded = at(q), singularity_of_levels(robot, rows_at, q)
-    if rounded is None or rounded.singular_q is None:
-        return answer
-    return replace(answer, rounded=rounded, at_singularity=at(rounded.singular_q))
+    return with_singularity(at, levels, q)
 
 
-def _solver(
-    method: str, number: int, n: int, damping: float, weights: Any
-) -> Callable[[Sequence[tuple[Array, Array]]], Hierarchy]:
+def _solver(method: str, number: int, n: int, damping: float, weights: Any) -> Callable[[Sequence[Level]], Hierarchy]:
     """Return what solves the levels by a method.
 
     Raises:
@@ -235,35 +210,36 @@ def _solver(
         return lambda rows: by_projection(rows, n)
     w = np.sqrt(np.ones(number) if weights is None else positive_numbers("weights", weights, number))
 
-    def stacked(rows: Sequence[tuple[Array, Array]]) -> Hierarchy:
+    def stacked(rows: Sequence[Level]) -> Hierarchy:
         A, b = (np.concatenate([x * row[i] for x, row in zip(w, rows, strict=True)]) for i in (0, 1))
-        return by_levels([(A, b)], n)
+        return by_levels([(A, b, np.vstack([scale for _, _, scale in rows]))], n)
 
     return stacked
 
 
 def _outcomes(
-    levels: Sequence[tuple[Array, Array]], asked: Sequence[Array], meant: Sequence[Array], x: Array
+    rows: Sequence[LevelRows], asked: Sequence[Array], meant: Sequence[Array], x: Array
 ) -> tuple[LevelOutcome, ...]:
     """Return what becomes of each level with x, `meant` being what the digits of what is asked mean."""
-    exact = by_levels([(J, b - drift) for (J, drift), b in zip(levels, asked, strict=True)], len(x))
+    exact = by_levels([row.equation(b) for row, b in zip(rows, asked, strict=True)], len(x))
     outcomes = []
-    for i, (J, drift) in enumerate(levels):
-        left, size = asked[i] - drift - J @ x, float(np.linalg.norm(asked[i]) + np.linalg.norm(drift))
-        if np.linalg.norm(left) <= 10 * RANK_TOLERANCE * size:
+    for i, row in enumerate(rows):
+        J, left = row.J, asked[i] - row.drift - row.J @ x
+        rounding = RANK_TOLERANCE * row.size(asked[i], row.drift)
+        if row.size(left) <= 10 * rounding:
             status = LevelStatus.REALISED
         else:
-            b = meant[i] - drift
-            status = _status(J, b, b - J @ exact.x, b - J @ x, RANK_TOLERANCE * size)
+            b = meant[i] - row.drift
+            alone = b - J @ generalized_inverse(J, rank=exact.ranks[i]).solve(b)
+            status = _status(row.size(alone), row.size(b - J @ exact.x), row.size(b - J @ x), rounding)
         outcomes.append(LevelOutcome(status, asked[i], left, exact.ranks[i], exact.free_ranks[i]))
     return tuple(outcomes)
 
 
-def _status(A: Array, b: Array, at_best: Array, left: Array, rounding: float) -> LevelStatus:
-    """Return the status of a level, b being what its digits mean, with the residuals by priority and of the method."""
-    if np.linalg.norm(left) <= 10 * rounding:
+def _status(alone: float, at_best: float, left: float, rounding: float) -> LevelStatus:
+    """Return the status from the sizes of residuals: without other levels, by priority, and of the method."""
+    if left <= 10 * rounding:
         return LevelStatus.REALISED_WITHIN_DIGITS
-    alone = b - A @ (np.linalg.pinv(A, rcond=RANK_TOLERANCE) @ b)
-    if np.linalg.norm(alone) > rounding:
+    if alone > rounding:
         return LevelStatus.OUT_OF_RANGE
-    return LevelStatus.IN_CONFLICT if np.linalg.norm(at_best) > 10 * rounding else LevelStatus.NOT_MET
+    return LevelStatus.IN_CONFLICT if at_best > 10 * rounding else LevelStatus.NOT_MET

@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError
 from robotics1.inputs import Array, dimensions, moderate, per_joint, real_number, without_infinity
+from robotics1.redundancy.given_levels import AskedLevels
 from robotics1.robot.model import Robot
 
 AT_LIMIT = 1e-9  # of the room between the limits
@@ -38,8 +39,7 @@ def limits_of(
 
 
 def acceleration_limits(
-    robot: Robot,
-    qdot: Array,
+    levels: AskedLevels,
     limits: npt.ArrayLike,
     lower: npt.ArrayLike | None,
     max_velocity: npt.ArrayLike | None,
@@ -50,13 +50,15 @@ def acceleration_limits(
     Raises:
         InputError: a shape is wrong, or only one of max_velocity and step is given.
     """
-    low, high = limits_of(robot, limits, lower)
+    low, high = limits_of(levels.robot, limits, lower)
     if (max_velocity is None) != (step is None):
         raise InputError("max_velocity= and step= belong together: |q̇ + q̈ h| ≤ V holds after the step h")
-    if max_velocity is None:
+    if max_velocity is None or levels.qdot is None:
         return low, high
-    h, (least, most) = real_number("step", step, positive=True), limits_of(robot, max_velocity, None, "max_velocity")
-    return np.clip((least - qdot) / h, low, high), np.clip((most - qdot) / h, low, high)
+    h = real_number("step", step, positive=True)
+    ends = limits_of(levels.robot, max_velocity, None, "max_velocity")
+    least, most = (np.clip((end - levels.qdot) / h, low, high) for end in ends)
+    return least, most
 
 
 def _bound(robot: Robot, name: str, value: Any) -> Array:

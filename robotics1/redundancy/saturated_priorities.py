@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array, moderate
-from robotics1.kinematics import velocity_of_joints
-from robotics1.redundancy.given_levels import checked_levels
+from robotics1.inputs import Array
+from robotics1.redundancy.given_levels import AskedLevels, asked_levels
 from robotics1.redundancy.rate_limits import acceleration_limits, at_limits, limits_of
-from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
-from robotics1.redundancy.within_bounds import levels_within
+from robotics1.redundancy.rates_within_digits import rates_within_digits, with_singularity
+from robotics1.redundancy.within_bounds import BoundedLevel, levels_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
-from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.robot.model import ConfigurationLike
 from robotics1.singularities.rounding import RoundedConfiguration
 from robotics1.tasks.given import TaskLike
-from robotics1.trajectories.following.task_rates import jacobian_rate
 
 REALISED = 1e-7  # of what is asked: a residual that is rounding
 
@@ -92,13 +90,9 @@ def saturated_priority_velocity(
     Source: Flacco, De Luca, Khatib, Prioritized multi-task motion control of redundant robots under hard joint
     constraints, IROS 2012.
     """
-    robot, tasks, rates = checked_levels(robot, levels, "ṙ")
-    low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
-
-    def rows_at(near: Array) -> list[tuple[Array, Array]]:
-        return [(task.jacobian(robot, near), np.zeros(task.rows)) for task in tasks]
-
-    return _resolved(robot, rows_at, rates, q, low, high)
+    asked = asked_levels(robot, levels, "ṙ")
+    high = asked.robot.max_velocity if limits is None else limits
+    return _resolved(asked, q, limits_of(asked.robot, high, lower))
 
 
 def saturated_priority_acceleration(
@@ -139,14 +133,9 @@ def saturated_priority_acceleration(
     manipulators: generalizing the task-priority framework to inequality task, IEEE Trans. Robotics 27, 2011 (least
     squares by levels).
     """
-    robot, tasks, asked = checked_levels(robot, levels, "r̈")
-    speed = moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
-    low, high = acceleration_limits(robot, speed, limits, lower, max_velocity, step)
-
-    def rows_at(near: Array) -> list[tuple[Array, Array]]:
-        return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed) for task in tasks]
-
-    return _resolved(robot, rows_at, asked, q, low, high, least_squares=True)
+    asked = asked_levels(robot, levels, "r̈", qdot)
+    bounds = acceleration_limits(asked, limits, lower, max_velocity, step)
+    return _resolved(asked, q, bounds, least_squares=True)
 
 
 def _words(s: float, realised: bool) -> str:
@@ -158,26 +147,20 @@ def _words(s: float, realised: bool) -> str:
 
 
 def _resolved(
-    robot: Robot,
-    rows_at: RowsAt,
-    asked: Sequence[Array],
-    q: ConfigurationLike,
-    low: Array,
-    high: Array,
-    *,
-    least_squares: bool = False,
+    levels: AskedLevels, q: ConfigurationLike, bounds: tuple[Array, Array], *, least_squares: bool = False
 ) -> SaturatedPriorities:
+    low, high = bounds
+
     def at(x: ConfigurationLike) -> SaturatedPriorities:
-        rows, meant = rows_at(robot.configuration(x)), rates_within_digits(robot, rows_at, asked, x)
-        levels = [(A, b, drift) for (A, drift), b in zip(rows, meant, strict=True)]
-        joints, scales = levels_within(levels, low, high, least_squares=least_squares)
-        left = [float(np.linalg.norm(b - drift - A @ joints)) for A, b, drift in levels]
-        sizes = [REALISED * float(np.linalg.norm(b) + np.linalg.norm(drift)) for _, b, drift in levels]
-        realised = tuple(s == 1 and r <= size for s, r, size in zip(scales, left, sizes, strict=True))
-        residuals = tuple(b - drift - A @ joints for (A, drift), b in zip(rows, asked, strict=True))
+        rows, meant = levels.rows(levels.robot.configuration(x)), rates_within_digits(levels, x)
+        bounded = [BoundedLevel(row.J, b, row.drift, row.scale) for row, b in zip(rows, meant, strict=True)]
+        joints, scales = levels_within(bounded, low, high, least_squares=least_squares)
+        made = [row.J @ joints + row.drift for row in rows]
+        realised = tuple(
+            s == 1 and row.size(b - r) <= REALISED * row.size(b, row.drift)
+            for s, row, b, r in zip(scales, rows, meant, made, strict=True)
+        )
+        residuals = tuple(b - r for b, r in zip(levels.asked, made, strict=True))
         return SaturatedPriorities(joints, scales, at_limits(joints, low, high), low, high, residuals, realised)
 
-    answer, rounded = at(q), singularity_of_levels(robot, rows_at, q)
-    if rounded is None or rounded.singular_q is None:
-        return answer
-    return replace(answer, rounded=rounded, at_singularity=at(rounded.singular_q))
+    return with_singularity(at, levels, q)

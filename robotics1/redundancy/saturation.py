@@ -2,32 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 from typing import Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import (
-    Array,
-    moderate,
-    one_of,
-    real_array,
-)
-from robotics1.kinematics import velocity_of_joints
-from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.inputs import Array, one_of
+from robotics1.least_squares import RANK_TOLERANCE, GeneralizedInverse, generalized_inverse, rank_of
+from robotics1.redundancy.given_levels import AskedLevels, LevelRows, asked_of_one
 from robotics1.redundancy.null_saturation import Saturated, SaturationStep, saturate_step_by_step
 from robotics1.redundancy.rate_limits import acceleration_limits, at_limits, limits_of
-from robotics1.redundancy.rates_within_digits import RowsAt, rates_within_digits, singularity_of_levels
+from robotics1.redundancy.rates_within_digits import rates_within_digits, with_singularity
 from robotics1.redundancy.within_bounds import largest_scale_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
-from robotics1.robot.model import ConfigurationLike, Robot
+from robotics1.robot.model import ConfigurationLike
 from robotics1.singularities.rounding import RoundedConfiguration
-from robotics1.singularities.spaces import subspaces
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.trajectories.following.task_rates import jacobian_rate
 
 Method = Literal["optimal", "sns", "scaled"]
 METHODS: tuple[Method, ...] = get_args(Method)
@@ -132,13 +125,9 @@ def saturated_velocity(
     tasks under hard bounds in the joint space, IROS 2013 (the quadratic program that it solves).
     """
     robot, task = robot_and_task(robot, task)
-    rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
-    low, high = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
-
-    def rows_at(near: Array) -> list[tuple[Array, Array]]:
-        return [(task.jacobian(robot, near), np.zeros(task.rows))]
-
-    return _solved(robot, rows_at, rdot, q, (low, high), one_of("method", method, METHODS))
+    asked = asked_of_one(robot, task, "rdot", rdot)
+    bounds = limits_of(robot, robot.max_velocity if limits is None else limits, lower)
+    return _solved(asked, q, bounds, one_of("method", method, METHODS))
 
 
 def saturated_acceleration(
@@ -179,70 +168,64 @@ def saturated_acceleration(
     space, IEEE Trans. Robotics 31, 2015.
     """
     robot, task = robot_and_task(robot, task)
-    rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
-    speed = moderate("qdot", velocity_of_joints(robot, "qdot", qdot))
-    low, high = acceleration_limits(robot, speed, limits, lower, max_velocity, step)
-
-    def rows_at(near: Array) -> list[tuple[Array, Array]]:
-        return [(task.jacobian(robot, near), jacobian_rate(robot, task, near, speed) @ speed)]
-
-    return _solved(robot, rows_at, rddot, q, (low, high), one_of("method", method, METHODS))
+    asked = asked_of_one(robot, task, "rddot", rddot, qdot)
+    bounds = acceleration_limits(asked, limits, lower, max_velocity, step)
+    return _solved(asked, q, bounds, one_of("method", method, METHODS))
 
 
-def _solved(
-    robot: Robot, rows_at: RowsAt, asked: Array, q: ConfigurationLike, bounds: tuple[Array, Array], method: str
-) -> SaturatedMotion:
+def _solved(levels: AskedLevels, q: ConfigurationLike, bounds: tuple[Array, Array], method: str) -> SaturatedMotion:
     def at(x: ConfigurationLike) -> SaturatedMotion:
-        (meant,), ((J, drift),) = rates_within_digits(robot, rows_at, [asked], x), rows_at(robot.configuration(x))
-        return _resolved(J, (asked, meant), drift, *bounds, method)
+        (rows,), (meant,) = levels.rows(levels.robot.configuration(x)), rates_within_digits(levels, x)
+        return _resolved(rows, (levels.asked[0], meant), *bounds, method)
 
-    answer, rounded = at(q), singularity_of_levels(robot, rows_at, q)
-    if rounded is None or rounded.singular_q is None:
-        return answer
-    return replace(answer, rounded=rounded, at_singularity=at(rounded.singular_q))
+    return with_singularity(at, levels, q)
 
 
 def _resolved(
-    J: Array, asked_meant: tuple[Array, Array], drift: Array, low: Array, high: Array, method: str
+    rows: LevelRows, asked_meant: tuple[Array, Array], low: Array, high: Array, method: str
 ) -> SaturatedMotion:
-    asked, meant = asked_meant
-    spaces = subspaces(J)
-    out = spaces.unrealisable(meant - drift)
-    reachable = np.linalg.norm(out) <= RANK_TOLERANCE * (np.linalg.norm(asked) + np.linalg.norm(drift))
-    b, c = asked - spaces.unrealisable(asked), drift - spaces.unrealisable(drift)
-    found = _within_limits(J, b, c, low, high, method)
+    J, drift, (asked, meant) = rows.J, rows.drift, asked_meant
+    inverse = generalized_inverse(J, rank=rank_of(J, rows.scale))
+
+    def inside(b: Array) -> Array:
+        return np.asarray(b - inverse.left_null @ (inverse.left_null.T @ b))
+
+    reachable = rows.size(meant - drift - inside(meant - drift)) <= RANK_TOLERANCE * rows.size(asked, drift)
+    b, c = inside(asked), inside(drift)
+    found = _within_limits(rows._replace(drift=c), inverse, b, low, high, method)
     x, s = found.x, found.scale
-    shortest = np.linalg.pinv(J, rcond=RANK_TOLERANCE) @ (b - c)
     if not reachable:
         status = SaturationStatus.OUT_OF_RANGE
     elif s < 1:
         status = SaturationStatus.SCALED
     else:
-        plain = np.allclose(x, shortest, rtol=0, atol=1e-9 * float(np.abs(x).max(initial=0.0)))
+        plain = np.allclose(x, inverse.solve(b - c), rtol=0, atol=1e-9 * float(np.abs(x).max(initial=0.0)))
         status = SaturationStatus.WITHIN_LIMITS if plain else SaturationStatus.SATURATED
-    at, left, by_digits = at_limits(x, low, high), asked - drift - J @ x, bool((meant != asked).any())
-    return SaturatedMotion(x, s, status, at, low, high, left, method, by_digits, found.steps)
+    residual, by_digits = asked - drift - J @ x, bool((meant != asked).any())
+    return SaturatedMotion(x, s, status, at_limits(x, low, high), low, high, residual, method, by_digits, found.steps)
 
 
-def _within_limits(J: Array, b: Array, drift: Array, low: Array, high: Array, method: str) -> Saturated:
+def _within_limits(
+    rows: LevelRows, inverse: GeneralizedInverse, b: Array, low: Array, high: Array, method: str
+) -> Saturated:
     """Return x with J x = s b − drift."""
-    n = J.shape[1]
-    shift = -np.linalg.pinv(J, rcond=RANK_TOLERANCE) @ drift  # x = shift + y with J y = s b
+    J, drift, scale, _ = rows
+    shift = -inverse.solve(drift)  # x = shift + y with J y = s b
     if method == "sns":
-        found = saturate_step_by_step(J, b, low - shift, high - shift)
+        found = saturate_step_by_step(J, b, low - shift, high - shift, scale)
         return Saturated(np.clip(found.x + shift, low, high), found.scale, found.steps)
     if method == "scaled":
-        y = np.linalg.pinv(J, rcond=RANK_TOLERANCE) @ b
+        y = inverse.solve(b)
         with np.errstate(divide="ignore", invalid="ignore"):
             ends = np.where(y > 0, (high - shift) / y, np.where(y < 0, (low - shift) / y, np.inf))
         s = float(np.clip(ends.min(initial=1.0), 0.0, 1.0))
         return Saturated(np.clip(s * y + shift, low, high), s)
-    s, found_x = largest_scale_within(J, -drift, b, low, high)
+    s, found_x = largest_scale_within(J, -drift, b, low, high, scale)
     if found_x is not None:
         return Saturated(found_x, s)
     from scipy.optimize import lsq_linear
 
-    if not n:
+    if not len(low):
         return Saturated(np.zeros(0), 0.0)
     wide = np.where(high > low, high, low + 1e-12)
     return Saturated(np.clip(lsq_linear(J, -drift, bounds=(low, wide), method="bvls").x, low, high), 0.0)

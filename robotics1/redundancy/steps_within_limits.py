@@ -7,7 +7,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.redundancy.tracks import Track
-from robotics1.redundancy.within_bounds import levels_within
+from robotics1.redundancy.within_bounds import BoundedLevel, levels_within
 from robotics1.robot.model import Robot
 
 STEPS = 400  # of the whole motion, at least
@@ -34,7 +34,7 @@ def moved_within_limits(
         rows = []
         for track, (target, ahead) in zip(tracks, asked, strict=True):
             wanted = ahead + track.gain * track.task.error(robot, q, target)
-            rows.append((track.task.jacobian(robot, q), wanted, np.zeros(len(wanted))))
+            rows.append(BoundedLevel(track.task.jacobian(robot, q), wanted, np.zeros(len(wanted)), track.scale))
         return levels_within(rows, *bounds)
 
     intervals = len(times) - 1

@@ -13,17 +13,19 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, non_negative_numbers
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import task_from
+from robotics1.tasks.rows import unitless_factors
 from robotics1.tasks.task import Task
 
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A level: its task, its trajectory or its target at rest, and its gain."""
+    """A level: its task, its trajectory or its target at rest, its gain, and factors that take the units out of J."""
 
     task: Task
     motion: Curve | None
     target: Any
     gain: Array
+    scale: Array
 
     def error(self, robot: Robot, t: float, q: Array) -> Array:
         """Return r_d(t) − f(q), (m,)."""
@@ -57,5 +59,5 @@ def tracks_of(robot: Robot, levels: Any) -> list[Track]:
         motion = as_curve(f"the trajectory of level {number}", wanted, derivatives=1) if moving else None
         if motion is not None and motion.shape != (task.rows,):
             raise InputError(f"the trajectory of level {number} must have {task.rows} rows; it has {motion.shape}")
-        found.append(Track(task, motion, None if moving else task.target(wanted), K))
+        found.append(Track(task, motion, None if moving else task.target(wanted), K, unitless_factors(robot, task)))
     return found

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from robotics1.errors import FormulaError, InputError
 from robotics1.inputs import Array, dimensions, real_array
-from robotics1.least_squares import RANK_TOLERANCE, numeric_rank
+from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse
 
 SEMIDEFINITE = 1e-12  # of the largest eigenvalue: a negative one above this is rounding
 
@@ -39,9 +39,8 @@ def weighted_pseudoinverse(J: Any, weights: Any = None) -> Any:
         return weighted_pseudoinverse_formula(J, weights)
     J = real_array("J", J, (None, None), "a matrix")
     W = _semidefinite(weights, J.shape[1])
-    inverse = np.linalg.pinv(J, rcond=RANK_TOLERANCE)
-    _, sigma, Vt = np.linalg.svd(J)
-    N = Vt[numeric_rank(sigma) :].T
+    found = generalized_inverse(J)
+    N, inverse = found.null, found.solve(np.eye(len(J)))
     return inverse - N @ np.linalg.pinv(N.T @ W @ N, rcond=RANK_TOLERANCE, hermitian=True) @ (N.T @ W @ inverse)
 
 

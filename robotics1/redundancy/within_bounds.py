@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.least_squares import numeric_rank
+from robotics1.least_squares import generalized_inverse, rank_of
 
 ROUNDING = 1e-10  # of the largest limit or rate: joints above their limit by less are at it
 CONSISTENT = 1e-8  # a residual of the equations that is rounding, relative
@@ -16,7 +17,14 @@ SOFT = 1e-3  # of the largest singular value: what makes least squares unique, r
 PROXIMAL = 4  # repetitions, each of which makes the error 1e-6 times as large, or less
 SOFT_ROUNDING = 1e-8  # as ROUNDING, of the ill-conditioned problem that softness makes
 
-BoundedLevel = tuple[Array, Array, Array]  # A, b, d
+
+class BoundedLevel(NamedTuple):
+    """A x = s b − d, with factors that take the units out of A (m, n)."""
+
+    A: Array
+    b: Array
+    d: Array
+    scale: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,13 +44,15 @@ class Line:
     most: float
 
 
-def largest_scale_within(C: Array, c: Array, g: Array, low: Array, high: Array) -> tuple[float, Array | None]:
+def largest_scale_within(
+    C: Array, c: Array, g: Array, low: Array, high: Array, scale: Array
+) -> tuple[float, Array | None]:
     """Return the largest s in [0, 1] with C x = c + s g and low ≤ x ≤ high for some x, and the shortest such x.
 
     From s = 1 down: where no x is within the bounds, the multipliers of the bounds prove it (Farkas), for every s above
     the one at which their proof fails; that s is the next. nan and None where no s is left.
     """
-    line = solution_line(C, c, g)
+    line = solution_line(C, c, g, scale)
     s = line.most
     if s < line.least:
         return float("nan"), None
@@ -65,14 +75,11 @@ def largest_scale_within(C: Array, c: Array, g: Array, low: Array, high: Array) 
     return float("nan"), None
 
 
-def solution_line(C: Array, c: Array, g: Array) -> Line:
-    """Return the solutions of C x = c + s g for s from 0 to 1."""
-    U, sigma, Vt = np.linalg.svd(C)
-    r = numeric_rank(sigma)
-    inverse = Vt[:r].T / sigma[:r]
-    start, slope = inverse @ (U[:, :r].T @ c), inverse @ (U[:, :r].T @ g)
+def solution_line(C: Array, c: Array, g: Array, scale: Array) -> Line:
+    """Return the solutions of C x = c + s g for s from 0 to 1; the rank is that of `scale` * C."""
+    inverse = generalized_inverse(C, rank=rank_of(C, scale))
     room = CONSISTENT * max(1e-300, float(np.abs(c).max(initial=0.0)), float(np.abs(g).max(initial=0.0)))
-    a, b = U[:, r:].T @ c, U[:, r:].T @ g  # a + s b = 0 is left
+    a, b = inverse.left_null.T @ c, inverse.left_null.T @ g  # a + s b = 0 is left
     least, most = 0.0, 1.0
     if np.abs(b).max(initial=0.0) > room:
         least = most = min(max(float(-(a @ b) / (b @ b)), 0.0), 1.0)
@@ -80,7 +87,7 @@ def solution_line(C: Array, c: Array, g: Array) -> Line:
             least = most = 1.0
     if np.abs(a + most * b).max(initial=0.0) > room:
         least, most = 1.0, 0.0
-    return Line(start, slope, Vt[r:].T, least, most)
+    return Line(inverse.solve(c), inverse.solve(g), inverse.null, least, most)
 
 
 def nearest_within(
@@ -121,8 +128,11 @@ def nearest_within(
     return (np.clip(x, low, high), None) if within(x, low, high, rounding) else (None, None)
 
 
-def least_squares_within(A: Array, b: Array, above: Array, right: Array, low: Array, high: Array) -> Array | None:
+def least_squares_within(
+    A: Array, b: Array, above: Array, right: Array, low: Array, high: Array, scale: Array
+) -> Array | None:
     """Return the shortest x with the least |A x − b| of all with C x = c within bounds; C is `above` and c is `right`.
+    `scale` takes the units out of [C; A].
 
     With x = x₀ + N z it is min |A N z − f|. The change of variables that makes it a least distance problem needs full
     rank: a small |z − z_k|² gives it, from a z_k that comes nearer at each repetition (proximal point).
@@ -130,7 +140,7 @@ def least_squares_within(A: Array, b: Array, above: Array, right: Array, low: Ar
     Source: Lawson, Hanson, Solving Least Squares Problems, 1974, chapter 23 (LSI); Rockafellar, SIAM J. Control and
     Optimization 14, 1976 (proximal points).
     """
-    line = solution_line(above, right, np.zeros(len(right)))
+    line = solution_line(above, right, np.zeros(len(right)), scale[: len(above)])
     x, N = line.start, line.null
     if not N.shape[1]:
         return x
@@ -148,7 +158,7 @@ def least_squares_within(A: Array, b: Array, above: Array, right: Array, low: Ar
     nearest, _ = nearest_within(beside, still, N, low, high)
     x = x if nearest is None else nearest
     rows, value = np.vstack([above, A]), np.concatenate([right, A @ x])
-    _, shortest = largest_scale_within(rows, value, 0 * value, low, high)
+    _, shortest = largest_scale_within(rows, value, 0 * value, low, high, scale)
     return x if shortest is None else shortest
 
 
@@ -162,23 +172,22 @@ def levels_within(
     """
     C: Array = np.zeros((0, len(low)))
     c: Array = np.zeros(0)
+    units = C
     x: Array = np.clip(np.zeros(len(low)), low, high)
     scales: list[float] = []
-    for A, b, d in levels:
-        U, sigma, _ = np.linalg.svd(A, full_matrices=False)
-        U = U[:, : numeric_rank(sigma)]
-        rate, drift = U @ (U.T @ b), U @ (U.T @ d)
-        rows = np.vstack([C, A])
-        s, found = largest_scale_within(
-            rows, np.concatenate([c, -drift]), np.concatenate([np.zeros(len(c)), rate]), low, high
-        )
+    for A, b, d, scale in levels:
+        beyond = generalized_inverse(A, rank=rank_of(A, scale)).left_null
+        rate, drift = b - beyond @ (beyond.T @ b), d - beyond @ (beyond.T @ d)
+        rows, both = np.vstack([C, A]), np.vstack([units, scale])
+        right = np.concatenate([c, -drift])
+        s, found = largest_scale_within(rows, right, np.concatenate([0 * c, rate]), low, high, both)
         now = s * rate - drift
         if found is None and least_squares:
-            near = least_squares_within(A, rate - drift, C, c, low, high)
+            near = least_squares_within(A, rate - drift, C, c, low, high, both)
             if near is not None:
                 found, now = near, A @ near
         if found is not None:
-            C, c, x = rows, np.concatenate([c, now]), found
+            C, c, units, x = rows, np.concatenate([c, now]), both, found
         scales.append(s)
     return x, tuple(scales)
 

@@ -14,16 +14,17 @@ from robotics1.curves.named_derivatives import Side
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, counting_number, positive_bound
+from robotics1.least_squares import GeneralizedInverse, generalized_inverse, rank_of
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.rows import unitless_factors, unitless_rows
 from robotics1.tasks.task import Task
 
 ROUNDS = 30  # of Newton's method at one point of the path
 CLOSE = 1e-10  # |e|, in reaches and rad
 REALISED = 1e-7  # |J ρ − p'|/|p'| that is rounding
-DAMPED = 1e-9  # σ/σ₁ that counts
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,13 +161,13 @@ class _Follower:
             TaskError: there is none.
         """
         target = self.path(s)
-        units = np.where([unit == "m" for unit in self.task.row_units], self.robot.reach, 1.0)
+        rows = unitless_rows(self.robot, self.task)
         for _ in range(ROUNDS):
             error = self.task.error(self.robot, q, target)
-            if np.abs(error / units).max() <= CLOSE:
+            if np.abs(rows * error).max() <= CLOSE:
                 return q
             J = self.task.jacobian(self.robot, q)
-            q = q + np.clip(np.linalg.lstsq(J, error, rcond=DAMPED)[0], -0.5, 0.5)
+            q = q + np.clip(self._inverse(J).solve(error), -0.5, 0.5)
         raise TaskError(f"the path cannot be followed to s = {s:.6g}: no configuration on this branch reaches it")
 
     def rate(self, q: Array, s: float, side: Side) -> Array:
@@ -177,10 +178,13 @@ class _Follower:
         """
         tangent = np.asarray(self.path.derivative(s, 1, side=side))
         J = self.task.jacobian(self.robot, q)
-        rho = np.linalg.lstsq(J, tangent, rcond=DAMPED)[0]
+        rho = self._inverse(J).solve(tangent)
         if np.linalg.norm(J @ rho - tangent) > REALISED * np.linalg.norm(tangent):
             raise TaskError(f"at s = {s:.6g} the arm is singular, and no joint velocity follows the path")
-        return np.asarray(rho)
+        return rho
+
+    def _inverse(self, J: Array) -> GeneralizedInverse:
+        return generalized_inverse(J, rank=rank_of(J, unitless_factors(self.robot, self.task)))
 
 
 def _points(path: Curve, samples: int) -> tuple[Array, list[Side]]:

@@ -23,9 +23,10 @@ from robotics1.results import Frozen, require
 from robotics1.robot.box import nearest_turn
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.singularities.spaces import Subspaces, subspaces
+from robotics1.singularities.spaces import Subspaces, subspaces_without_units
 from robotics1.tables import Table, table_of
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.rows import unitless_factors
 from robotics1.tasks.task import Task
 from robotics1.trajectories.elementary import cubic
 from robotics1.trajectories.limits import LimitUse, limit_violations
@@ -206,8 +207,8 @@ def _branch(robot: Robot, task: Task, q: Array, velocity: Array, start: tuple[Ar
     q0, qdot0 = start
     q = np.where(robot.revolute, nearest_turn(q, q0, robot.lower, robot.upper), q)
     J = task.jacobian(robot, q)
-    spaces = subspaces(J)
-    qdot = generalized_inverse(J).solve(velocity)
+    spaces = subspaces_without_units(J, unitless_factors(robot, task))
+    qdot = generalized_inverse(J, rank=spaces.rank).solve(velocity)
     trajectory = cubic(q0, q, T, qdot0, qdot)
     lost = _lost(spaces, velocity)
     singular = spaces.rank < min(J.shape)

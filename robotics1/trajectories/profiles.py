@@ -17,6 +17,8 @@ from robotics1.trajectories.elementary import boundary
 from robotics1.trajectories.ramps import ConstantAcceleration, Phase, Ramp, ramp_under
 from robotics1.trajectories.transfer import Transfer
 
+SAME_VELOCITY = 1e-14  # relative: a change of velocity that is rounding
+
 
 @dataclass(frozen=True, eq=False)
 class VelocityProfile(PiecewisePolynomial):
@@ -138,7 +140,7 @@ def bang_bang_law(start: float, distance: float, ends: tuple[float, float], T: f
     excess = distance / T - (v0 + v1) / 2
     peak = distance / T + copysign(hypot(excess, (v1 - v0) / 2), excess)
     change = abs(peak - v0) + abs(peak - v1)
-    if change == 0:
+    if change <= SAME_VELOCITY * (abs(v0) + abs(v1)):
         return steady(start, v0, T)
     ramp = ConstantAcceleration(change / T, change / T)
     return profile(start, v0, v1, ramp, (peak, 0.0))

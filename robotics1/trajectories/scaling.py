@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import polynomial
 
 from robotics1.curves.composition import stretched
 from robotics1.curves.curve import Curve
-from robotics1.curves.given import as_curve
+from robotics1.curves.given import ForeignMotion, as_curve
 from robotics1.curves.named_derivatives import Side
 from robotics1.curves.piecewise_polynomial import stationary_points
 from robotics1.errors import InputError
@@ -22,6 +22,8 @@ from robotics1.trajectories.limits import ORDERS, Limits, LimitUse, MotionLimits
 
 SHORT, LONG = 1e-12, 1e12  # of what the motion of one second needs if it is stretched: where the search begins and ends
 REACHED = 1e-11  # relative excess over a bound that is rounding
+SAME_BOUND = 1e-12  # relative: a value so near to its bound is at it
+HIGHEST = 7  # the order of the derivatives that are looked at where a bound is touched
 SHORTEST = 1 / LARGEST  # [s], of any duration that is not zero
 NARROW = 1e-13  # relative: durations that serve only so exactly are not found; rounding decides about them
 NOISE = 1e-11  # of the distance: what rounding is in the third derivative by τ of degree 7
@@ -122,21 +124,56 @@ def minimum_duration(motion: Motion, limits: MotionLimits, *, at_least: float = 
     T = max(T, SHORTEST)
     longest = LONG * max(T, natural)
     for step in range(STEPS):
-        passed = [
-            use for use in limits.uses(answer_of("motion", motion, T)) if abs(use.value) > (1 + REACHED) * use.limit
-        ]
+        passed = _passed(motion, limits, T)
         if not passed and (step or T in (at_least, SHORTEST)):
             return T
         if not passed:
             raise InputError("arbitrarily short durations keep these bounds; give one on the acceleration or jerk")
         if longest < T:
             break
-        T = max(T * (1 + NARROW), *(_next_zero(motion, T, use) for use in passed))
-    worst = max(passed, key=lambda use: use.stretch)
+        T = max(T * (1 + NARROW), *(_next_zero(motion, T, excess) for excess in passed))
+    worst = max(limits.uses(answer_of("motion", motion, T)), key=lambda use: use.stretch)
     raise InputError(
         f"no duration keeps these bounds: joint {worst.joint}'s {worst.quantity} passes {worst.limit:g} in any; are "
         "the velocities and accelerations at the ends inside them?"
     )
+
+
+class Excess(NamedTuple):
+    """A derivative of this order, of this joint, that is beyond its limit at this time."""
+
+    order: int
+    joint: int
+    time: float
+    value: float
+    limit: float
+
+
+def _passed(motion: Motion, limits: MotionLimits, T: float) -> list[Excess]:
+    """Return where the motion of duration T passes a bound.
+
+    A derivative that is at its bound B at an end, as q̇ where v0 = V, passes it by the square, or a higher power, of the
+    next one that is not zero there: so small an excess is rounding. That next one must lead back inside.
+    """
+    curve = as_curve("motion(T)", answer_of("motion", motion, T))
+    bounds = limits.of_joints(curve.dimension)
+    found = [
+        Excess(ORDERS[use.quantity], int(use.joint or 0), use.time, use.value, use.limit)
+        for use in limits.uses(curve)
+        if abs(use.value) > (1 + REACHED) * use.limit
+    ]
+    highest = 3 if isinstance(curve, ForeignMotion) else HIGHEST
+    for k, bound in ((ORDERS[name], getattr(bounds, name)) for name in ("velocity", "acceleration", "jerk")):
+        ends: tuple[tuple[float, int, Side], ...] = ((0.0, 1, "right"), (T, -1, "left"))
+        for time, inwards, side in ends:
+            values = np.array([curve.derivative(time, r, side=side) for r in range(k, highest + 1)])
+            for j in np.flatnonzero(np.abs(values[0]) >= (1 - SAME_BOUND) * bound):
+                sizes = values[1:, j] * (inwards * T) ** np.arange(1.0, len(values)) / values[0, j]
+                beyond = np.flatnonzero(np.abs(sizes) > REACHED)
+                if beyond.size and sizes[beyond[0]] > 0:
+                    r = int(beyond[0]) + 1
+                    found.append(Excess(k + r, int(j), time, float(values[r, j]), 0.0))
+    return found
 
 
 def _of_joints(unit: Any) -> Curve:
@@ -157,17 +194,17 @@ def _too_short(unit: Curve, limits: MotionLimits) -> float:
     return float(np.max(means)) * (1 - 1e-6)
 
 
-def _next_zero(motion: Motion, T: float, passed: LimitUse) -> float:
+def _next_zero(motion: Motion, T: float, passed: Excess) -> float:
     """Return the next zero T' > T of h(T'), or 8 T if there is none before; T itself if h is rounding."""
     from scipy.optimize import brentq
 
-    k, j, tau = ORDERS[passed.quantity], int(passed.joint or 0), passed.time / T
+    k, j, tau = passed.order, passed.joint, passed.time / T
 
     def h(u: float, side: Side) -> float:
         """h(T')/Tᵏ at T' = T (1 + 7u)."""
         x = 1 + (LONGER - 1) * u
-        derivative = getattr(motion(x * T), passed.quantity)
-        return float(np.sign(passed.value) * derivative(tau * x * T, side=side)[j] - passed.limit) * x**k
+        value = as_curve("motion(T)", motion(x * T)).derivative(tau * x * T, k, side=side)[j]
+        return float(np.sign(passed.value) * value - passed.limit) * x**k
 
     side: Side = "right" if h(0.0, "right") >= h(0.0, "left") else "left"
     u = np.linspace(0.0, 1.0, 5)

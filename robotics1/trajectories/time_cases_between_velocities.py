@@ -80,7 +80,8 @@ def _one_switch(symbols: Mapping[str, Any], short: tuple[Any, ...]) -> list[Time
 def _bang_bang(symbols: Mapping[str, Any]) -> list[TimeCase]:
     """Return the cases of one switch: at the acceleration A, or less where the velocity at the switch would exceed V.
 
-    With V there, the mean velocities of both parts give T = Δ (2V − v0 − v1)/(V² − e), e = (v0² + v1²)/2.
+    With V there, the mean velocities of both parts give T = Δ (2V − v0 − v1)/(V² − e), e = (v0² + v1²)/2. Where v0 =
+    v1 = V, the velocity stays.
     """
     import sympy
 
@@ -94,7 +95,8 @@ def _bang_bang(symbols: Mapping[str, Any]) -> list[TimeCase]:
     if "acceleration" in symbols:
         needed = (V**2 - squares) / symbols["acceleration"]
         conditions, others = (sympy.Ge(d, needed),), _one_switch(symbols, (sympy.Lt(d, needed),))
-    return [TimeCase("bounded by the velocity", conditions, T, ((V - v0) / a,), V, a), *others]
+    steady = TimeCase("at the velocity V all along", (sympy.Ge(v0 + v1, 2 * V),), d / V, (), V, sympy.S.Zero)
+    return [steady, TimeCase("bounded by the velocity", conditions, T, ((V - v0) / a,), V, a), *others]
 
 
 def _cubic(symbols: Mapping[str, Any]) -> list[TimeCase]:

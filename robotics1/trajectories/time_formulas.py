@@ -17,7 +17,6 @@ from robotics1.trajectories.time_cases_between_velocities import cases_between_v
 
 TRIALS = 8  # random values with which the formulas are compared
 AGREES = 1e-9  # relative
-TOUCHES = 1e-5  # the same of given numbers, for which a bound may only be touched: the root that has T is then double
 DIGITS = 30  # of the numbers that formulas are evaluated with
 
 
@@ -268,9 +267,8 @@ def _compare(formula: TimeFormula) -> None:
         law = minimum_time(0.0, distance, MotionLimits(**known), formula.law, v0=v0, v1=v1).laws[0]
         first = abs(law.acceleration(0.0) if formula.law == "trapezoidal" else law.peak(2).value)
         theirs, ours = [law.duration, abs(law.peak(1).value)], [found.duration, found.velocity]
-        agrees = AGREES if names else TOUCHES
-        same = np.allclose(ours, theirs, rtol=agrees, atol=0)
-        rounding = agrees * (found.acceleration + found.velocity / found.duration)
+        same = np.allclose(ours, theirs, rtol=AGREES, atol=0)
+        rounding = AGREES * (found.acceleration + found.velocity / found.duration)
         if not same or (first and abs(first - found.acceleration) > rounding):  # at v0 = V there is no first ramp
             ours, theirs = [*ours, found.acceleration], [*theirs, first]
             raise FormulaError(f"T, |q̇| and |q̈| of the {found.name} case are {ours}, but the fastest law has {theirs}")

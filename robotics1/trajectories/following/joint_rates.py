@@ -5,29 +5,29 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array
-from robotics1.least_squares import RANK_TOLERANCE
+from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse
 from robotics1.printed_digits import shared_half_units
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.singularities.rounding import RoundedConfiguration, rounded_configuration
-from robotics1.singularities.spaces import subspaces
+from robotics1.singularities.spaces import subspaces_without_units
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.open_digits import realised_within_digits
 from robotics1.trajectories.following.resolution import (
     Rates,
     Resolution,
+    Wish,
     drifts,
     resolution_or_default,
-    resolved_acceleration,
-    resolved_velocity,
+    resolved,
 )
 
 NEAR = 1e-2  # σ_min/σ_max: below, joint velocities become large
@@ -54,6 +54,7 @@ class Resolved(Frozen):
         residual: (m,) b − A u: what is not realised.
         unrealisable: (m,) the part of b outside the range of A, which no inputs realise; zero where there is none.
         singular_values: of A, descending.
+        relative_sigma: σ_min/σ_max of A without units, its metres divided by the reach of the robot.
         rank: of A.
         damping: the λ that was used.
         status: whether b is realised; NEARLY_SINGULAR where a singularity is within the rounding of q.
@@ -65,6 +66,7 @@ class Resolved(Frozen):
     residual: Array
     unrealisable: Array
     singular_values: Array
+    relative_sigma: float
     rank: int
     damping: float
     status: RateStatus
@@ -77,8 +79,8 @@ class Resolved(Frozen):
 
     @property
     def near_singular(self) -> bool:
-        """Whether the rank is lost, or σ_min ≤ 0.01 σ_max."""
-        return bool((self.singular_values[-1:] <= NEAR * self.singular_values[:1]).any())
+        """Whether the rank is lost, or σ_min ≤ 0.01 σ_max, without units."""
+        return self.relative_sigma <= NEAR
 
     def explain(self) -> str:
         """Return the status with its numbers, in a sentence."""
@@ -86,8 +88,8 @@ class Resolved(Frozen):
             return f"{self.rounded.explain()}; the answer there is `at_singularity`"
         rank = f"rank {self.rank} of {min(len(self.realised), len(self.inputs))}"
         near = ""
-        if self.near_singular and self.singular_values[-1] > 0:
-            near = f", near a singularity: σ_min/σ_max = {self.singular_values[-1] / self.singular_values[0]:.2g}"
+        if self.near_singular and self.relative_sigma > 0:
+            near = f", near a singularity: σ_min/σ_max = {self.relative_sigma:.2g}"
         left = float(np.linalg.norm(self.residual))
         rest = "" if self.status.name.startswith("REALISED") else f"; |residual| = {left:.6g}"
         return f"{self.status.value} ({rank}{near}{rest})"
@@ -129,6 +131,9 @@ class JointAcceleration(Resolved):
     at_singularity: JointAcceleration | None = None
 
 
+AnyRates = TypeVar("AnyRates", JointVelocity, JointAcceleration)
+
+
 def joint_velocity(
     robot: RobotLike,
     task: TaskLike,
@@ -157,24 +162,11 @@ def joint_velocity(
     robot, task = robot_and_task(robot, task)
     chosen = resolution_or_default(resolution)
     rdot = real_array("rdot", rdot, (task.rows,), "one number for each row of J")
-    rounded = _rounded(robot, task, chosen, q)
 
-    def at(x: Array) -> JointVelocity:
-        rates = resolved_velocity(robot, task, chosen, x, rdot, null_velocity)
+    def made(rates: Rates, outcome: dict[str, Any]) -> JointVelocity:
+        return JointVelocity(**outcome, qdot=rates.joints)
 
-        def made(near: Array) -> Array:
-            return task.jacobian(robot, near) @ chosen.inputs(robot, near) @ rates.inputs
-
-        def within(N: Array, outside: Array) -> bool:
-            return realised_within_digits(N, (rdot, shared_half_units(rdot)), outside, made, (x, rounded.half_units))
-
-        outcome = _outcome(rates, rdot, within)
-        return JointVelocity(**outcome, qdot=rates.joints, rounded=rounded)
-
-    found = at(rounded.q)
-    if rounded.singular_q is None:
-        return found
-    return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=at(rounded.singular_q))
+    return _at_the_given_digits(robot, task, chosen, q, None, (rdot, null_velocity), made)
 
 
 def joint_acceleration(
@@ -209,21 +201,48 @@ def joint_acceleration(
     robot, task = robot_and_task(robot, task)
     chosen = resolution_or_default(resolution)
     rddot = real_array("rddot", rddot, (task.rows,), "one number for each row of J")
-    rounded = _rounded(robot, task, chosen, q)
-    u = real_array("qdot", qdot, (rounded.spaces.J.shape[1],), "one number for each joint, or each input")
 
-    def at(x: Array) -> JointAcceleration:
-        rates = resolved_acceleration(robot, task, chosen, (x, u), rddot, null_acceleration)
+    def made(rates: Rates, outcome: dict[str, Any]) -> JointAcceleration:
+        return JointAcceleration(**outcome, qddot=rates.joints, drift=rates.drift)
 
-        def made(near: Array) -> Array:
-            A = task.jacobian(robot, near) @ chosen.inputs(robot, near)
-            return A @ rates.inputs + drifts(robot, task, chosen, near, u)[0]
+    return _at_the_given_digits(robot, task, chosen, q, qdot, (rddot, null_acceleration), made)
 
-        def within(N: Array, outside: Array) -> bool:
-            return realised_within_digits(N, (rddot, shared_half_units(rddot)), outside, made, (x, rounded.half_units))
 
-        outcome = _outcome(rates, rddot, within)
-        return JointAcceleration(**outcome, qddot=rates.joints, drift=rates.drift, rounded=rounded)
+def _at_the_given_digits(
+    robot: Robot,
+    task: Task,
+    resolution: Resolution,
+    q: ConfigurationLike,
+    qdot: npt.ArrayLike | None,
+    asked_wish: tuple[Array, Wish],
+    made: Callable[[Rates, dict[str, Any]], AnyRates],
+) -> AnyRates:
+    """Return what is made of the rates at q; with it that at the singular configuration that rounds to q, if there is.
+
+    Without q̇ a velocity is asked, else an acceleration.
+    """
+    asked, wish = asked_wish
+    k = resolution.inputs(robot, robot.configuration(q)).shape[1]
+    u = None if qdot is None else real_array("qdot", qdot, (k,), "one number for each joint, or each input")
+    scale = resolution.scale(robot, task, k)
+    rounded = rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q, scale)
+
+    def at(x: Array) -> AnyRates:
+        rates = resolved(robot, task, resolution, x, asked, wish, u=u)
+
+        def near(y: Array) -> Array:
+            drift = 0.0 if u is None else drifts(robot, task, resolution, y, u)[0]
+            return np.asarray(task.jacobian(robot, y) @ resolution.inputs(robot, y) @ rates.inputs + drift)
+
+        def within(rank: int, outside: Array) -> bool:
+            rows = rates.rows  # without units
+            N = generalized_inverse(rows[:, None] * rates.A, rank=rank).left_null
+            given, half_units = rows * asked, rows * shared_half_units(asked)
+            return realised_within_digits(
+                N, (given, half_units), rows * outside, lambda y: rows * near(y), (x, rounded.half_units)
+            )
+
+        return made(rates, {**_outcome(rates, asked, within), "rounded": rounded})
 
     found = at(rounded.q)
     if rounded.singular_q is None:
@@ -231,35 +250,30 @@ def joint_acceleration(
     return replace(found, status=RateStatus.NEARLY_SINGULAR, at_singularity=at(rounded.singular_q))
 
 
-def _rounded(robot: Robot, task: Task, resolution: Resolution, q: ConfigurationLike) -> RoundedConfiguration:
-    """Return what the digits of q leave open of the rank of A = J G."""
-    return rounded_configuration(lambda x: task.jacobian(robot, x) @ resolution.inputs(robot, x), robot, q)
-
-
-def _outcome(rates: Rates, asked: Array, within: Callable[[Array, Array], bool]) -> dict[str, Any]:
+def _outcome(rates: Rates, asked: Array, within: Callable[[int, Array], bool]) -> dict[str, Any]:
     """Return the fields of `Resolved`; parts of b below 1e-9 of the size of what it is made of are rounding.
 
-    So is a part outside the range of A that the digits leave open, as `within` says of the basis of N(Aᵀ) and the part.
+    So is a part outside the range of A that the digits leave open, as `within` says of the rank of A and the part.
     """
-    A, b, spaces = rates.A, asked - rates.drift, subspaces(rates.A)
-    rounding = RANK_TOLERANCE * float(np.linalg.norm(asked) + np.linalg.norm(rates.drift))
-    unrealisable, realised = spaces.unrealisable(b), A @ rates.inputs
-    inside = bool(np.linalg.norm(unrealisable) <= rounding)
-    if not inside and within(spaces.left_null, unrealisable):
-        status, inside = RateStatus.REALISED_WITHIN_DIGITS, True
-    elif not inside:
-        status = RateStatus.OUT_OF_RANGE
-    elif rates.damping > 0 and np.linalg.norm(b - realised) > rounding:
+    b, spaces, rows = asked - rates.drift, subspaces_without_units(rates.A, rates.scale), rates.rows
+    rounding = RANK_TOLERANCE * float(np.linalg.norm(rows * asked) + np.linalg.norm(rows * rates.drift))
+    unrealisable, residual = spaces.unrealisable(b), asked - rates.realised
+    inside = bool(np.linalg.norm(rows * unrealisable) <= rounding)
+    sigma = np.linalg.svd(rates.scale * rates.A, compute_uv=False)
+    lost = spaces.rank < min(rates.A.shape)
+    status = RateStatus.REALISED_ALL_THE_SAME if lost else RateStatus.REALISED
+    if not inside:
+        inside = within(spaces.rank, unrealisable)
+        status = RateStatus.REALISED_WITHIN_DIGITS if inside else RateStatus.OUT_OF_RANGE
+    elif rates.damping > 0 and np.linalg.norm(rows * residual) > rounding:
         status = RateStatus.DAMPED
-    else:
-        lost = spaces.rank < min(A.shape)
-        status = RateStatus.REALISED_ALL_THE_SAME if lost else RateStatus.REALISED
     return {
         "inputs": rates.inputs,
-        "realised": realised + rates.drift,
-        "residual": b - realised,
+        "realised": rates.realised,
+        "residual": residual,
         "unrealisable": np.zeros(len(b)) if inside else unrealisable,
         "singular_values": spaces.singular_values,
+        "relative_sigma": float(sigma[-1] / sigma[0] if sigma[:1].any() else 1.0 - len(sigma[:1])),
         "rank": spaces.rank,
         "damping": rates.damping,
         "status": status,

@@ -21,7 +21,7 @@ from robotics1.tasks.rows import unitless_rows
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, FollowingStatus
 from robotics1.trajectories.following.integration import Segment, integrated
-from robotics1.trajectories.following.path_flow import AccelerationFlow, VelocityFlow
+from robotics1.trajectories.following.path_flow import PathFlow
 from robotics1.trajectories.following.resolution import Resolution, Wish, resolution_or_default
 
 PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of the robot
@@ -67,7 +67,7 @@ def follow_trajectory(
     robot, task = robot_and_task(robot, task)
     q0, motion = _start(robot, task, trajectory, q0)
     K = non_negative_numbers("gain", gain, task.rows)
-    flow = VelocityFlow(robot, task, motion, resolution_or_default(resolution), K, null_velocity)
+    flow = PathFlow(robot, task, motion, resolution_or_default(resolution), K[None], null_velocity)
     return _integrated(flow, q0)
 
 
@@ -107,11 +107,11 @@ def follow_trajectory_by_acceleration(
     inputs = resolution.inputs(robot, q0).shape[1]
     u0 = real_array("state[1]", u0, (inputs,), "one number for each joint, or each input")
     K = np.array([non_negative_numbers("gains", value, task.rows) for value in _pair("gains", gains)])
-    flow = AccelerationFlow(robot, task, motion, resolution, K, null_acceleration)
+    flow = PathFlow(robot, task, motion, resolution, K, null_acceleration)
     return _integrated(flow, np.concatenate([q0, u0]))
 
 
-def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> FollowedTrajectory:
+def _integrated(flow: PathFlow, start: Array) -> FollowedTrajectory:
     """Integrate from one switching time of the trajectory to the next, to the end or to where it cannot go on.
 
     It cannot where a joint is too fast, or where the steps become too many.
@@ -148,9 +148,7 @@ def _integrated(flow: VelocityFlow | AccelerationFlow, start: Array) -> Followed
     return _looked_at(flow, motion, segments)
 
 
-def _polynomial(
-    flow: VelocityFlow | AccelerationFlow, segment: Segment, start: float, end: float
-) -> tuple[Array, float]:
+def _polynomial(flow: PathFlow, segment: Segment, start: float, end: float) -> tuple[Array, float]:
     """Return q(τ) in a step of the integration: the integral of a polynomial through q̇, or q̈, at its nodes.
 
     q̇ is taken there again with the q that it gave, which is more exact than the solver's between its steps (Picard).
@@ -168,9 +166,7 @@ def _polynomial(
     return c, T
 
 
-def _looked_at(
-    flow: VelocityFlow | AccelerationFlow, motion: PiecewisePolynomial, segments: tuple[Segment, ...]
-) -> FollowedTrajectory:
+def _looked_at(flow: PathFlow, motion: PiecewisePolynomial, segments: tuple[Segment, ...]) -> FollowedTrajectory:
     """Return a motion with its errors, its residuals and the singular values that it passes."""
     ends = [segment.end for segment in segments]
     times = np.unique(np.concatenate([np.linspace(0.0, ends[-1], INSTANTS), ends]))

@@ -12,18 +12,13 @@ import numpy.typing as npt
 from robotics1.differentiation import directional_derivative
 from robotics1.errors import InputError
 from robotics1.inputs import Array, answer_of, dimensions, real_array, real_number
-from robotics1.least_squares import generalized_inverse
+from robotics1.least_squares import generalized_inverse, rank_of
 from robotics1.robot.model import Robot
+from robotics1.tasks.rows import unitless_factors, unitless_rows
 from robotics1.tasks.task import Task
 
 Matrix = npt.ArrayLike | Callable[[Array], npt.ArrayLike]
 Wish = npt.ArrayLike | Callable[..., npt.ArrayLike] | None
-Softness = Callable[[Array], float]
-
-
-def exact(A: Array) -> float:
-    """Return that no inverse is softened."""
-    return 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +71,16 @@ class Resolution:
             raise InputError("input_matrix must have a column for each input; there is none")
         return G
 
-    def solve(self, A: Array, b: Array, wish: Array | None = None, *, soft: float = 0.0) -> tuple[Array, float]:
-        """Return u = A# b + (1 − A⁺A) wish, (k,), and the λ that was used.
+    def scale(self, robot: Robot, task: Task, k: int) -> Array:
+        """Return (m, k) factors that take the units out of A = J G; those of inputs of the user's own stay."""
+        if self.input_matrix is None:
+            return unitless_factors(robot, task)
+        return np.tile(unitless_rows(robot, task)[:, None], k)
+
+    def solve(
+        self, A: Array, b: Array, wish: Array | None = None, *, rank: int, soft: float = 0.0
+    ) -> tuple[Array, float]:
+        """Return u = A# b + (1 − A⁺A) wish, (k,), and the λ that was used, of a matrix of known rank.
 
         With W = CᵀC and A C⁻¹ = U Σ Vᵀ it is A# = C⁻¹ V diag(σ/(σ² + λ²)) Uᵀ. A⁺ is the inverse without damping, so
         that the second part does not move the task. `soft` is a region for inverses without damping, relative to the
@@ -88,7 +91,7 @@ class Resolution:
         """
         C = self._root(A.shape[1])
         back = np.linalg.inv(C)
-        inverse = generalized_inverse(A @ back, lambda sigma: self._damping(sigma, soft))
+        inverse = generalized_inverse(A @ back, lambda sigma: self._damping(sigma, soft), rank=rank)
         y = inverse.solve(b)
         if wish is not None:
             y = y + inverse.null_part(C @ wish)
@@ -138,6 +141,8 @@ class Rates(NamedTuple):
 
     Attributes:
         A: (m, k) J G.
+        rows: (m,) factors that take the units out of ṙ, or r̈.
+        scale: (m, k) factors that take the units out of A.
         inputs: (k,) u, or u̇.
         damping: the λ that was used.
         joints: (nv,) q̇, or q̈.
@@ -145,38 +150,52 @@ class Rates(NamedTuple):
     """
 
     A: Array
+    rows: Array
+    scale: Array
     inputs: Array
     damping: float
     joints: Array
     drift: Array
 
-
-def resolved_velocity(
-    robot: Robot, task: Task, resolution: Resolution, q: Array, rdot: Array, wish: Wish, soft: Softness = exact
-) -> Rates:
-    """Return u = A# ṙ + (1 − A⁺A) u₀ and q̇ = G u; `soft` is that of `Resolution.solve`, as a function of A."""
-    G = resolution.inputs(robot, q)
-    A = task.jacobian(robot, q) @ G
-    u, damping = resolution.solve(A, rdot, wished("null_velocity", wish, A, q), soft=soft(A))
-    return Rates(A, u, damping, G @ u, np.zeros(len(rdot)))
+    @property
+    def realised(self) -> Array:
+        """(m,) ṙ, or r̈, of the task."""
+        return np.asarray(self.A @ self.inputs + self.drift)
 
 
-def resolved_acceleration(
+def resolved(
     robot: Robot,
     task: Task,
     resolution: Resolution,
-    state: tuple[Array, Array],
-    rddot: Array,
+    q: Array,
+    asked: Array,
     wish: Wish,
-    soft: Softness = exact,
+    *,
+    u: Array | None = None,
+    soft: float = 0.0,
 ) -> Rates:
-    """Return u̇ = A# (r̈ − Ȧ u) + (1 − A⁺A) u̇₀ and q̈ = G u̇ + Ġ u, at a state (q, u)."""
-    q, u = state
+    """Return u = A# ṙ + (1 − A⁺A) u₀ and q̇ = G u at a q; or at a state (q, u) what accelerates the task by r̈:
+    u̇ = A# (r̈ − Ȧ u) + (1 − A⁺A) u̇₀ and q̈ = G u̇ + Ġ u. `soft` is that of `Resolution.solve`, of A without units.
+    """
     G = resolution.inputs(robot, q)
-    A = task.jacobian(robot, q) @ G
-    drift, turning = drifts(robot, task, resolution, q, u)
-    udot, damping = resolution.solve(A, rddot - drift, wished("null_acceleration", wish, A, q, u), soft=soft(A))
-    return Rates(A, udot, damping, G @ udot + turning, drift)
+    A, scale = task.jacobian(robot, q) @ G, resolution.scale(robot, task, G.shape[1])
+    if u is None:
+        drift: Array = np.zeros(task.rows)
+        turning: Array = np.zeros(robot.nv)
+        wanted = wished("null_velocity", wish, A, q)
+    else:
+        drift, turning = drifts(robot, task, resolution, q, u)
+        wanted = wished("null_acceleration", wish, A, q, u)
+    x, damping = resolution.solve(A, asked - drift, wanted, rank=rank_of(A, scale), soft=_with_units(soft, A, scale))
+    return Rates(A, unitless_rows(robot, task), scale, x, damping, G @ x + turning, drift)
+
+
+def _with_units(soft: float, A: Array, scale: Array) -> float:
+    """Return the σ/σ₁ of A where that of `scale` * A is `soft`, as far as their smallest σ tell."""
+    if not soft:
+        return 0.0
+    (a, b), (c, d) = (np.linalg.svd(M, compute_uv=False)[[0, -1]] for M in (A, scale * A))
+    return float(soft * (b / a) / (d / c)) if min(b, d) > 0 else soft
 
 
 def drifts(robot: Robot, task: Task, resolution: Resolution, q: Array, u: Array) -> tuple[Array, Array]:
