@@ -12,6 +12,7 @@ from robotics1.caching import cached_property
 from robotics1.differentiation import Estimate, derivative
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
+from robotics1.other_words import made_by
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix
@@ -35,6 +36,7 @@ from robotics1.symbolic.writing.sums_of_angles import Groups
 from robotics1.tasks.task import Task
 
 
+@made_by("formulas('prr', 'planar-pose')")
 @dataclass(frozen=True, eq=False)
 class Formulas(WrittenFormulas):
     """The formulas of a task, in q1, q2, ... and the robot's named parameters.
