@@ -7,6 +7,7 @@ At the top are the names that most questions need. The others are in namespaces:
 namespace is found at the top too: `robotics1.solve_trig` is `robotics1.ik.solve_trig`.
 """
 
+import sys
 from typing import Any
 
 import lazy_loader
@@ -29,6 +30,7 @@ from robotics1 import (  # noqa: E402
     trajectories,
     workspaces,
 )
+from robotics1.other_words import CALLS, FUNCTIONS  # noqa: E402
 from robotics1.tables import MORE  # noqa: E402
 
 SPACES = (
@@ -45,12 +47,19 @@ def _dh_tables(robot: Any) -> str:
 
 MORE["Robot"] = [_dh_tables]  # `dh` is made of robots, which know nothing of it
 
-USUAL = {  # what others call it
-    "fk": "forward_kinematics", "fkine": "forward_kinematics", "directkinematics": "forward_kinematics",
-    "ik": "solve_ik", "ikine": "solve_ik", "inversekinematics": "solve_ik or ik_solutions",
-    "jacobian": "frame_jacobian, or the method jacobian of a task", "loadurdf": "load_robot", "urdf": "load_robot",
-    "dh": "robot_from_dh", "spline": "cubic_spline", "plot": "view, animate or plots",
-}  # fmt: skip
+
+def _call(function: str) -> str | None:
+    """Return a public function with the arguments that it needs, as a user writes it; None if there is none."""
+    from inspect import isfunction, signature
+
+    found = getattr(sys.modules[__name__], function, None)
+    if not isfunction(found):
+        return None
+    needed = [name for name, given in signature(found).parameters.items() if given.default is given.empty]
+    return f"robotics1.{function}({', '.join(needed)})"
+
+
+CALLS.append(_call)
 
 
 def __getattr__(name: str) -> Any:
@@ -74,7 +83,7 @@ def _meant(name: str, known: list[str]) -> str:
     """Return which names may be meant."""
     from .errors import nearest_names
 
-    usual = USUAL.get(name.lower().replace("_", ""))
+    usual = FUNCTIONS.get(name.lower().replace("_", ""))
     longer = [other for other in known if other.startswith(f"{name}_")]
     close = list(dict.fromkeys(longer + nearest_names(name, known))) or [other for other in known if name in other]
     if usual is None and not close:

@@ -88,7 +88,10 @@ class UnknownNameError(Robotics1Error, LookupError):
 
 
 class InputError(Robotics1Error, ValueError):
-    """An argument has the wrong shape, type or value; the message says what would be right."""
+    """An argument has the wrong shape, type or value; the message says what would be right, on one line."""
+
+    def __init__(self, message: str):
+        super().__init__(" ".join(line.strip() for line in message.splitlines()))
 
 
 class TaskError(Robotics1Error, ValueError):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import reprlib
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
@@ -13,6 +14,20 @@ from robotics1.errors import InputError, Robotics1Error
 
 Array = npt.NDArray[np.floating[Any]]
 Choice = TypeVar("Choice", bound=str)
+
+
+_SHORT = reprlib.Repr()
+_SHORT.maxlist = _SHORT.maxtuple = _SHORT.maxdict = 12
+_SHORT.maxstring = _SHORT.maxother = 120
+
+
+def shown(value: Any) -> str:
+    """Return a value on one line of a message; of a long one what it begins with, of an array its shape."""
+    if isinstance(value, np.ndarray) and value.ndim:
+        return (
+            f"an array of shape {value.shape}" if value.ndim > 1 or value.size > _SHORT.maxlist else f"{value.tolist()}"
+        )
+    return " ".join(_SHORT.repr(value).split())
 
 
 def real_array(name: str, value: npt.ArrayLike, shape: tuple[int | None, ...], meaning: str = "") -> Array:
@@ -28,11 +43,11 @@ def real_array(name: str, value: npt.ArrayLike, shape: tuple[int | None, ...], m
         array = np.array(raw, dtype=float)
     except (TypeError, ValueError, OverflowError) as error:
         wanted = _shape_told(shape, meaning)
-        raise InputError(f"{name} must be an array of real numbers of shape {wanted}, not {value!r}") from error
+        raise InputError(f"{name} must be an array of real numbers of shape {wanted}, not {shown(value)}") from error
     if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape, strict=True)):
         raise InputError(f"{name} must have shape {_shape_told(shape, meaning)}; it has shape {array.shape}")
     if not np.isfinite(array).all():
-        raise InputError(f"{name} must be finite; it is {array.tolist()}")
+        raise InputError(f"{name} must be finite; it is {shown(array.tolist())}")
     return array
 
 
@@ -51,7 +66,7 @@ def real_number(name: str, value: Any, *, positive: bool = False, non_negative: 
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InputError(f"{name} must be {kind} number, not {value!r}") from error
+        raise InputError(f"{name} must be {kind} number, not {shown(value)}") from error
     if not math.isfinite(number) or (positive and number <= 0) or (non_negative and number < 0):
         raise InputError(f"{name} must be {kind} number; it is {number}")
     return number
@@ -64,7 +79,7 @@ def counting_number(name: str, value: Any, *, least: int = 0, most: int | None =
         InputError: it is no integer, too small, or too large.
     """
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-        raise InputError(f"{name} must be an integer of at least {least}; it is {value!r}")
+        raise InputError(f"{name} must be an integer of at least {least}; it is {shown(value)}")
     if most is not None and value > most:
         raise InputError(f"{name} must be an integer of at most {most}; it is larger")
     return int(value)
@@ -79,7 +94,7 @@ def by_name(name: str, value: Any, example: str) -> dict[str, Any]:
     if value is None:
         return {}
     if not isinstance(value, Mapping):
-        raise InputError(f"{name} must be a mapping such as {example}; it is {value!r}")
+        raise InputError(f"{name} must be a mapping such as {example}; it is {shown(value)}")
     for key in value:
         text(f"a name in {name}", key)
     return dict(value)
@@ -92,7 +107,7 @@ def text(name: str, value: Any) -> str:
         InputError: it is none.
     """
     if not isinstance(value, str):
-        raise InputError(f"{name} must be a text, not {value!r}")
+        raise InputError(f"{name} must be a text, not {shown(value)}")
     return value
 
 
@@ -105,7 +120,7 @@ def dimensions(name: str, value: npt.ArrayLike) -> int:
     try:
         return np.ndim(value)
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name} must be an array of numbers; it is {value!r}") from error
+        raise InputError(f"{name} must be an array of numbers; it is {shown(value)}") from error
 
 
 def per_joint(name: str, value: npt.ArrayLike, n: int) -> Array:
@@ -122,7 +137,7 @@ def per_joint(name: str, value: npt.ArrayLike, n: int) -> Array:
 def one_of(name: str, value: str, choices: Sequence[Choice]) -> Choice:
     """Return `value` if it is among the choices; else raise InputError."""
     if not isinstance(value, str) or value not in choices:
-        raise InputError(f"{name} must be one of {', '.join(map(repr, choices))}; it is {value!r}")
+        raise InputError(f"{name} must be one of {', '.join(map(repr, choices))}; it is {shown(value)}")
     return choices[choices.index(value)]
 
 
@@ -171,7 +186,7 @@ def answer_of(name: str, function: Callable[..., Any], *arguments: Any) -> Any:
 def true_or_false(name: str, value: Any) -> bool:
     """Return an option that is True or False; anything else is an InputError."""
     if not isinstance(value, bool | np.bool_):
-        raise InputError(f"{name} must be True or False, not {value!r}")
+        raise InputError(f"{name} must be True or False, not {shown(value)}")
     return bool(value)
 
 
@@ -204,7 +219,9 @@ def moderate(name: str, values: Array, *, smallest: float = 0.0) -> Array:
     """
     sizes = np.abs(values[np.isfinite(values)])
     if sizes.size and (sizes.max() > LARGEST or sizes.min() < smallest):
-        raise InputError(f"{name} must not be larger than {LARGEST:g}, or unreasonably small; it is {values.tolist()}")
+        raise InputError(
+            f"{name} must not be larger than {LARGEST:g}, or unreasonably small; it is {shown(values.tolist())}"
+        )
     return values
 
 
@@ -236,7 +253,7 @@ def positive_numbers(name: str, value: npt.ArrayLike, n: int) -> Array:
     """
     array = moderate(name, per_joint(name, value, n))
     if (array < 1 / LARGEST).any():
-        raise InputError(f"{name} must be positive; it is {array.tolist()}")
+        raise InputError(f"{name} must be positive; it is {shown(array.tolist())}")
     return array
 
 
@@ -248,7 +265,7 @@ def non_negative_numbers(name: str, value: npt.ArrayLike, n: int) -> Array:
     """
     array = per_joint(name, value, n)
     if (array < 0).any():
-        raise InputError(f"{name} must not be negative; it is {array.tolist()}")
+        raise InputError(f"{name} must not be negative; it is {shown(array.tolist())}")
     return array
 
 
@@ -291,7 +308,7 @@ def positive_bound(name: str, value: npt.ArrayLike | None, n: int | None = None)
     finite, unbounded = without_infinity(value, 1.0)
     bound = real_array(what, finite, shape, "one number for all, or one for each joint")
     if not (bound > 0).all() or bound.size == 0:
-        raise InputError(f"{what} must be positive; it is {bound.tolist()}")
+        raise InputError(f"{what} must be positive; it is {shown(bound.tolist())}")
     moderate(what, bound, smallest=1 / LARGEST)
     bound[unbounded] = np.inf
     return bound if n is None else np.broadcast_to(bound, (n,)).copy()

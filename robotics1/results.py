@@ -8,6 +8,7 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 
 from robotics1.errors import NotConverged
+from robotics1.other_words import names_what_is_meant
 from robotics1.tables import Table, in_html, in_text
 
 
@@ -66,6 +67,7 @@ def _made_again(kind: Callable[..., Any], *values: Any) -> Any:
     return kind(*values)
 
 
+@names_what_is_meant
 class Shown:
     """A base of what is looked at: `str` gives sentences and tables, a notebook shows the same as HTML."""
 

@@ -236,6 +236,40 @@ MISTAKES = {
     "fk": (lambda: r1.fk, AttributeError, "did you mean forward_kinematics"),
     "the Jacobian": (lambda: r1.jacobian, AttributeError, "did you mean frame_jacobian"),
     "half a name": (lambda: r1.load, AttributeError, "did you mean load_robot"),
+    "a robot of its class": (lambda: r1.Robot("ur5"), INPUT, r"load_robot\('ur5'\) returns one"),
+    "formulas of their class": (lambda: r1.Formulas("prr", "pose"), INPUT, r"formulas\('prr', 'planar-pose'\) returns"),
+    "fk as a method": (lambda: two().fk(Q), AttributeError, r"write robotics1.forward_kinematics\(robot, q\)$"),
+    "the Jacobian as a method": (
+        lambda: two().jacobian(Q),
+        AttributeError,
+        r"write robotics1.frame_jacobian\(robot, q",
+    ),
+    "a function as a method": (lambda: two().ik_solutions, AttributeError, r"ik_solutions\(robot, task, target\)$"),
+    "degrees of freedom": (lambda: two().dof, AttributeError, r"did you mean nv\?"),
+    "limits as others have them": (lambda: two().qlim, AttributeError, r"did you mean lower or upper\?"),
+    "solve of a solver": (
+        lambda: r1.IKSolver("planar_2r", "position:xy").solve([1, 1]),
+        AttributeError,
+        "call the object itself",
+    ),
+    "success of an answer": (
+        lambda: r1.solve_ik("planar_2r", "position:xy", [1, 1]).success,
+        AttributeError,
+        r"did you mean status\?",
+    ),
+    "solutions of the solutions": (
+        lambda: r1.ik_solutions("planar_2r", "position:xy", [1, 1]).solutions,
+        AttributeError,
+        r"did you mean q\?",
+    ),
+    "a plot of a motion": (lambda: MOTION.plot, AttributeError, r"plot_trajectory\(trajectory\)"),
+    "a position at an instant": (lambda: MOTION.position(1), AttributeError, "call the object itself"),
+    "det J of formulas": (
+        lambda: r1.formulas("planar_2r", "position:xy").det,
+        AttributeError,
+        r"did you mean determinant\?",
+    ),
+    "a task that is asked": (lambda: r1.PositionTask("xy").J, AttributeError, r"did you mean jacobian\?"),
     "a slip in a name": (lambda: r1.forward_kinematic, AttributeError, "did you mean forward_kinematics"),
 }
 
@@ -254,3 +288,22 @@ def test_a_mistake_gets_one_sentence_that_mends_it(mistake):
 
 def test_there_are_more_than_forty():
     assert len(MISTAKES) > 40
+
+
+LONG = {
+    "a matrix in the place of a sequence": lambda: r1.orientation.rotation_to_euler(np.eye(3), "ZYX"),
+    "a matrix in the place of transforms": lambda: r1.textbook_robots.robot_from_transforms([np.eye(4)]),
+    "ten thousand texts": lambda: fk(["0.1"] * 10_000),
+    "ten thousand numbers that are none": lambda: fk([float("nan")] * 10_000),
+    "columns for rows": lambda: r1.forward_kinematics("ur5", np.full((6, 1000), np.nan)),
+    "a long word": lambda: r1.cubic(0, 1, "2" * 10_000 + " s"),
+    "a table of a thousand rows": lambda: dh(*[["R"] * 3] * 1000),
+}
+
+
+@pytest.mark.parametrize("mistake", LONG.values(), ids=LONG)
+def test_a_message_about_a_long_value_has_one_line(mistake):
+    with pytest.raises(INPUT) as raised:
+        mistake()
+    assert "\n" not in str(raised.value)
+    assert len(str(raised.value)) < 400

@@ -11,7 +11,7 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.frenet import FrenetRotation, frenet_frame, frenet_path
 from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array, real_array, shown
 from robotics1.orientation.elementary import cross_matrix
 
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])  # a turn of π/2 in the plane
@@ -84,7 +84,7 @@ def error_axes(value: Any, m: int, motion: Curve | None) -> ErrorAxes:
         return ErrorAxes(m, None, given=value)
     if isinstance(value, str):
         raise InputError(
-            f"axes must be None, an ({m}, {m}) rotation matrix, a motion R(t), or 'frenet'; it is {value!r}"
+            f"axes must be None, an ({m}, {m}) rotation matrix, a motion R(t), or 'frenet'; it is {shown(value)}"
         )
     A = real_array("axes", value, (m, m), "a rotation matrix whose columns are the axes")
     if not np.allclose(A.T @ A, np.eye(m), atol=ORTHONORMAL):

@@ -13,7 +13,7 @@ from robotics1.caching import cached_property
 from robotics1.curves.curve import Curve
 from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
-from robotics1.inputs import Array, answer_of
+from robotics1.inputs import Array, answer_of, shown
 
 
 class Motion(Protocol):
@@ -92,7 +92,7 @@ def as_curve(name: str, value: Any, *, derivatives: int = 3) -> Curve:
     if isinstance(value, type) or not timed or not all(callable(getattr(value, f, None)) for f in methods):
         raise InputError(
             f"{name} must be a motion, such as cubic(q0, q1, T), with a duration and {derivatives} derivatives; "
-            f"it is {value!r}"
+            f"it is {shown(value)}"
         )
     return ForeignMotion(value)
 
@@ -105,7 +105,7 @@ def as_path(name: str, value: Any, dimensions: tuple[int, ...] = ()) -> Curve:
     """
     found = as_curve(name, value) if isinstance(value, Curve) or hasattr(value, "trajectory") else None
     if found is None or not found.of_points or len(found.shape) != 1 or not found.end:
-        raise InputError(f"{name} must be a path of points, such as line_path(...); it is {value!r}")
+        raise InputError(f"{name} must be a path of points, such as line_path(...); it is {shown(value)}")
     if dimensions and found.dimension not in dimensions:
         allowed = " or ".join(map(str, dimensions))
         raise InputError(f"{name} must be a path of {allowed} coordinates; it has {found.dimension}")
@@ -120,7 +120,9 @@ def as_law(name: str, value: Any) -> Curve:
     """
     curve = as_curve(name, value)
     if not curve.of_points or curve.shape not in ((), (1,)):
-        raise InputError(f"{name} must be a timing law s(t), such as cubic(0, L, T), of one joint; it is {value!r}")
+        raise InputError(
+            f"{name} must be a timing law s(t), such as cubic(0, L, T), of one joint; it is {shown(value)}"
+        )
     return curve.joint() if curve.shape else curve
 
 
@@ -132,7 +134,9 @@ def joint_motion(name: str, value: Any, n: int | None = None, *, derivatives: in
     """
     curve = as_curve(name, value, derivatives=derivatives)
     if not curve.of_points or len(curve.shape) != 1 or curve.end <= 0:
-        raise InputError(f"{name} must be of joints, (n,) numbers at a time, and last longer than 0 s; it is {value!r}")
+        raise InputError(
+            f"{name} must be of joints, (n,) numbers at a time, and last longer than 0 s; it is {shown(value)}"
+        )
     if n not in (None, curve.dimension):
         raise InputError(f"{name} is of {curve.dimension} joints; the robot has {n}")
     return curve

@@ -11,7 +11,7 @@ import numpy as np
 
 from robotics1.angles import WIDE, warn_of_degrees
 from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, real_number
+from robotics1.inputs import Array, real_number, shown
 from robotics1.names import refuse_no_number
 from robotics1.robot.findings import LARGEST
 
@@ -29,7 +29,7 @@ def number_or_name(where: str, value: Any) -> float | str:
     sign, name = ("-", value.strip()[1:].strip()) if value.strip().startswith("-") else ("", value.strip())
     if not name.isidentifier() or normalize("NFKC", name) != name or name.startswith("__") or keyword.iskeyword(name):
         raise InputError(
-            f"{where} must be a number, a name such as 'l2' or a negated name such as '-l2', not {value!r}; "
+            f"{where} must be a number, a name such as 'l2' or a negated name such as '-l2', not {shown(value)}; "
             f"a name has letters, digits and underscores, and numbers are not written as text"
         )
     if name == "pi" or re.fullmatch(r"q\d+", name):
@@ -94,7 +94,7 @@ def _limits(name: str, value: Limits, n: int, none: float) -> Array:
     try:
         limits = np.array([none if entry is None else float(entry) for entry in value])
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name} must have one number or None for each of {n} joints, not {value!r}") from error
+        raise InputError(f"{name} must have one number or None for each of {n} joints, not {shown(value)}") from error
     if limits.shape != (n,) or np.isnan(limits).any():
         raise InputError(f"{name} must have one number or None for each of {n} joints; it is {limits.tolist()}")
     return limits

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array
 from robotics1.notation import vector
+from robotics1.other_words import names_what_is_meant
 from robotics1.results import Frozen, require, tuple_with_arrays
 from robotics1.tables import in_html
 
@@ -34,6 +35,7 @@ class IKStatus(Enum):
     )
 
 
+@names_what_is_meant
 @tuple_with_arrays
 class IKResult(NamedTuple):
     """The answer for one target; a tuple, since a frozen dataclass takes longer to make than a tracking step to solve.

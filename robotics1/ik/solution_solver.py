@@ -23,10 +23,12 @@ from robotics1.ik.solver import list_of_targets
 from robotics1.inputs import Array, by_name, counting_number, real_array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.every_solution import COUNT, EDGE, ERROR, INSIDE
+from robotics1.other_words import names_what_is_meant
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 
 
+@names_what_is_meant
 class SolutionSolver:
     """Finds the solutions of f(q) = r_d that `ik_solutions` finds, with what does not depend on r_d prepared once.
 

@@ -14,6 +14,7 @@ from robotics1.ik.python_search import PythonSearch
 from robotics1.ik.result import IKBatch, IKResult
 from robotics1.ik.search import Search
 from robotics1.inputs import counting_number, one_of, real_number
+from robotics1.other_words import names_what_is_meant
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike
 from robotics1.tasks.given import TaskLike, robot_and_task
@@ -22,6 +23,7 @@ Preference = Literal["any", "near", "middle"]
 PREFERENCES = ("any", "near", "middle")
 
 
+@names_what_is_meant
 class IKSolver:
     """Solves f(q) = r_d for one robot and one task: what does not depend on the target is prepared once.
 

@@ -16,6 +16,7 @@ from robotics1.angles import warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
+from robotics1.other_words import made_by
 from robotics1.robot.building import restore_followers
 from robotics1.robot.description import DescribedRobot
 from robotics1.robot.frames import frame_number, links_of
@@ -41,6 +42,7 @@ class RobotSource(Protocol):
 LIMITS = ("lower", "upper", "max_velocity", "max_effort")
 
 
+@made_by("load_robot('ur5')")
 @dataclass(frozen=True, eq=False, repr=False)
 class Robot(DescribedRobot):
     """A robot as Pinocchio sees it.

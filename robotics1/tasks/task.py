@@ -15,6 +15,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array, text
 from robotics1.kinematics import forward_kinematics, frame_jacobian, is_batch, of_each, point_of_frame, reference_axes
 from robotics1.orientation.elementary import cross_matrix
+from robotics1.other_words import names_what_is_meant
 from robotics1.robot.box import turns_of_followers
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -109,6 +110,7 @@ class Task(Protocol):
         """Return the task as a function of one frame's pose, for kernels and formulas; None if it is no such one."""
 
 
+@names_what_is_meant
 @dataclass(frozen=True, kw_only=True)
 class FrameTask:
     """A task on one frame: r = g(T) and ṙ = S(T) V, with T the frame's pose and V = (v, ω) its velocity.

@@ -7,6 +7,7 @@ from typing import Any
 
 from robotics1.caching import cached_property
 from robotics1.errors import InputError
+from robotics1.inputs import shown
 
 TIMES = ("tau", "t")  # the variables of the formulas
 MOST = 12  # conditions at one end
@@ -106,7 +107,7 @@ def _expression(name: str, value: Any, *, positive: bool = False) -> Any:
     except sympy.SympifyError:
         found = None
     if not isinstance(found, sympy.Expr) or not found.is_commutative:
-        raise InputError(f"{name} must be a SymPy expression, a number or a name, not {value!r}")
+        raise InputError(f"{name} must be a SymPy expression, a number or a name, not {shown(value)}")
     if found.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo, sympy.I) or found.is_extended_real is False:
         raise InputError(f"{name} must be real and finite; it is {value}")
     taken = sorted({symbol.name for symbol in found.free_symbols} & set(TIMES))

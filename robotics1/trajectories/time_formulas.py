@@ -8,7 +8,7 @@ import numpy as np
 
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError, InputError, UnknownNameError
-from robotics1.inputs import counting_number, one_of, positive_number, real_number
+from robotics1.inputs import counting_number, one_of, positive_number, real_number, shown
 from robotics1.trajectories.law_kinds import KINDS
 from robotics1.trajectories.least_time_of_joints import Law, minimum_time
 from robotics1.trajectories.limits import MotionLimits
@@ -189,7 +189,7 @@ def _symbol(value: Any, name: str = "", *, signed: bool = False) -> Any:
     import sympy
 
     if not str(value).isidentifier():
-        raise InputError(f"{name} must be a name such as 'V', a symbol or a number; it is {value!r}")
+        raise InputError(f"{name} must be a name such as 'V', a symbol or a number; it is {shown(value)}")
     return sympy.Symbol(str(value), real=True) if signed else sympy.Symbol(str(value), positive=True)
 
 

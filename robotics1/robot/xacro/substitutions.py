@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from robotics1.errors import InputError
-from robotics1.inputs import real_number
+from robotics1.inputs import real_number, shown
 from robotics1.robot.xacro.budget import Budget, Refused
 from robotics1.robot.xacro.evaluator import evaluate
 from robotics1.robot.xacro.functions import MATH, PYTHON
@@ -101,7 +101,7 @@ def argument(name: str, value: Any, default: str | None) -> tuple[str, float | N
     if isinstance(value, bool | np.bool_) and not is_number(default):
         return str(bool(value)) if default in ("True", "False") else str(bool(value)).lower(), None
     if isinstance(value, str):
-        raise InputError(f"parameter {name!r} must be a finite number, not {value!r}; its default is {default}")
+        raise InputError(f"parameter {name!r} must be a finite number, not {shown(value)}; its default is {default}")
     number = real_number(f"parameter {name!r}", value)
     return number_text(number), number
 

@@ -12,6 +12,7 @@ from robotics1.caching import cached_property
 from robotics1.differentiation import Estimate
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array, one_of
+from robotics1.other_words import made_by
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.chain import Chain
@@ -42,6 +43,7 @@ PRINTED = {
 }
 
 
+@made_by("formulas('prr', 'planar-pose')")
 @dataclass(frozen=True, eq=False)
 class Formulas(Frozen):
     """The formulas of a task, in q1, q2, ... and the robot's named parameters.

@@ -13,7 +13,7 @@ from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, non_negative_numbers, real_array
+from robotics1.inputs import Array, non_negative_numbers, real_array, shown
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tasks.given import TaskLike, robot_and_task
@@ -216,5 +216,5 @@ def _pair(name: str, value: Any) -> tuple[Any, Any]:
     try:
         first, second = value
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name} must be two values; it is {value!r}") from error
+        raise InputError(f"{name} must be two values; it is {shown(value)}") from error
     return first, second
