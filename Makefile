@@ -6,18 +6,21 @@ INSTALLED := .venv/installed
 PEERS := .venv/peers-installed
 # The checker of the pages' scripts, of package.json; only where npm is.
 SCRIPTS := node_modules/installed
-# Each of two processes begins with one half of the tests, file after file, and who is ready takes from the other.
+# Each process begins with its share of the tests, file after file; one that is ready takes some from another.
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
+OLDER := OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR"
 # Tests whose answer is a count, a rank, a status, a branch or an order: there the last digit of a number decides.
-# What asserts numbers within a tolerance does not depend on how a processor rounds.
-ROUNDED := all_solutions arm_angle bases_on_branches boundary_by_search cuspidal dh_from_urdf dh_round_trip \
-    double_zeros elimination every_root extreme_reach families fewer_joints fractions_of_turns general_six \
-    ik_by_priority ik_formulas ik_formulas_drawn jacobian_slopes kernels_chain locus meeting minimum_time \
-    minimum_time_joints nearest_miss orientation_euler orientation_pointing planar_loop polynomial postures printed_digits \
-    printed_velocities reachability redundancy self_motion singular_set_edges singular_sets_at_limits singular_targets \
-    singularity solution_solver solutions solutions_kinds solve_ik solve_ik_honest solve_trig spaces statics \
-    support_function surfaces_of_solutions symbolic_singularities time_optimal timing_profiles two_slides units_of_length \
-    unreachable workspace workspace_distances workspace_in_space workspace_laws workspace_questions workspace_sections
+# What asserts numbers within a tolerance hardly depends on how a processor rounds: `make fuzz` computes that so too.
+ROUNDED := all_solutions arm_angle bases_on_branches boundary_by_search cuspidal dh_from_urdf \
+    differential_kinematics double_zeros elimination every_root exams_inverse exams_singularity extreme_reach \
+    families fewer_joints fractions_of_turns general_six ik_by_priority ik_formulas ik_formulas_drawn \
+    jacobian_slopes locus meeting minimum_time minimum_time_joints nearest_miss orientation_axis \
+    orientation_euler orientation_pointing planar_loop polynomial postures printed_digits printed_velocities \
+    reachability redundancy rigid_motions self_motion singular_set_edges singular_sets_at_limits \
+    singular_targets singularity solution_solver solutions solutions_kinds solve_ik solve_ik_honest solve_trig \
+    spaces statics support_function surfaces_of_solutions symbolic_singularities textbook_questions time_optimal \
+    timing_profiles two_slides units_of_length unreachable workspace workspace_distances workspace_in_space \
+    workspace_laws
 
 # Bytecode is kept: without it each process of a test compiles the package again.
 unexport PYTHONDONTWRITEBYTECODE
@@ -34,8 +37,7 @@ sweep: $(INSTALLED)  ## what takes longer: more arms, brute force, an installed 
 	$(PYTEST) -m "sweep and not fuzz"
 
 portable: $(INSTALLED)  ## the tests in which rounding decides, as an older processor computes them, which rounds otherwise
-	OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR" \
-	$(PYTEST) $(ROUNDED:%=tests/test_%.py)
+	$(OLDER) $(PYTEST) $(ROUNDED:%=tests/test_%.py)
 
 check: $(INSTALLED)  ## style, types, layers, the scripts of the pages
 	$(BIN)/ruff check .
@@ -73,8 +75,9 @@ $(INSTALLED): $(USED)
 	$(BIN)/python -m pip install --quiet --no-compile --constraint constraints.txt --editable '.[dev]'
 	touch $@
 
-fuzz: $(INSTALLED)  ## before a release, an hour: all brute force, 100 examples of each property, 300 arms, 100 000 mutants of files
+fuzz: $(INSTALLED)  ## before a release, some hours: all cases, 100 examples of each property, 300 arms, 100 000 mutants
 	$(PYTEST) -m "fuzz or hypothesis" --hypothesis-profile=fuzz
+	$(OLDER) $(PYTEST)
 	$(BIN)/python tests/arms_at_random.py --count 300
 	$(BIN)/python tests/mutations.py --count 100000 --seed 1
 

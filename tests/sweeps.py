@@ -5,7 +5,9 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-LONG = Path(__file__).parent / "long_tests.txt"  # more than 1.5 s of a processor; shorter ones of its file try the same
+# What takes more than 1.5 s of a processor is listed: for a sweep, or for `make fuzz` if shorter cases try the same.
+HERE = Path(__file__).parent
+LISTS = {HERE / "long_tests.txt": pytest.mark.sweep, HERE / "repeated_tests.txt": pytest.mark.fuzz}
 
 
 def core_first(cases, core, count=None):
@@ -34,11 +36,12 @@ def fewer_examples():
 
 
 def put_off_long_tests(items, *, every_file):
-    """Mark the tests of the list; of one that is there no longer, the list must say so."""
-    long = set(LONG.read_text(encoding="utf-8").splitlines())
-    for item in items:
-        if item.nodeid in long:
-            item.add_marker(pytest.mark.sweep)
-            long.remove(item.nodeid)
-    if every_file and long:
-        raise pytest.UsageError(f"{LONG.name} names tests that are not there: {', '.join(sorted(long))}")
+    """Mark the tests of the lists; of one that is there no longer, no list may speak."""
+    for path, mark in LISTS.items():
+        listed = set(path.read_text(encoding="utf-8").splitlines())
+        for item in items:
+            if item.nodeid in listed:
+                item.add_marker(mark)
+                listed.remove(item.nodeid)
+        if every_file and listed:
+            raise pytest.UsageError(f"{path.name} names tests that are not there: {', '.join(sorted(listed))}")

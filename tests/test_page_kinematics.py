@@ -112,7 +112,7 @@ def test_followers_move_in_the_page_as_pinocchio_moves_them(browser, tmp_path):
 
 
 @pytest.mark.filterwarnings("ignore:mesh:robotics1.RobotWarning")  # of some robots they are in no package
-@pytest.mark.parametrize("name", core_first(sorted(NAMED - REFUSED), {"ur5", "panda", "prr", "kinova"}, 8))
+@pytest.mark.parametrize("name", core_first(sorted(NAMED - REFUSED), {"ur5", "panda", "prr", "kinova"}, 4))
 def test_a_named_robot_moves_in_the_page_as_in_pinocchio(opened, name):
     """Its numbers only: the page of another robot computes with them."""
     robot, page = load_robot(name), opened("planar_2r")[1]

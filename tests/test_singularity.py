@@ -51,8 +51,15 @@ CONSTANT = [
 ]
 WORDS = [f"{name}-{'-'.join(task.row_names)}-{lengths}" for name, task, lengths, *_ in CONSTANT]
 EACH_TIME = {("numeric", 0), ("numeric", 2), ("numeric", 6), ("numeric", 9), *(("symbolic", i) for i in range(13))}
+NOW_AND_THEN = {5, 12, 13}  # unequal lengths, a vertical plane, a redundant arm
+
+
+def when(method, i):
+    return () if (method, i) in EACH_TIME else pytest.mark.sweep if i in NOW_AND_THEN else pytest.mark.fuzz
+
+
 BOTH = [
-    pytest.param(*case, method, id=f"{words}-{method}", marks=() if (method, i) in EACH_TIME else pytest.mark.sweep)
+    pytest.param(*case, method, id=f"{words}-{method}", marks=when(method, i))
     for i, (case, words) in enumerate(zip(CONSTANT, WORDS, strict=True))
     for method in ("numeric", "symbolic")
 ]
