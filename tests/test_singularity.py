@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from arms import arm
 from differences import key, sigma
+from sweeps import some_of
 
 from robotics1 import (
     FunctionTask,
@@ -97,7 +98,8 @@ def test_singular_set_is_the_closed_form_and_its_samples_are_singular(name, task
 
 
 @pytest.mark.parametrize(
-    ("a2", "a3"), [(0.35, 0.5), *(pytest.param(0.5, a3, marks=pytest.mark.sweep) for a3 in (0.35, 0.2))]
+    ("a2", "a3"),
+    [(0.35, 0.5), pytest.param(0.5, 0.35, marks=pytest.mark.sweep), pytest.param(0.5, 0.2, marks=pytest.mark.fuzz)],
 )
 def test_anthropomorphic_singularities_are_the_elbow_and_the_two_shoulder_loops(a2, a3):
     found = numeric(arm("anthropomorphic", a2=a2, a3=a3), SPACE)
@@ -126,8 +128,7 @@ def test_the_two_shoulder_loops_are_apart_from_each_other(a2, a3):
     assert all((side == side[0]).all() for side in sides)
 
 
-@pytest.mark.sweep
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", some_of(range(3), 1))
 def test_six_r_singularities_are_shoulder_elbow_and_wrist(seed):
     found = numeric(arm("six_r"), PoseTask(), seed=seed)
     constant = sorted(key(branch.values) for branch in found.branches if branch.values)
