@@ -6,8 +6,21 @@ INSTALLED := .venv/installed
 PEERS := .venv/peers-installed
 # The checker of the pages' scripts, of package.json; only where npm is.
 SCRIPTS := node_modules/installed
-# Tests of words, files and pages, in which no number depends on how a processor rounds.
-WORDS := check cli dh documents errors exam fuzz malformed misuse notebooks pages plots project public xacro
+# Each process begins with its share of the tests, file after file; one that is ready takes some from another.
+PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
+OLDER := OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR"
+# Tests whose answer is a count, a rank, a status, a branch or an order: there the last digit of a number decides.
+# What asserts numbers within a tolerance hardly depends on how a processor rounds: `make fuzz` computes that so too.
+ROUNDED := all_solutions arm_angle bases_on_branches boundary_by_search cuspidal dh_from_urdf \
+    differential_kinematics double_zeros elimination every_root exams_inverse exams_singularity extreme_reach \
+    families fewer_joints fractions_of_turns general_six ik_by_priority ik_formulas ik_formulas_drawn \
+    jacobian_slopes locus meeting minimum_time minimum_time_joints nearest_miss orientation_axis \
+    orientation_euler orientation_pointing planar_loop polynomial postures printed_digits printed_velocities \
+    reachability redundancy rigid_motions self_motion singular_set_edges singular_sets_at_limits \
+    singular_targets singularity solution_solver solutions solutions_kinds solve_ik solve_ik_honest solve_trig \
+    spaces statics support_function surfaces_of_solutions symbolic_singularities textbook_questions time_optimal \
+    timing_profiles two_slides units_of_length unreachable workspace workspace_distances workspace_in_space \
+    workspace_laws
 
 # Bytecode is kept: without it each process of a test compiles the package again.
 unexport PYTHONDONTWRITEBYTECODE
@@ -18,16 +31,13 @@ exam: $(USED)  ## solve the exam of 13 January 2025 and check every published va
 	$(BIN)/robotics1 exam
 
 test: $(INSTALLED)  ## the tests, in minutes; pictures of the pages are kept in build/pictures
-	ROBOTICS1_PICTURES=build/pictures $(BIN)/python -m pytest -n auto --dist loadfile
+	ROBOTICS1_PICTURES=build/pictures $(PYTEST)
 
-sweep: $(INSTALLED)  ## what takes longer: every arm, more examples of each property, an installed wheel, mutants of robot files
-	$(BIN)/python -m pytest -n auto --dist loadfile -m "sweep or hypothesis" --hypothesis-profile=sweep
-	$(BIN)/python tests/mutations.py --count 10000 --seed 1
-	$(BIN)/python tests/arms_at_random.py --count 100
+sweep: $(INSTALLED)  ## what takes longer: more arms, brute force, an installed wheel, mutants of robot files
+	$(PYTEST) -m "sweep and not fuzz"
 
-portable: $(INSTALLED)  ## the numeric tests as an older processor computes them, which rounds otherwise
-	OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR" \
-	$(BIN)/python -m pytest -n auto --dist loadfile $(WORDS:%=--ignore-glob='tests/test_%*.py')
+portable: $(INSTALLED)  ## the tests in which rounding decides, as an older processor computes them, which rounds otherwise
+	$(OLDER) $(PYTEST) $(ROUNDED:%=tests/test_%.py)
 
 check: $(INSTALLED)  ## style, types, layers, the scripts of the pages
 	$(BIN)/ruff check .
@@ -53,7 +63,7 @@ docs: $(INSTALLED)  ## the pages as a site, in build/docs; a warning, as of a br
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs build/docs
 
 coverage: $(INSTALLED)  ## tests with a coverage report
-	$(BIN)/python -m pytest -n auto --dist loadfile --cov --cov-report=term-missing:skip-covered
+	$(PYTEST) --cov --cov-report=term-missing:skip-covered
 
 # What a user installs; the developers' tools come on top, when they are needed.
 $(USED): pyproject.toml constraints.txt
@@ -62,10 +72,12 @@ $(USED): pyproject.toml constraints.txt
 	touch $@
 
 $(INSTALLED): $(USED)
-	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev]'
+	$(BIN)/python -m pip install --quiet --no-compile --constraint constraints.txt --editable '.[dev]'
 	touch $@
 
-fuzz: $(INSTALLED)  ## 300 arms drawn at random, and 100 000 mutants of robot files, in child processes
+fuzz: $(INSTALLED)  ## before a release, some hours: all cases, 100 examples of each property, 300 arms, 100 000 mutants
+	$(PYTEST) -m "fuzz or hypothesis" --hypothesis-profile=fuzz
+	$(OLDER) $(PYTEST)
 	$(BIN)/python tests/arms_at_random.py --count 300
 	$(BIN)/python tests/mutations.py --count 100000 --seed 1
 

@@ -24,7 +24,7 @@ FLAGS = [
 
 settings.register_profile("default", deadline=None, derandomize=True, max_examples=12, database=None, print_blob=True)
 providers.is_local_module_file = lambda _: False  # else the numbers in whatever modules are loaded are tried as well
-settings.register_profile("sweep", parent=settings.get_profile("default"), max_examples=100)
+settings.register_profile("fuzz", parent=settings.get_profile("default"), max_examples=100)
 settings.load_profile("default")
 
 

@@ -1,4 +1,4 @@
-"""Thirty arms drawn at random beside plain NumPy; `make fuzz` tries 300."""
+"""Forty arms drawn at random beside plain NumPy; `make fuzz` tries 300."""
 
 import pytest
 from arms_at_random import LARGEST, arm_number, errors_of
@@ -6,7 +6,16 @@ from arms_at_random import LARGEST, arm_number, errors_of
 
 @pytest.mark.parametrize("number", range(30))
 def test_an_arm_drawn_at_random_is_the_plain_chain(number, tmp_path):
-    found = errors_of(number, tmp_path, seconds=0.5, sets=5, longest=3)
+    assert_right(errors_of(number, tmp_path, seconds=0.5, sets=5, longest=3))
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("number", range(30, 40))
+def test_so_it_is_with_formulas_of_longer_arms_and_every_singular_set(number, tmp_path):
+    assert_right(errors_of(number, tmp_path))
+
+
+def assert_right(found):
     assert {"fk", "jacobian", "rate"} <= set(found)
     assert {name: error for name, error in found.items() if not error <= LARGEST[name]} == {}
 

@@ -12,6 +12,7 @@ from arms import arm
 from command import answer, run
 from hostile_names import NAMES, arm_file
 from pages import OpenPage
+from sweeps import core_first
 
 import robotics1 as r1
 from robotics1.data_sheet.asked import Asked, good_posture
@@ -25,10 +26,6 @@ from robotics1.tasks.given import short_form
 
 PLANE = r1.PositionTask("xy")
 Q = [0.4, 0.9]
-
-
-def sweep_too(name):
-    return pytest.param(name, marks=pytest.mark.sweep)
 
 
 @pytest.fixture(scope="module")
@@ -228,7 +225,7 @@ def test_misuse_is_refused_before_the_work_begins(options, sentence):
         r1.report(arm("planar_2r"), **options)
 
 
-@pytest.mark.parametrize("name", ["script", sweep_too("image"), sweep_too("template"), sweep_too("bidi")])
+@pytest.mark.parametrize("name", core_first(("script", "image", "template", "bidi"), ["script"], 1))
 def test_names_from_a_file_are_only_shown(browser, name, tmp_path):
     robot = r1.load_robot(arm_file(tmp_path, NAMES[name]))
     page = r1.report(robot, tmp_path / "sheet.html")

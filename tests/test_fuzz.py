@@ -12,15 +12,19 @@ from robotics1 import load_robot
 TESTS = Path(__file__).parent
 
 
-def test_400_mutants_load_or_are_refused():
-    command = [sys.executable, str(TESTS / "mutations.py"), "--count", "400", "--seed", "1"]
+@pytest.mark.parametrize(
+    ("first", "count"), [(0, 400), *(pytest.param(first, 1000, marks=pytest.mark.sweep) for first in (400, 1400))]
+)
+def test_mutants_load_or_are_refused(first, count):
+    options = ["--count", str(count), "--first", str(first), "--seed", "1"]
+    command = [sys.executable, str(TESTS / "mutations.py"), *options]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     words = done.stdout.replace(",", "").split()
     tried, accepted, refused = (int(words[i]) for i in (0, 3, 5))
-    assert tried == accepted + refused == 400
-    assert accepted > 40
-    assert refused > 40
+    assert tried == accepted + refused == count
+    assert accepted > count / 10
+    assert refused > count / 10
 
 
 def test_a_mutant_is_the_same_each_time_and_differs_from_its_neighbours():

@@ -238,7 +238,7 @@ def test_jacobians_and_singular_values_are_pinocchios_and_lapacks(name):
             agree(robot, frame)
 
 
-@pytest.mark.parametrize("name", core_first(sorted(example_robots()), sorted(example_robots())[::8]))
+@pytest.mark.parametrize("name", core_first(sorted(example_robots()), sorted(example_robots())[::8], 8))
 def test_jacobians_and_singular_values_of_the_chains_of_example_robot_data_are_pinocchios_and_lapacks(name):
     try:
         robot = load_robot(name)

@@ -72,7 +72,7 @@ def counted(path):
     return total
 
 
-@pytest.mark.parametrize("name", core_first(KNOWN, CORE))
+@pytest.mark.parametrize("name", core_first(KNOWN, CORE, 40))
 def test_a_mesh_has_the_box_of_pinocchios_reader_and_the_triangles_of_its_file(name, capfd):
     path = KNOWN[name]
     whole = read_mesh(path, most_faces=WHOLE)

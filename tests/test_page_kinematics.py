@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from arms import arm, random_q
-from command import answer
 from pages import OpenPage, data_behind
 from sweeps import core_first
 
@@ -16,6 +15,7 @@ from robotics1 import (
     load_robot,
     view,
 )
+from robotics1.robot.sources import named_robots
 
 FOLLOWERS = """<robot name="followers"><link name="base"/><link name="a"/><link name="b"/><link name="c"/>
 <link name="tool"/>
@@ -28,7 +28,7 @@ FOLLOWERS = """<robot name="followers"><link name="base"/><link name="a"/><link 
 <mimic joint="q1" multiplier="2" offset="-0.3"/><limit lower="-9" upper="9" velocity="9" effort="1"/></joint>
 <joint name="tip" type="fixed"><parent link="c"/><child link="tool"/><origin xyz="0.2 0 0.1"/></joint></robot>"""
 REFUSED = {"ur", "alex_psyonic_hands"}  # no robots: no name, and a joint that is not there
-NAMED = {row["name"] for row in answer("robots")["robots"]}
+NAMED = set(named_robots())
 ARMS = ("prr", "cylindrical", "planar_2r", "planar_3r", "redundant", "six_r")
 TASKS = {
     "prr": PlanarPoseTask("xy"),
@@ -112,7 +112,7 @@ def test_followers_move_in_the_page_as_pinocchio_moves_them(browser, tmp_path):
 
 
 @pytest.mark.filterwarnings("ignore:mesh:robotics1.RobotWarning")  # of some robots they are in no package
-@pytest.mark.parametrize("name", core_first(sorted(NAMED - REFUSED), {"ur5", "panda", "prr", "kinova"}))
+@pytest.mark.parametrize("name", core_first(sorted(NAMED - REFUSED), {"ur5", "panda", "prr", "kinova"}, 4))
 def test_a_named_robot_moves_in_the_page_as_in_pinocchio(opened, name):
     """Its numbers only: the page of another robot computes with them."""
     robot, page = load_robot(name), opened("planar_2r")[1]

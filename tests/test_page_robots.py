@@ -8,7 +8,7 @@ from sweeps import core_first
 
 import robotics1 as r1
 
-ROBOTS = core_first(["ur5", "panda", "icub", "kinova", "tiago", "anymal", "talos_reduced"], {"ur5", "panda"})
+ROBOTS = core_first(["ur5", "panda", "icub", "kinova", "tiago", "anymal", "talos_reduced"], {"ur5", "panda"}, 2)
 MOST = {"ur5": 3e6, "panda": 4e6}  # bytes of the page
 
 

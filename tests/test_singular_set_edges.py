@@ -283,7 +283,7 @@ def test_a_branch_of_one_equation_may_be_two_loops():
     assert {-1, 1} == set(np.sign(sines))
 
 
-@pytest.mark.parametrize("name", core_first(CASES, CORE))
+@pytest.mark.parametrize("name", core_first(CASES, CORE, 10))
 def test_explain_tells_of_every_branch_its_place_and_rank(name):
     found = case(name)[3]
     text = found.explain()

@@ -6,6 +6,7 @@ from math import hypot, pi
 
 import numpy as np
 import pytest
+from sweeps import core_first
 from test_all_solutions import ANTHROPOMORPHIC, POSE, PUMA, UR5, XYZ, robot_of
 
 from robotics1.ik import IKStatus, SolutionSolver
@@ -54,7 +55,7 @@ def puma_arms(T):
     return count_of_angles(d / r) * count_of_elbows(a, b, hypot(np.sqrt(max(r**2 - d**2, 0.0)), w[2]))
 
 
-@pytest.mark.parametrize("seed", [pytest.param(seed, marks=[pytest.mark.sweep] * (seed > 0)) for seed in range(5)])
+@pytest.mark.parametrize("seed", core_first(range(5), [0], 1))
 @pytest.mark.parametrize("kind", ["elbow", "shoulder", "wrist"])
 def test_a_ur5_has_as_many_solutions_as_the_geometry_says_at_singular_targets(kind, seed):
     robot, rng = robot_of(UR5), np.random.default_rng(seed)
@@ -77,7 +78,7 @@ def test_a_ur5_has_as_many_solutions_as_the_geometry_says_at_singular_targets(ki
         assert len(found) - found.singular.sum() * families == alone
 
 
-@pytest.mark.parametrize("seed", [pytest.param(seed, marks=[pytest.mark.sweep] * (seed > 0)) for seed in range(5)])
+@pytest.mark.parametrize("seed", core_first(range(5), [0], 1))
 @pytest.mark.parametrize("kind", ["elbow", "shoulder", "wrist"])
 def test_a_puma_has_as_many_solutions_as_the_geometry_says_at_singular_targets(kind, seed):
     robot, rng = robot_of(PUMA), np.random.default_rng(seed)

@@ -29,7 +29,7 @@ BASES_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited"}  # a second or t
 INTERSECTIONS_TAKE_LONG = {"Puma 560", "UR5", "7R twist", "7R limited", "cable arm with names xyz"}
 BY_HAND = [name for name, (*_, wanted) in CASES.items() if wanted is not None]
 MEETING = [name for name in CASES if name not in INTERSECTIONS_TAKE_LONG]
-every_case = pytest.mark.parametrize("name", core_first(CASES, CORE))
+every_case = pytest.mark.parametrize("name", core_first(CASES, CORE, 8))
 
 
 @pytest.mark.parametrize("name", core_first(BY_HAND, CORE & set(BY_HAND)))
@@ -116,7 +116,7 @@ def test_with_joints_at_multiples_of_half_pi_j_loses_rank_on_the_branches_and_no
         assert rank(robot, task, q, usual) <= min((branch.rank for branch in on), default=generic), q
 
 
-@pytest.mark.parametrize("name", core_first(MEETING, CORE & set(MEETING)))
+@pytest.mark.parametrize("name", core_first(MEETING, CORE & set(MEETING), 8))
 def test_where_branches_meet_j_has_the_rank_that_is_said(name):
     robot, task, _, found, usual, equations = case(name)
     rng = np.random.default_rng(5)

@@ -15,7 +15,7 @@ D, V, A, J = sympy.symbols("Delta V A J", positive=True)
 V0, V1, v = sympy.symbols("v0 v1 v", real=True)
 BOUNDS = {"velocity": "V", "acceleration": "A"}
 ENDS = {"v0": "v0", "v1": "v1"}
-SEEDS = core_first(range(6), [0])
+SEEDS = core_first(range(6), [0], 1)
 
 
 def same(a, b):

@@ -398,7 +398,7 @@ def test_answers_scale_with_the_units_of_length_and_time(name, k, c):
     assert_law_of_units(name, k, c)
 
 
-@pytest.mark.sweep
+@pytest.mark.fuzz
 @pytest.mark.parametrize("name", LAWS)
 @settings(max_examples=20)
 @given(k=factors, c=factors)

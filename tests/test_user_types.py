@@ -22,36 +22,41 @@ r1.ik_solutions("planar_2r", "position:xy", (1, 1)).require()
 """
 
 
-def mypy(tmp_path, script):
-    """Return what mypy prints of a script, and whether it passes; of this package it follows types only."""
-    path = tmp_path / "script.py"
-    path.write_text(script, encoding="utf-8")
-    flags = ["--strict", "--allow-redefinition", "--follow-imports=silent", f"--cache-dir={tmp_path / 'cache'}"]
-    command = [sys.executable, "-m", "mypy", *flags, str(path)]
-    ended = subprocess.run(
-        command, capture_output=True, text=True, cwd=tmp_path, env={"MYPYPATH": str(ROOT)}, check=False
-    )
-    return ended.stdout, ended.returncode == 0
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory):
+    """Return a function of a script: what mypy prints, and whether it passes; of this package it follows types only."""
+    folder = tmp_path_factory.mktemp("types")
+    flags = ["--strict", "--allow-redefinition", "--follow-imports=silent", "--cache-dir=cache"]
+
+    def checked(script):
+        (folder / "script.py").write_text(script, encoding="utf-8")
+        command = [sys.executable, "-m", "mypy", *flags, "script.py"]
+        ended = subprocess.run(
+            command, capture_output=True, text=True, cwd=folder, env={"MYPYPATH": str(ROOT)}, check=False
+        )
+        return ended.stdout, ended.returncode == 0
+
+    return checked
 
 
-def test_a_script_of_the_readme_is_typed(tmp_path):
+def test_a_script_of_the_readme_is_typed(mypy):
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), flags=re.DOTALL)
     script = "\n".join(blocks).replace("].formulas.", "].require_formulas().")  # a branch found by numbers has none
-    said, passes = mypy(tmp_path, script)
+    said, passes = mypy(script)
     assert passes, said
 
 
-def test_types_are_known_and_misspelled_options_are_errors(tmp_path):
-    said, passes = mypy(tmp_path, USER)
+def test_types_are_known_and_misspelled_options_are_errors(mypy):
+    said, passes = mypy(USER)
     assert passes, said
     assert 'Revealed type is "robotics1.robot.model.Robot"' in said
     assert "numpy.ndarray" in said
-    said, passes = mypy(tmp_path, USER.replace('kind="space"', 'kind="spatial"'))
+    said, passes = mypy(USER.replace('kind="space"', 'kind="spatial"'))
     assert not passes
     assert "Literal['mixed', 'space', 'body']" in said
 
 
-def test_options_of_every_namespace_are_known_words(tmp_path):
+def test_options_of_every_namespace_are_known_words(mypy):
     script = """
 import numpy as np
 import robotics1 as r1
@@ -63,7 +68,7 @@ r1.curves.cubic_spline([0, 1, 2], [[0], [1], [0]], bc_type="free")
 r1.minimum_time([0], [1], r1.MotionLimits(velocity=1, acceleration=1), law="bang")
 r1.redundancy.saturated_velocity("prr", "position:xy", [0, 0, 0], [0.1, 0], method="best")
 """
-    said, _ = mypy(tmp_path, script)
+    said, _ = mypy(script)
     for line in range(5, 11):
         assert f"script.py:{line}: error" in said, (line, said)
 

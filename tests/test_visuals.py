@@ -16,7 +16,7 @@ REFUSED = {"ur", "alex_psyonic_hands"}  # no robots: no name, and a joint that i
 ROBOTS = [name for name in example_robots() if name not in REFUSED]
 
 
-@pytest.mark.parametrize("name", core_first(ROBOTS, ["panda", "tiago", "romeo_small"]))
+@pytest.mark.parametrize("name", core_first(ROBOTS, ["panda", "tiago", "romeo_small"], 8))
 def test_visuals_are_where_pinocchio_puts_them(name):
     robot = r1.load_robot(name)
     drawn = [visual for visual in read_visuals(robot) if getattr(visual.shape, "found", True)]

@@ -8,6 +8,7 @@ from hypothesis import assume, given, settings, strategies as st
 from planar_chains import XYZ
 from scipy.optimize import minimize
 from spatial_arms import drawn_arm
+from sweeps import fewer_examples
 
 import robotics1 as r1
 from robotics1.workspaces import crossings, workspace
@@ -45,6 +46,7 @@ def nearest_of_all(arm, p, rng):
     return min(minimize(squared, q, jac=True, bounds=bounds, options=exact).fun for q in many[nearest]) ** 0.5
 
 
+@fewer_examples()
 @given(SEEDS)
 def test_outside_it_is_the_distance_of_the_nearest_configuration(seed):
     arm, rng = drawn(seed), np.random.default_rng(seed)
