@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property, wraps
+from functools import wraps
 from inspect import Parameter, signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -94,12 +94,15 @@ class TypedRobot:
     lock: Locked = None
     degrees: Degrees = False
 
-    @cached_property
+    @property
     def robot(self) -> Robot:
-        """The robot, as `load_robot` returns it."""
+        """The robot, as `load_robot` returns it; it is loaded once."""
         from robotics1.robot.loading import load_robot
 
-        return load_robot(self.source, **self.loading)
+        kept: dict[str, Any] = vars(self)
+        if "_robot" not in kept:
+            kept["_robot"] = load_robot(self.source, **self.loading)
+        return kept["_robot"]  # type: ignore[no-any-return]
 
     @property
     def loading(self) -> dict[str, Any]:
@@ -175,7 +178,7 @@ class TypedRobot:
 
         return np.where(self._angles, np.degrees(q), q) if self.degrees else q
 
-    @cached_property
+    @property
     def _angles(self) -> npt.NDArray[np.bool_]:
         """Which entries of q are angles, (nq,)."""
         import numpy as np
