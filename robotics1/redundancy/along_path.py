@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,24 +12,22 @@ import numpy.typing as npt
 from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number
+from robotics1.redundancy.given_levels import Track, tracks_of
 from robotics1.redundancy.hierarchy import by_levels
 from robotics1.redundancy.null_motion import gradient_of
 from robotics1.redundancy.objectives import Objective
 from robotics1.redundancy.rate_limits import limits_of
 from robotics1.redundancy.steps_within_limits import moved_within_limits
-from robotics1.redundancy.tracks import Track, tracks_of
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike
 from robotics1.tasks.rows import unitless_rows
-from robotics1.trajectories.following.integration import integrated
+from robotics1.trajectories.following.integration import integrated, runaway
 
 PRECISION = 1e-9  # of the integration, relative, and in radians and reaches
 FOLLOWED = 1e-5  # |e| in radians and reaches: less is no error
 MOST_STEPS = 5000  # of a segment: more are needed only where the joints run away
-
-Rate = Callable[[float, Array, Side], Array]  # (t, q, side) → q̇
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,16 +123,7 @@ def follow_by_priority(
         wish = 0.0 if objective is None else found.null @ (found.null.T @ (gain * gradient_of(objective, q, robot.nv)))
         return np.asarray(found.x + wish)
 
-    states, complete = _integrated(rate, ends, q0, times, robot)
-    rates = np.array([rate(float(t), q, "right") for t, q in zip(times, states, strict=False)])
-    ones = np.ones((len(states), len(tracks)))
-    return _run(robot, tracks, times[: len(states)], states, rates, ones, complete=complete)
-
-
-def _integrated(rate: Rate, ends: Sequence[float], q0: Array, times: Array, robot: Robot) -> tuple[Array, bool]:
-    """Return q at the times, as far as the joints do not run away, and whether that is the end."""
-    end = ends[-1]
-    segments = integrated(
+    solution = integrated(
         rate,
         ends,
         q0,
@@ -143,11 +132,12 @@ def _integrated(rate: Rate, ends: Sequence[float], q0: Array, times: Array, robo
         atol=PRECISION * robot.units,
         max_step=end / 20,
         most_steps=MOST_STEPS,
-        stop=lambda speed: bool((np.abs(speed) > 1e4 * robot.units / end).any()),
+        fastest=runaway(robot, end),
     )
-    reached = segments[-1].end if segments else 0.0
-    states = [next((s.state(t) for s in segments if t <= s.end), q0) for t in times[times <= reached]]
-    return np.array(states), reached >= end
+    reached, states = solution.sampled(times)
+    rates = np.array([rate(float(t), q, "right") for t, q in zip(reached, states, strict=True)])
+    ones = np.ones((len(states), len(tracks)))
+    return _run(robot, tracks, reached, states, rates, ones, complete=solution.end >= end)
 
 
 def _run(

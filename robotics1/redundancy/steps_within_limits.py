@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.redundancy.tracks import Track
+from robotics1.redundancy.given_levels import Track
 from robotics1.redundancy.within_bounds import BoundedLevel, levels_within
 from robotics1.robot.model import Robot
 
