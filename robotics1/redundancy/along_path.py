@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from robotics1.redundancy.hierarchy import by_levels
 from robotics1.redundancy.null_motion import gradient_of
 from robotics1.redundancy.objectives import Objective
 from robotics1.redundancy.rate_limits import limits_of
-from robotics1.redundancy.steps_within_limits import moved_within_limits
+from robotics1.redundancy.within_bounds import BoundedLevel, levels_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
@@ -27,6 +28,7 @@ from robotics1.trajectories.following.integration import integrated, runaway
 
 PRECISION = 1e-9  # of the integration, relative, and in radians and reaches
 FOLLOWED = 1e-5  # |e| in radians and reaches: less is no error
+STEPS = 400  # of a motion within limits, at least
 MOST_STEPS = 5000  # of a segment: more are needed only where the joints run away
 
 
@@ -114,7 +116,7 @@ def follow_by_priority(
     ends = sorted({t for motion in motions for t in motion.ends if t < end} | {0.0, end})
     times = np.linspace(0.0, end, counting_number("samples", samples, least=2))
     if limits is not None:
-        moved = moved_within_limits(robot, tracks, limits_of(robot, limits, None), ends, q0, times)
+        moved = _moved_within_limits(robot, tracks, limits_of(robot, limits, None), ends, q0, times)
         return _run(robot, tracks, times, *moved, complete=True)  # rates within limits do not run away
 
     def rate(t: float, q: Array, side: Side) -> Array:
@@ -138,6 +140,49 @@ def follow_by_priority(
     rates = np.array([rate(float(t), q, "right") for t, q in zip(reached, states, strict=True)])
     ones = np.ones((len(states), len(tracks)))
     return _run(robot, tracks, reached, states, rates, ones, complete=solution.end >= end)
+
+
+def _moved_within_limits(
+    robot: Robot,
+    tracks: Sequence[Track],
+    bounds: tuple[Array, Array],
+    ends: Sequence[float],
+    q0: Array,
+    times: Array,
+) -> tuple[Array, Array, Array]:
+    """Return q and q̇, (k, n) each, and the scales, (k, levels), at the times, by Runge and Kutta's fourth order.
+
+    Where a joint comes to its limit the rates have a kink, at which an adaptive step would shrink without end: the
+    steps have one length, and end where a trajectory has a jump. What is asked is known before: it is taken at all
+    instants at once.
+    """
+
+    def rates(asked: list[tuple[Any, Array]], q: Array) -> tuple[Array, tuple[float, ...]]:
+        rows = []
+        for track, (target, ahead) in zip(tracks, asked, strict=True):
+            wanted = ahead + track.gain * track.task.error(robot, q, target)
+            rows.append(BoundedLevel(track.task.jacobian(robot, q), wanted, np.zeros(len(wanted)), track.scale))
+        return levels_within(rows, *bounds)
+
+    intervals = len(times) - 1
+    steps = intervals * -(-STEPS // intervals)
+    grid = np.unique(np.concatenate([times, np.linspace(0.0, ends[-1], steps + 1), ends]))
+    after, before = ([track.sampled(grid, side) for track in tracks] for side in ("right", "left"))
+    middle = [track.sampled(0.5 * (grid[1:] + grid[:-1]), "right") for track in tracks]
+    states, q = [], q0
+    for i, (a, b) in enumerate(pairwise(grid)):
+        h = b - a
+        k1, scales = rates([level[i] for level in after], q)
+        states.append((q, k1, scales))
+        halfway = [level[i] for level in middle]
+        k2, _ = rates(halfway, q + 0.5 * h * k1)
+        k3, _ = rates(halfway, q + 0.5 * h * k2)
+        k4, _ = rates([level[i + 1] for level in before], q + h * k3)
+        q = q + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    states.append((q, *rates([level[-1] for level in after], q)))
+    chosen = [states[i] for i in np.searchsorted(grid, times)]
+    q_, qdot, scale = (np.array(part) for part in zip(*chosen, strict=True))
+    return q_, qdot, scale
 
 
 def _run(
