@@ -174,3 +174,15 @@ def test_times_outside_the_motion_are_input_errors(t):
 def test_boundary_conditions_that_do_not_agree_are_input_errors(arguments):
     with pytest.raises(InputError):
         cubic(*arguments)
+
+
+def test_the_integral_of_a_velocity_is_the_motion_from_its_start():
+    """v = 2t for 3 s, then 6 for 1 s: x = 1 + t², then 10 + 6 (t − 3)."""
+    motion = PiecewisePolynomial.from_pieces([([0.0, 6.0], 3.0), ([6.0], 1.0)]).integral(1.0)
+    np.testing.assert_allclose(motion([0.0, 2.0, 3.0, 3.5, 4.0]), [1, 5, 10, 13, 16])
+    several = cubic([0.0, 1.0], [2.0, -1.0], 0.7, v0=[0.3, -0.2])
+    back = several.rate.integral([0.0, 1.0])
+    t = np.linspace(0, 0.7, 11)
+    np.testing.assert_allclose(back(t), several(t), atol=1e-15)
+    state = PiecewisePolynomial.from_pieces([([[4.0, 5.0]], 0.0)]).integral([1.0, 2.0])
+    np.testing.assert_array_equal([state(0.0), state.velocity(0.0)], [[1, 2], [4, 5]])

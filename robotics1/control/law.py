@@ -151,8 +151,7 @@ class ControlLaw:
         """Return the law as it is written, such as "q̇ = J⁻¹(q) (ṙ_d + K (r_d − f(q))), K = diag(4, 9)"."""
         x = "q" if self.of_joints else "r"
         r = "q" if self.of_joints else "f(q)"
-        turned = self.axes.fixed is None or not np.array_equal(self.axes.fixed, np.eye(self.axes.m))
-        K, D = ("A K Aᵀ", "A D Aᵀ") if turned else ("K", "D")
+        K, D = ("A K Aᵀ", "A D Aᵀ") if self._is_turned else ("K", "D")
         e = f"({x}_d − {r})"
         values = f"K = {written_gain(self.K)}" + ("" if self.D is None else f", D = {written_gain(self.D)}")
         if self.method == "gradient":
@@ -182,12 +181,13 @@ class ControlLaw:
         if self.method == "gradient":
             return f"{self.formula()}; V = ½ eᵀ K e has V̇ = −|Jᵀ K e|²"
         error = "ė = −K e" if self.D is None else "ë = −D ė − K e"
-        where = (
-            ""
-            if self.axes.fixed is not None and np.array_equal(self.axes.fixed, np.eye(self.axes.m))
-            else (", e = Aᵀ(r_d − r)")
-        )
+        where = ", e = Aᵀ(r_d − r)" if self._is_turned else ""
         return f"{self.formula()}; {error}{where}"
+
+    @property
+    def _is_turned(self) -> bool:
+        """Whether the axes are others than those of the world."""
+        return self.axes.fixed is None or not np.array_equal(self.axes.fixed, np.eye(self.axes.m))
 
     def _ahead(self, t: float, order: int, side: Side) -> Array:
         if self.motion is None:

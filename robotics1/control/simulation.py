@@ -14,11 +14,10 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number, positive_bound, real_number
 from robotics1.kinematics import velocity_of_joints
 from robotics1.results import Frozen
-from robotics1.trajectories.following.integration import integrated
+from robotics1.trajectories.following.integration import RUNAWAY, integrated, runaway
 
 PRECISION = 1e-9
 MOST_STEPS = 1_000_000  # of a sampled law
-RUNAWAY = 1e4  # of a joint in the duration, in radians or reaches: faster ones have met a singularity
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +103,7 @@ def simulate_law(
         times, states, complete = _held(lambda t, x: rate(t, x, "right")[-n:], law, start, ends[-1], step)
         return _run(law, times, states, bound, complete=complete)
 
-    segments = integrated(
+    solution = integrated(
         rate,
         ends,
         start,
@@ -112,14 +111,11 @@ def simulate_law(
         rtol=PRECISION,
         atol=PRECISION * np.tile(robot.units, law.order),
         max_step=(ends[-1] - ends[0]) / 20,
-        stop=lambda slope: bool((np.abs(slope[:n]) > RUNAWAY * robot.units / ends[-1]).any()),
+        fastest=runaway(robot, ends[-1]),
         most_steps=5000,
     )
-    times = np.linspace(0.0, ends[-1], counting_number("samples", samples, least=2))
-    reached = segments[-1].end if segments else 0.0
-    times = times[times <= reached]
-    states = np.array([next((s.state(t) for s in segments if t <= s.end), start) for t in times])
-    return _run(law, times, states, bound, complete=reached >= ends[-1])
+    times, states = solution.sampled(np.linspace(0.0, ends[-1], counting_number("samples", samples, least=2)))
+    return _run(law, times, states, bound, complete=solution.end >= ends[-1])
 
 
 def _held(

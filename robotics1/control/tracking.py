@@ -90,7 +90,7 @@ def simulate_tracking(
 
     size = np.maximum(np.abs(q0), np.abs(motion(t)).max(axis=0))
     precision = PRECISION * np.where(size > 0, size, 1.0)
-    segments = integrated(
+    solution = integrated(
         lambda time, q, side: np.clip(wanted(time, q, side), -limits, limits),
         ends,
         q0,
@@ -100,10 +100,8 @@ def simulate_tracking(
         max_step=ends[-1] / 50,
     )
     q = np.full((len(t), n), np.nan)
-    for segment in segments:
-        here = (t >= segment.start) & (t <= segment.end)
-        if here.any():  # between two samples there may be several switching times
-            q[here] = segment.state(t[here]).T
+    reached, states = solution.sampled(t)
+    q[: len(reached)] = states.reshape(len(reached), n)
     asked = np.array([wanted(time, position, "right") for time, position in zip(t, q, strict=True)])
     saturated = (np.abs(asked) > limits).any(axis=0)
     return Tracking(t, q, np.clip(asked, -limits, limits), motion(t) - q, saturated)

@@ -121,6 +121,14 @@ class PiecewisePolynomial(Curve):
         """q̇, made of polynomials too."""
         return PiecewisePolynomial(self._differentiated(1), self.durations)
 
+    def integral(self, start: npt.ArrayLike) -> PiecewisePolynomial:
+        """Return x(t) = start + ∫ q dt, from 0 to t, made of polynomials too."""
+        T = self.durations if self.end else np.ones(1)
+        terms = ((self.c.T * T[:, None]) / np.arange(len(self.c), 0, -1.0)).T
+        gains = terms.sum(axis=0)
+        begins = start + np.concatenate([0 * gains[:1], np.cumsum(gains, axis=0)[:-1]])
+        return PiecewisePolynomial(np.concatenate([terms, begins[None]]), self.durations)
+
     @property
     def pieces(self) -> tuple[PiecewisePolynomial, ...]:
         """The polynomials in the order of time, each with its `coefficients` and `coefficients_t`."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -12,24 +13,23 @@ import numpy.typing as npt
 from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
 from robotics1.inputs import Array, counting_number
+from robotics1.redundancy.given_levels import Track, tracks_of
 from robotics1.redundancy.hierarchy import by_levels
 from robotics1.redundancy.null_motion import gradient_of
 from robotics1.redundancy.objectives import Objective
 from robotics1.redundancy.rate_limits import limits_of
-from robotics1.redundancy.steps_within_limits import moved_within_limits
-from robotics1.redundancy.tracks import Track, tracks_of
+from robotics1.redundancy.within_bounds import BoundedLevel, levels_within
 from robotics1.results import Frozen, require
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.model import Robot
 from robotics1.tasks.given import TaskLike
 from robotics1.tasks.rows import unitless_rows
-from robotics1.trajectories.following.integration import integrated
+from robotics1.trajectories.following.integration import integrated, runaway
 
 PRECISION = 1e-9  # of the integration, relative, and in radians and reaches
 FOLLOWED = 1e-5  # |e| in radians and reaches: less is no error
+STEPS = 400  # of a motion within limits, at least
 MOST_STEPS = 5000  # of a segment: more are needed only where the joints run away
-
-Rate = Callable[[float, Array, Side], Array]  # (t, q, side) → q̇
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +116,7 @@ def follow_by_priority(
     ends = sorted({t for motion in motions for t in motion.ends if t < end} | {0.0, end})
     times = np.linspace(0.0, end, counting_number("samples", samples, least=2))
     if limits is not None:
-        moved = moved_within_limits(robot, tracks, limits_of(robot, limits, None), ends, q0, times)
+        moved = _moved_within_limits(robot, tracks, limits_of(robot, limits, None), ends, q0, times)
         return _run(robot, tracks, times, *moved, complete=True)  # rates within limits do not run away
 
     def rate(t: float, q: Array, side: Side) -> Array:
@@ -125,16 +125,7 @@ def follow_by_priority(
         wish = 0.0 if objective is None else found.null @ (found.null.T @ (gain * gradient_of(objective, q, robot.nv)))
         return np.asarray(found.x + wish)
 
-    states, complete = _integrated(rate, ends, q0, times, robot)
-    rates = np.array([rate(float(t), q, "right") for t, q in zip(times, states, strict=False)])
-    ones = np.ones((len(states), len(tracks)))
-    return _run(robot, tracks, times[: len(states)], states, rates, ones, complete=complete)
-
-
-def _integrated(rate: Rate, ends: Sequence[float], q0: Array, times: Array, robot: Robot) -> tuple[Array, bool]:
-    """Return q at the times, as far as the joints do not run away, and whether that is the end."""
-    end = ends[-1]
-    segments = integrated(
+    solution = integrated(
         rate,
         ends,
         q0,
@@ -143,11 +134,55 @@ def _integrated(rate: Rate, ends: Sequence[float], q0: Array, times: Array, robo
         atol=PRECISION * robot.units,
         max_step=end / 20,
         most_steps=MOST_STEPS,
-        stop=lambda speed: bool((np.abs(speed) > 1e4 * robot.units / end).any()),
+        fastest=runaway(robot, end),
     )
-    reached = segments[-1].end if segments else 0.0
-    states = [next((s.state(t) for s in segments if t <= s.end), q0) for t in times[times <= reached]]
-    return np.array(states), reached >= end
+    reached, states = solution.sampled(times)
+    rates = np.array([rate(float(t), q, "right") for t, q in zip(reached, states, strict=True)])
+    ones = np.ones((len(states), len(tracks)))
+    return _run(robot, tracks, reached, states, rates, ones, complete=solution.end >= end)
+
+
+def _moved_within_limits(
+    robot: Robot,
+    tracks: Sequence[Track],
+    bounds: tuple[Array, Array],
+    ends: Sequence[float],
+    q0: Array,
+    times: Array,
+) -> tuple[Array, Array, Array]:
+    """Return q and q̇, (k, n) each, and the scales, (k, levels), at the times, by Runge and Kutta's fourth order.
+
+    Where a joint comes to its limit the rates have a kink, at which an adaptive step would shrink without end: the
+    steps have one length, and end where a trajectory has a jump. What is asked is known before: it is taken at all
+    instants at once.
+    """
+
+    def rates(asked: list[tuple[Any, Array]], q: Array) -> tuple[Array, tuple[float, ...]]:
+        rows = []
+        for track, (target, ahead) in zip(tracks, asked, strict=True):
+            wanted = ahead + track.gain * track.task.error(robot, q, target)
+            rows.append(BoundedLevel(track.task.jacobian(robot, q), wanted, np.zeros(len(wanted)), track.scale))
+        return levels_within(rows, *bounds)
+
+    intervals = len(times) - 1
+    steps = intervals * -(-STEPS // intervals)
+    grid = np.unique(np.concatenate([times, np.linspace(0.0, ends[-1], steps + 1), ends]))
+    after, before = ([track.sampled(grid, side) for track in tracks] for side in ("right", "left"))
+    middle = [track.sampled(0.5 * (grid[1:] + grid[:-1]), "right") for track in tracks]
+    states, q = [], q0
+    for i, (a, b) in enumerate(pairwise(grid)):
+        h = b - a
+        k1, scales = rates([level[i] for level in after], q)
+        states.append((q, k1, scales))
+        halfway = [level[i] for level in middle]
+        k2, _ = rates(halfway, q + 0.5 * h * k1)
+        k3, _ = rates(halfway, q + 0.5 * h * k2)
+        k4, _ = rates([level[i + 1] for level in before], q + h * k3)
+        q = q + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    states.append((q, *rates([level[-1] for level in after], q)))
+    chosen = [states[i] for i in np.searchsorted(grid, times)]
+    q_, qdot, scale = (np.array(part) for part in zip(*chosen, strict=True))
+    return q_, qdot, scale
 
 
 def _run(

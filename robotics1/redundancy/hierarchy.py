@@ -1,7 +1,7 @@
 """Several linear equations Aᵢ x = bᵢ, the first before the second: least squares by levels."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -52,6 +52,7 @@ def by_levels(levels: Sequence[Level], n: int, *, damping: float = 0.0) -> Hiera
         _, s, turned = np.linalg.svd(scale * A @ free)
         r = int(np.count_nonzero(s > RANK_TOLERANCE * sigma[:1]))  # of the size of A, else rounding would count
         inverse = generalized_inverse(A @ N, damping if number else 0.0, rank=r)
+        inverse = replace(inverse, sigma=inverse.sigma[:r])  # the others are rounding, which a small λ would enlarge
         x = x + N @ inverse.solve(b - A @ x)
         N, free = N @ inverse.null, free @ turned[r:].T
         ranks.append(numeric_rank(sigma))

@@ -92,12 +92,10 @@ def _law(q: Array, steps: Array, blends: Array, inside: Array) -> PiecewisePolyn
     used[0] -= blends[0] / 2
     used[-1] -= blends[-1] / 2
     v = np.concatenate([[0.0], np.diff(q) / used, [0.0]])
-    pieces, here = [], float(q[0])
+    pieces: list[tuple[npt.ArrayLike, float]] = []  # of the velocity
     for k, T in enumerate(blends):
         if T > 0:
-            pieces.append(([here, v[k] * T, (v[k + 1] - v[k]) * T / 2], float(T)))
-            here += (v[k] + v[k + 1]) / 2 * T
+            pieces.append(([v[k], v[k + 1] - v[k]], float(T)))
         if k < len(inside) and inside[k] > ROUNDING * steps[k]:
-            pieces.append(([here, v[k + 1] * inside[k]], float(inside[k])))
-            here += v[k + 1] * inside[k]
-    return PiecewisePolynomial.from_pieces(pieces)
+            pieces.append(([v[k + 1]], float(inside[k])))
+    return PiecewisePolynomial.from_pieces(pieces).integral(q[0])

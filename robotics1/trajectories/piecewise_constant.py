@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
 from robotics1.errors import InputError
-from robotics1.inputs import Array, dimensions, joint_numbers, joint_rates, moderate, positive_numbers, real_array
+from robotics1.inputs import dimensions, joint_numbers, joint_rates, moderate, positive_numbers, real_array
 
 
 def motion_of_accelerations(
@@ -65,15 +65,8 @@ def _integrated(
     several: Any = constants
     listed: Any = [[x] for x in several] if n == 1 and dimensions(name, constants) == 1 else constants
     values = moderate(name, real_array(name, listed, (m, n), "one row for each interval, one column for each joint"))
-    state: list[Array] = [start, *(joint_rates(f"the rate {i} at the start", v, n) for i, v in enumerate(rates, 1))]
-    pieces: list[tuple[npt.ArrayLike, float]] = []
-    for duration, highest in zip(T.tolist(), values, strict=True):
-        known = [*state, highest]  # q, q̇, ... at the beginning of the interval
-        factorials = np.cumprod([1.0, *range(1, len(known))])
-        c = np.array([x * duration**k / factorials[k] for k, x in enumerate(known)])
-        pieces.append((c, duration))
-        state = [
-            np.sum([known[k] * duration ** (k - r) / factorials[k - r] for k in range(r, len(known))], axis=0)
-            for r in range(len(state))
-        ]
-    return PiecewisePolynomial.from_pieces(pieces)
+    state = [start, *(joint_rates(f"the rate {i} at the start", v, n) for i, v in enumerate(rates, 1))]
+    motion = PiecewisePolynomial(values[None], T)
+    for rate in reversed(state):
+        motion = motion.integral(rate)
+    return motion

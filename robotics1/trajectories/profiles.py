@@ -49,15 +49,13 @@ def law_of_phases(
     start: float, v0: float, phases: Sequence[Phase], cruise: tuple[float, float] = (0.0, 0.0)
 ) -> VelocityProfile:
     """Return the law from s(0), ṡ(0) through phases, with this cruise velocity and time."""
-    pieces: list[tuple[npt.ArrayLike, float]] = []
-    s, v = start, v0
-    for phase in phases:
-        dt, a, j = phase.duration, phase.acceleration, phase.jerk
-        if dt > 0:
-            c = [s, v * dt, a * dt**2 / 2, j * dt**3 / 6]
-            pieces.append((c[: 4 if j else 3], dt))
-            s, v = float(np.sum(c)), v + a * dt + j * dt**2 / 2
-    law = PiecewisePolynomial.from_pieces(pieces or [([start, v0], 0.0)])
+    lasting = [([p.acceleration, p.jerk * p.duration], p.duration) for p in phases if p.duration > 0]
+    if not lasting:
+        law = PiecewisePolynomial.from_pieces([([start, v0], 0.0)])
+    else:
+        jumps = not any(p.jerk for p in phases)
+        accelerations = PiecewisePolynomial.from_pieces([(c[: 2 - jumps], T) for c, T in lasting])
+        law = accelerations.integral(v0).integral(start)
     return VelocityProfile(law.c, law.durations, tuple(phases), *cruise)
 
 

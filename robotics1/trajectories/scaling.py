@@ -12,9 +12,9 @@ from numpy.polynomial import polynomial
 
 from robotics1.curves.composition import stretched
 from robotics1.curves.curve import Curve
-from robotics1.curves.given import ForeignMotion, as_curve
+from robotics1.curves.given import as_curve
 from robotics1.curves.named_derivatives import Side
-from robotics1.curves.piecewise_polynomial import stationary_points
+from robotics1.curves.piecewise_polynomial import PiecewisePolynomial, stationary_points
 from robotics1.errors import InputError
 from robotics1.inputs import LARGEST, answer_of, real_number
 from robotics1.results import Frozen
@@ -23,7 +23,7 @@ from robotics1.trajectories.limits import ORDERS, Limits, LimitUse, MotionLimits
 SHORT, LONG = 1e-12, 1e12  # of what the motion of one second needs if it is stretched: where the search begins and ends
 REACHED = 1e-11  # relative excess over a bound that is rounding
 SAME_BOUND = 1e-12  # relative: a value so near to its bound is at it
-HIGHEST = 7  # the order of the derivatives that are looked at where a bound is touched
+HIGHEST = 7  # the order of a polynomial's derivatives that are looked at where a bound is touched
 SHORTEST = 1 / LARGEST  # [s], of any duration that is not zero
 NARROW = 1e-13  # relative: durations that serve only so exactly are not found; rounding decides about them
 NOISE = 1e-11  # of the distance: what rounding is in the third derivative by τ of degree 7
@@ -162,7 +162,7 @@ def _passed(motion: Motion, limits: MotionLimits, T: float) -> list[Excess]:
         for use in limits.uses(curve)
         if abs(use.value) > (1 + REACHED) * use.limit
     ]
-    highest = 3 if isinstance(curve, ForeignMotion) else HIGHEST
+    highest = HIGHEST if isinstance(curve, PiecewisePolynomial) else 3
     for k, bound in ((ORDERS[name], getattr(bounds, name)) for name in ("velocity", "acceleration", "jerk")):
         ends: tuple[tuple[float, int, Side], ...] = ((0.0, 1, "right"), (T, -1, "left"))
         for time, inwards, side in ends:

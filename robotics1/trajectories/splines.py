@@ -149,7 +149,7 @@ def _knots(knots: str | npt.ArrayLike, steps: Array) -> Array:
     if isinstance(knots, str):
         if knots not in EXPONENTS:
             raise InputError(f"knots must be 'chord', 'centripetal', 'uniform' or numbers; it is {knots!r}")
-        return np.concatenate([[0.0], np.cumsum(steps ** EXPONENTS[knots])])
+        return _knots_by_rule(knots, steps)
     given = moderate_array("knots", knots, (len(steps) + 1,), "one for each point")
     if given[0] != 0 or (np.diff(given) <= 1e-12 * given[-1]).any():
         raise InputError(f"knots must ascend from 0; they are {given.tolist()}")
@@ -193,13 +193,17 @@ def knot_times(points: npt.ArrayLike, duration: float, rule: KnotRule = "chord")
     """
     rows = points_in_rows(points)
     T = positive_number("duration", duration)
-    exponent = EXPONENTS[one_of("rule", rule, tuple(EXPONENTS))]
     steps = np.linalg.norm(np.diff(rows, axis=0), axis=1)
-    if exponent and not steps.all():
+    if EXPONENTS[one_of("rule", rule, tuple(EXPONENTS))] and not steps.all():
         i = int(np.argmin(steps))
         raise InputError(f"points {i} and {i + 1} are the same: by the rule {rule!r} no time passes between them")
-    times = np.concatenate([[0.0], np.cumsum(steps**exponent)])
-    return np.asarray(T * times / times[-1])
+    knots = _knots_by_rule(rule, steps)
+    return np.asarray(T * knots / knots[-1])
+
+
+def _knots_by_rule(rule: str, steps: Array) -> Array:
+    """Return knots from 0 with intervals |qᵢ₊₁ − qᵢ|ᵖ, the power that of the rule."""
+    return np.concatenate([[0.0], np.cumsum(steps ** EXPONENTS[rule])])
 
 
 def timed_points(times: npt.ArrayLike, points: npt.ArrayLike) -> tuple[Array, Array, float]:

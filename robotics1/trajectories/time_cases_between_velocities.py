@@ -80,8 +80,8 @@ def _one_switch(symbols: Mapping[str, Any], short: tuple[Any, ...]) -> list[Time
 def _bang_bang(symbols: Mapping[str, Any]) -> list[TimeCase]:
     """Return the cases of one switch: at the acceleration A, or less where the velocity at the switch would exceed V.
 
-    With V there, the mean velocities of both parts give T = Δ (2V − v0 − v1)/(V² − e), e = (v0² + v1²)/2. Where v0 =
-    v1 = V, the velocity stays.
+    With V there, the mean velocities of both parts give T = Δ (2V − v0 − v1)/(V² − e), e = (v0² + v1²)/2. Of
+    numbers with v0 = v1 = V, where that is 0/0, the velocity stays.
     """
     import sympy
 
@@ -89,14 +89,15 @@ def _bang_bang(symbols: Mapping[str, Any]) -> list[TimeCase]:
     if "velocity" not in symbols:
         return _one_switch(symbols, ())
     V, squares = symbols["velocity"], (v0**2 + v1**2) / 2
+    if v0 == v1 == V:
+        return [TimeCase("bounded by the velocity", (), d / V, (), V, sympy.S.Zero)]
     T, a = d * (2 * V - v0 - v1) / (V**2 - squares), (V**2 - squares) / d
     conditions: tuple[Any, ...] = ()
     others = []
     if "acceleration" in symbols:
         needed = (V**2 - squares) / symbols["acceleration"]
         conditions, others = (sympy.Ge(d, needed),), _one_switch(symbols, (sympy.Lt(d, needed),))
-    steady = TimeCase("at the velocity V all along", (sympy.Ge(v0 + v1, 2 * V),), d / V, (), V, sympy.S.Zero)
-    return [steady, TimeCase("bounded by the velocity", conditions, T, ((V - v0) / a,), V, a), *others]
+    return [TimeCase("bounded by the velocity", conditions, T, ((V - v0) / a,), V, a), *others]
 
 
 def _cubic(symbols: Mapping[str, Any]) -> list[TimeCase]:

@@ -1,7 +1,7 @@
 """The least time of each timing law as a formula of Δ and the bounds, with the condition that decides each case."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from robotics1.trajectories.time_cases_between_velocities import cases_between_v
 
 TRIALS = 8  # random values with which the formulas are compared
 AGREES = 1e-9  # relative
+STEADY = 1e-14  # relative: a change of velocity that is rounding
 DIGITS = 30  # of the numbers that formulas are evaluated with
 
 
@@ -235,9 +236,18 @@ def _holds(condition: Any, known: Mapping[Any, Any]) -> bool:
 
 
 def _with_numbers(case: TimeCase, known: Mapping[Any, Any]) -> TimeCase:
+    import sympy
+
+    ends = [symbol for symbol in known if not symbol.is_positive]
+    if case.duration.xreplace(known) == sympy.nan and len(ends) == 2:  # 0/0 at v0 = v1 = V; for v1 = v0 it cancels
+        T, a, *instants = (
+            sympy.cancel(x.xreplace({ends[1]: ends[0]})) for x in (case.duration, case.acceleration, *case.times)
+        )
+        case = replace(case, duration=T, acceleration=a, times=tuple(instants))
     T, velocity, acceleration = (_in_numbers(x, known) for x in (case.duration, case.velocity, case.acceleration))
     parts = {round(_in_numbers(t / case.duration, known), 15) for t in case.times}
-    times = tuple(T * part for part in sorted(parts - {0.0, 1.0}))  # a ramp of no time switches nothing
+    switches = parts - {0.0, 1.0} if acceleration * T > STEADY * velocity else set()
+    times = tuple(T * part for part in sorted(switches))  # a ramp of no time switches nothing
     return TimeCase(case.name, case.conditions, T, times, velocity, acceleration)
 
 

@@ -6,26 +6,49 @@ from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.angles import angles_of_an_iteration
 from robotics1.curves.named_derivatives import Side
 from robotics1.inputs import Array
+from robotics1.robot.model import Robot
 
 Rate = Callable[[float, Array, Side], Array]
 
 
+RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity
+
+
 @dataclass(frozen=True, eq=False)
-class Segment:
-    """The solution from one switching time to the next.
+class Solution:
+    """x(t) from the first switching time on, as far as it goes.
 
     Attributes:
-        start, end: [s].
-        state: t → the state, (n,), or (n, k) for (k,) times.
+        start: (n,) x at the first of the times.
+        segments: from one switching time to the next t → x, each a `scipy.integrate.OdeSolution`.
     """
 
-    start: float
-    end: float
-    state: Any
+    start: Array
+    segments: tuple[Any, ...]
+
+    @property
+    def end(self) -> float:
+        """Where it ends; 0 where there is no segment."""
+        return float(self.segments[-1].t_max) if self.segments else 0.0
+
+    def __call__(self, t: float) -> Array:
+        """Return x(t), (n,); at a switching time that of the segment before it."""
+        return np.asarray(next((state(t) for state in self.segments if t <= state.t_max), self.start))
+
+    def sampled(self, times: Array) -> tuple[Array, Array]:
+        """Return the times (k,) that are not after the end, and x (k, n) there."""
+        times = times[times <= self.end]
+        return times, np.array([self(float(t)) for t in times])
+
+
+def runaway(robot: Robot, duration: float) -> Array:
+    """Return the rates (nv,) of joints that run away, as near a singularity."""
+    return np.asarray(RUNAWAY * robot.units / duration)
 
 
 @angles_of_an_iteration()
@@ -39,9 +62,9 @@ def integrated(
     atol: Array,
     first_step: float | None = None,
     max_step: float = np.inf,
-    stop: Callable[[Array], bool] | None = None,
+    fastest: npt.ArrayLike = np.inf,
     most_steps: float = np.inf,
-) -> tuple[Segment, ...]:
+) -> Solution:
     """Return the solution of dx/dt = rate(t, x, side) from x = state at ends[0]; less than asked where it cannot go on.
 
     At an end, where the rate jumps, the side is that inside the segment.
@@ -54,12 +77,13 @@ def integrated(
         rtol, atol: precision, relative and of each component.
         first_step: the part of a segment that is tried first.
         max_step: the longest step [s].
-        stop: whether "DOP853" ends where dx/dt has this value.
+        fastest: (k,) "DOP853" ends where |dx/dt| of the first k components is beyond it.
         most_steps: in a segment.
     """
     import scipy.integrate
 
-    segments: list[Segment] = []
+    start, segments = state, []
+    fastest = np.atleast_1d(fastest)
     for a, b in pairwise(ends):
 
         def inside(t: float, x: Array, a: float = a, b: float = b) -> Array:
@@ -71,16 +95,16 @@ def integrated(
         times: list[float] = [a]
         pieces: list[Any] = []
         while solver.status == "running" and len(pieces) < most_steps:
+            if method == "DOP853" and (np.abs(solver.f[: len(fastest)]) > fastest).any():
+                break
             solver.step()
             if solver.status == "failed":
                 break
             times.append(float(solver.t))
             pieces.append(solver.dense_output())
-            if stop is not None and stop(solver.f):
-                break
         if pieces:
-            segments.append(Segment(a, times[-1], scipy.integrate.OdeSolution(times, pieces)))
+            segments.append(scipy.integrate.OdeSolution(times, pieces))
         state = np.asarray(solver.y)
         if times[-1] < b:
             break
-    return tuple(segments)
+    return Solution(start, tuple(segments))

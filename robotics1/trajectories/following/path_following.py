@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
@@ -20,12 +21,11 @@ from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.rows import unitless_rows
 from robotics1.tasks.task import Task
 from robotics1.trajectories.following.followed_trajectory import FollowedTrajectory, FollowingStatus
-from robotics1.trajectories.following.integration import Segment, integrated
+from robotics1.trajectories.following.integration import Solution, integrated, runaway
 from robotics1.trajectories.following.path_flow import PathFlow
 from robotics1.trajectories.following.resolution import Resolution, Wish, resolution_or_default
 
 PRECISION = 1e-10  # of the integration, relative, and in radians and reaches of the robot
-RUNAWAY = 1e4  # rad, or reaches, in the duration: joints that move so fast have met a singularity
 FIRST = 0.01  # of a segment: the first step that is tried
 STEPS = 1000  # from one switching time to the next: a well-behaved motion takes some tens
 NODES = (1 + chebyshev.chebpts1(10)) / 2  # of a step: polynomials through so many values of q̇ are exact to 1e-11
@@ -117,45 +117,36 @@ def _integrated(flow: PathFlow, start: Array) -> FollowedTrajectory:
     It cannot where a joint is too fast, or where the steps become too many.
     """
     ends, n = flow.trajectory.ends, flow.robot.nv
-    fastest = RUNAWAY * flow.robot.units / ends[-1]
-
-    def runs_away(rate: Array) -> bool:
-        return bool((np.abs(rate[:n]) > fastest).any())  # the first derivatives of the state are q̇
-
     inputs = flow.robot.units if flow.resolution.input_matrix is None else np.ones(len(start) - n)
     units = np.concatenate([flow.robot.units, inputs / flow.trajectory.duration])[: len(start)]
-    first = flow.command(0.0, start, "right").rate
-    segments = (
-        ()
-        if runs_away(first)
-        else integrated(
-            lambda t, state, side: flow.command(t, state, side).rate,
-            ends,
-            start,
-            method="DOP853",
-            rtol=PRECISION,
-            atol=PRECISION * units,
-            first_step=FIRST,
-            stop=runs_away,
-            most_steps=STEPS,
-        )
+    solution = integrated(
+        lambda t, state, side: flow.command(t, state, side).rate,
+        ends,
+        start,
+        method="DOP853",
+        rtol=PRECISION,
+        atol=PRECISION * units,
+        first_step=FIRST,
+        fastest=runaway(flow.robot, ends[-1]),  # the first derivatives of the state are q̇
+        most_steps=STEPS,
     )
-    if not segments:
-        still = PiecewisePolynomial.from_pieces([(np.stack([start[:n], first[:n]]), 0.0)])
-        return _looked_at(flow, still, (Segment(0.0, 0.0, lambda t: start),))
-    steps = [(segment, *step) for segment in segments for step in pairwise(segment.state.ts.tolist())]
-    motion = PiecewisePolynomial.from_pieces([_polynomial(flow, *step) for step in steps])
-    return _looked_at(flow, motion, segments)
+    steps = [(state, *step) for state in solution.segments for step in pairwise(state.ts.tolist())]
+    pieces = [_polynomial(flow, *step) for step in steps]
+    if not pieces:
+        pieces = [(np.stack([start[:n], flow.command(0.0, start, "right").rate[:n]]), 0.0)]
+    return _looked_at(flow, PiecewisePolynomial.from_pieces(pieces), solution)
 
 
-def _polynomial(flow: PathFlow, segment: Segment, start: float, end: float) -> tuple[Array, float]:
+def _polynomial(
+    flow: PathFlow, solution: Callable[[float], Array], start: float, end: float
+) -> tuple[npt.ArrayLike, float]:
     """Return q(τ) in a step of the integration: the integral of a polynomial through q̇, or q̈, at its nodes.
 
     q̇ is taken there again with the q that it gave, which is more exact than the solver's between its steps (Picard).
     """
     n, T = flow.robot.nv, end - start
-    times, state = start + T * NODES, segment.state(start)
-    states = [segment.state(t) for t in times]
+    times, state = start + T * NODES, solution(start)
+    states = [solution(t) for t in times]
     for _ in range(PICARD if flow.order == 1 else 1):
         chosen = [flow.command(t, x, "right").joints for t, x in zip(times, states, strict=True)]
         c = polynomial.polyint(T**flow.order * polynomial.polyfit(NODES, chosen, len(NODES) - 1), flow.order)
@@ -166,11 +157,11 @@ def _polynomial(flow: PathFlow, segment: Segment, start: float, end: float) -> t
     return c, T
 
 
-def _looked_at(flow: PathFlow, motion: PiecewisePolynomial, segments: tuple[Segment, ...]) -> FollowedTrajectory:
+def _looked_at(flow: PathFlow, motion: PiecewisePolynomial, solution: Solution) -> FollowedTrajectory:
     """Return a motion with its errors, its residuals and the singular values that it passes."""
-    ends = [segment.end for segment in segments]
+    ends = [state.t_max for state in solution.segments] or [0.0]
     times = np.unique(np.concatenate([np.linspace(0.0, ends[-1], INSTANTS), ends]))
-    states = [next(segment.state(t) for segment in segments if t <= segment.end) for t in times]
+    _, states = solution.sampled(times)
     commands = [flow.command(float(t), state, "right") for t, state in zip(times, states, strict=True)]
     errors = np.array([command.error for command in commands])
     unitless = np.linalg.norm(unitless_rows(flow.robot, flow.task) * errors, axis=1)
