@@ -109,10 +109,6 @@ def _of_own_joints(squares: Sequence[ClosedForm], chain: FixedChain, rows: Seque
     n = len(chain.prismatic)
     first = squares[0]
 
-    def solve(goal: Array) -> Array | None:
-        found = first.candidates(goal)
-        return None if found is None else found.x[_still(first.chain, found.x, goal, n), :n]
-
     def roots(goal: Array) -> Roots | None:
         some = None
         for square in squares:
@@ -131,8 +127,6 @@ def _of_own_joints(squares: Sequence[ClosedForm], chain: FixedChain, rows: Seque
 
     joints = "a joint" if len(first.chain.prismatic) == n + 1 else f"{len(first.chain.prismatic) - n} joints"
     method = f"{first.method}, with {joints} added"
-    if first.roots is None:
-        return ClosedForm(method, chain, first.deviation, solve)
     return ClosedForm(method, chain, first.deviation, None, roots=roots)
 
 

@@ -49,9 +49,10 @@ def boundary_distance(
         if root.sigma < ALMOST_LOST * short:
             near = min(near, _to_the_singular_set(root.q, search, points))
         if root.sigma < NEARLY_SINGULAR * np.sqrt(short):
-            near = min(
-                [near, *(_to_the_fold(root.q, other.q, search) for other in (*roots, *outside) if other is not root)]
-            )
+            others = [other.q for other in (*roots, *outside) if other is not root]
+            apart = [np.abs(search.problem.shortest_difference(root.q, q)).max() for q in others]
+            close = [q for q, distance in zip(others, apart, strict=True) if distance < CLOSE * np.sqrt(short)]
+            near = min([near, *(distance_of_meeting(root.q, q, search) for q in close)])
     return near if near < BOUNDARY else np.inf
 
 
@@ -79,13 +80,6 @@ def _to_the_singular_set(q: Array, search: SolutionSearch, points: SingularPoint
         step = along @ np.linalg.lstsq(search.jacobian(p) @ along, search.error(p), rcond=RANK)[0]
         p = points.project(box.nearest(p + box.unit * step))
     return near
-
-
-def _to_the_fold(p: Array, q: Array, search: SolutionSearch) -> float:
-    """Return how far the target is from one at which two solutions meet; ∞ if they are not close."""
-    problem = search.problem
-    apart = np.abs(problem.shortest_difference(p, q)).max()
-    return distance_of_meeting(p, q, search) if apart < CLOSE * np.sqrt(shortness(problem)) else np.inf
 
 
 def distance_of_meeting(p: Array, q: Array, search: SolutionSearch) -> float:

@@ -159,15 +159,15 @@ def _rates(w: Complex, prismatic: bool) -> Complex:
 def _polished(F: Complex, G: Complex, x: Array, prismatic: Sequence[bool]) -> Array:
     """Return those of the starts (k, 2) that Newton's method leads to a common root, each once."""
     both = np.stack([F, G])
-    x = x[np.abs(_values(both, x, prismatic)).max(axis=1, initial=0.0) < PLAUSIBLE]
+    x = x[np.abs(_values_and_jacobians(both, x, prismatic)[0]).max(axis=1, initial=0.0) < PLAUSIBLE]
     for _ in range(STEPS):
-        e, J = _values(both, x, prismatic), _jacobians(both, x, prismatic)
+        e, J = _values_and_jacobians(both, x, prismatic)
         step = (np.linalg.pinv(J, rcond=RANK) @ e[..., None])[..., 0]
         size = np.abs(step).max(axis=1, keepdims=True, initial=0.0)
         x = x - step / np.maximum(1.0, 4 * size)
         if not size.max(initial=0.0) > EXACT:
             break
-    x = x[np.abs(_values(both, x, prismatic)).max(axis=1, initial=0.0) < MISS]
+    x = x[np.abs(_values_and_jacobians(both, x, prismatic)[0]).max(axis=1, initial=0.0) < MISS]
     found: list[Array] = []
     for p in x:
         if all(np.abs(difference(p, q, prismatic)).max() > SAME for q in found):
@@ -175,18 +175,13 @@ def _polished(F: Complex, G: Complex, x: Array, prismatic: Sequence[bool]) -> Ar
     return np.array(found).reshape(-1, 2)
 
 
-def _values(both: Complex, x: Array, prismatic: Sequence[bool]) -> Array:
-    """Return both equations at coordinates (k, 2): (k, 2)."""
-    u, v = (_powers(x[:, i], prismatic[i]) for i in range(2))
-    return np.stack([((u @ C) * v).sum(axis=1).real for C in both], axis=1)
-
-
-def _jacobians(both: Complex, x: Array, prismatic: Sequence[bool]) -> Array:
-    """Return the derivatives of both equations by the coordinates (k, 2): (k, 2, 2)."""
+def _values_and_jacobians(both: Complex, x: Array, prismatic: Sequence[bool]) -> tuple[Array, Array]:
+    """Return both equations at coordinates (k, 2), (k, 2), and their derivatives by these, (k, 2, 2)."""
     u, v = (_powers(x[:, i], prismatic[i]) for i in range(2))
     du, dv = _rates(u, prismatic[0]), _rates(v, prismatic[1])
-    rows = [[((du @ C) * v).sum(axis=1).real, ((u @ C) * dv).sum(axis=1).real] for C in both]
-    return np.array(rows).transpose(2, 0, 1)
+    values = [((u @ C) * v).sum(axis=1) for C in both]
+    rates = [[((du @ C) * v).sum(axis=1), ((u @ C) * dv).sum(axis=1)] for C in both]
+    return np.transpose(values).real, np.transpose(rates, (2, 0, 1)).real
 
 
 def difference(p: Array | float, q: Array, prismatic: Sequence[bool] | bool) -> Array:

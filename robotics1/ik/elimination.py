@@ -18,27 +18,15 @@ Way = Callable[[list[Array]], Roots | None]  # placements of the loop, six (4, 4
 
 def elimination(chain: FixedChain) -> tuple[str, Callable[[Array], Roots | None] | None]:
     """Return the name and the solver of six joints; no solver if none proves anything at poses of the arm."""
-    if sum(chain.prismatic) == 2:
-        roots = _best(chain, _ways_of_two_slides(chain))
+    slides = chain.prismatic
+    if sum(slides) == 2:  # the loop begins at a joint that turns
+        begins = [(i, flipped) for i in range(6) if not slides[i] for flipped in (False, True)]
+        ways: list[Way] = [partial(roots_of_two_slides, prismatic=slides, begin=i, flipped=f) for i, f in begins]
+        roots = _best(chain, ways)
         if roots is not None:
             return "elimination to a polynomial", roots
-    return "elimination to an eigenvalue problem", _best(chain, _ways_of_a_pencil(chain))
-
-
-def _ways_of_two_slides(chain: FixedChain) -> list[Way]:
-    return [
-        partial(roots_of_two_slides, prismatic=chain.prismatic, begin=i, flipped=flipped)
-        for i in range(6)
-        if not chain.prismatic[i]
-        for flipped in (False, True)
-    ]
-
-
-def _ways_of_a_pencil(chain: FixedChain) -> list[Way]:
-    """Return the ways of `general_six.py`: the loop may begin at any joint before one that turns."""
-    return [
-        partial(_roots_in_order, prismatic=chain.prismatic, begin=i) for i in range(6) if not chain.prismatic[i - 1]
-    ]
+    ways = [partial(_roots_of_a_pencil, prismatic=slides, begin=i) for i in range(6) if not slides[i - 1]]
+    return "elimination to an eigenvalue problem", _best(chain, ways)
 
 
 def _best(chain: FixedChain, ways: list[Way]) -> Callable[[Array], Roots | None] | None:
@@ -69,8 +57,8 @@ def _roots(chain: FixedChain, way: Way, goal: Array) -> Roots | None:
     return None if found is None else replace(found, x=chain.in_metres(found.x, unit))
 
 
-def _roots_in_order(A: list[Array], prismatic: tuple[bool, ...], begin: int) -> Roots | None:
-    """Return the roots of the loop that begins at one of its joints."""
+def _roots_of_a_pencil(A: list[Array], prismatic: tuple[bool, ...], begin: int) -> Roots | None:
+    """Return the roots of the loop that begins at a joint behind one that turns."""
     A = A[begin:] + A[:begin]
     found = general_loop(A, prismatic[begin:] + prismatic[:begin]).roots(A)
     return None if found is None else replace(found, x=np.roll(found.x, begin, axis=1))

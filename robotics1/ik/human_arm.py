@@ -47,11 +47,6 @@ class HumanArm:
     pose_error: PoseError
 
     @property
-    def is_exact(self) -> bool:
-        """Whether the axes meet but for rounding."""
-        return _miss(self.chain) < EXACT * self.chain.length
-
-    @property
     def shoulder(self) -> float:
         """Where the shoulder is on axis 3, from the origin of joint 3."""
         return meeting(self.chain.P[2])[1]
@@ -226,7 +221,7 @@ def _answer(arm: HumanArm, target: Any, found: list[Array]) -> IKSolutions:
     inside = np.array([robot.within_limits(p) for p in q], dtype=bool)
     sigmas = [np.linalg.svd(problem.jacobian(p), compute_uv=False) for p in q[inside]]
     singular = np.array([sigma[-1] < SINGULAR * sigma[0] for sigma in sigmas], dtype=bool)
-    proven = arm.is_exact and not singular.any()
+    proven = _miss(arm.chain) < EXACT * arm.chain.length and not singular.any()
     missed = IKStatus.UNREACHABLE if proven else IKStatus.NOT_FOUND
     closest = q[inside][0] if inside.any() else SolutionSearch(problem, target).nearest_miss(problem.middle)
     return solutions_of(

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
 from robotics1.notation import joint_value
+from robotics1.robot.model import Robot
 
 SAME = 1e-6  # [rad, m] by which what is constant may change, by rounding
 TERMS = 4  # of a sum, at most
@@ -24,7 +25,7 @@ def joint_relations(q: Array, problem: ScaledTask, same: float = SAME) -> tuple[
     names, revolute = problem.robot.joint_names, problem.robot.revolute
     bound = [j for j, name in enumerate(names) if name not in problem.free_joints]
     changing = [j for j in bound if np.ptp(_from_the_first(q[:, j], turns=bool(revolute[j]))) > same]
-    found = [_equation(q, names, revolute, (j,), (1,)) for j in bound if j not in changing]
+    found = [_equation(q, problem.robot, (j,), (1,)) for j in bound if j not in changing]
     known = np.zeros((0, len(names)))
     for joints, signs in _sums(changing, revolute):
         coefficients = np.zeros(len(names))
@@ -34,7 +35,7 @@ def joint_relations(q: Array, problem: ScaledTask, same: float = SAME) -> tuple[
             continue
         if np.linalg.matrix_rank([*known, coefficients]) > len(known):
             known = np.vstack([known, coefficients])
-            found.append(_equation(q, names, revolute, joints, signs))
+            found.append(_equation(q, problem.robot, joints, signs))
     return tuple(found)
 
 
@@ -56,17 +57,11 @@ def _sums(
                     yield joints, (1, *signs)
 
 
-def _equation(
-    q: Array,
-    names: Sequence[str],
-    revolute: npt.NDArray[np.bool_],
-    joints: tuple[int, ...],
-    signs: tuple[int, ...],
-) -> str:
+def _equation(q: Array, robot: Robot, joints: tuple[int, ...], signs: tuple[int, ...]) -> str:
     value = float(q[0, list(joints)] @ signs)
-    if revolute[joints[0]]:
+    if robot.revolute[joints[0]]:
         value = float(np.angle(np.exp(1j * value)))
-    left = names[joints[0]]
+    left = robot.joint_names[joints[0]]
     for j, sign in zip(joints[1:], signs[1:], strict=True):
-        left += f" {'+' if sign > 0 else '−'} {names[j]}"
+        left += f" {'+' if sign > 0 else '−'} {robot.joint_names[j]}"
     return f"{left} = {joint_value(value)}"

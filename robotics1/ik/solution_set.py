@@ -24,10 +24,6 @@ Rows = Sequence[Array] | Array
 SHOWN = 32  # solutions in a table; of infinitely many there are more
 
 
-def _written(value: float, turns: bool) -> str:
-    return joint_value(float(value)) if turns else number(float(value))
-
-
 @dataclass(frozen=True, eq=False)
 class IKSolutions(Frozen):
     """The solutions of f(q) = r_d inside the joint limits, each listed once: whole turns of a joint apart are one.
@@ -116,10 +112,11 @@ class IKSolutions(Frozen):
     def _tables(self) -> tuple[Table, ...]:
         if not len(self):
             return ()
-        rows = [
-            (str(i), *map(_written, q, self.robot.revolute), ", ".join((*labels, *(["singular"] * bool(flag)))))
-            for i, (q, labels, flag) in enumerate(zip(self.q[:SHOWN], self.labels, self.singular, strict=False))
-        ]
+        writers = [joint_value if turns else number for turns in self.robot.revolute]
+        rows = []
+        for i, (q, labels, flag) in enumerate(zip(self.q[:SHOWN], self.labels, self.singular, strict=False)):
+            values = [write(float(x)) for write, x in zip(writers, q, strict=True)]
+            rows.append((str(i), *values, ", ".join((*labels, *(["singular"] * bool(flag))))))
         return (table_of(("", *map(printable, self.robot.joint_names), "posture"), rows),)
 
     def explain(self) -> str:
@@ -134,21 +131,10 @@ class IKSolutions(Frozen):
         free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
         where = "along a curve" if self.dimension == 1 else "on a set with"
         curves = "".join(f"; {where} {', '.join(equations)}" for equations in self.families if equations)
-        return f"{self.status.value}{self._kind}: {found}{free}{curves}{self._edge}"
-
-    @property
-    def _kind(self) -> str:
-        """What the families are."""
-        if not self.dimension:
-            return ""
-        return ", on curves" if self.dimension == 1 else f", a set of dimension {self.dimension}"
-
-    @property
-    def _edge(self) -> str:
-        """How near the target is to a boundary or a singularity."""
-        if self.boundary_distance == 0:
-            return "; J loses rank there"
-        return f"; a boundary is {self.boundary_distance:.3g} away" if self.boundary_distance < np.inf else ""
+        kind = {0: "", 1: ", on curves"}.get(self.dimension, f", a set of dimension {self.dimension}")
+        edge = f"; a boundary is {self.boundary_distance:.3g} away" if self.boundary_distance < np.inf else ""
+        edge = "; J loses rank there" if self.boundary_distance == 0 else edge
+        return f"{self.status.value}{kind}: {found}{free}{curves}{edge}"
 
     def require(self) -> IKSolutions:
         """Return self if there is a solution.

@@ -59,7 +59,9 @@ def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) ->
     roots = [Root(q, points.relative_sigma(q), flag) for q, flag in zip(found, singular, strict=True)]
     if dimension:
         near = distance_of_singular(roots, search, points)
-        tangents, families = _tangents(found, search, dimension), _equations(found, search)
+        around = Families(problem, search, lambda q: search.descend(problem.box.nearest(q))[0], lambda q: q)
+        equations = (surface.equations for surface in surfaces(around, found, SAMPLES))
+        families, tangents = tuple(filter(None, equations)), _tangents(found, search, dimension)
         return replace(answer, boundary_distance=near, tangents=tangents, families=families)
     near = boundary_distance(roots, (), search, points)
     status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
@@ -78,12 +80,6 @@ def _tangents(found: list[Array], search: SolutionSearch, dimension: int) -> Arr
             tangent[moving] = search.problem.box.unit[moving] * Vt[-1]
     tangents /= np.maximum(np.linalg.norm(tangents, axis=1, keepdims=True), 1e-300)
     return tangents
-
-
-def _equations(found: list[Array], search: SolutionSearch) -> tuple[tuple[str, ...], ...]:
-    """Return what stays the same on each set of solutions, as sums of joints."""
-    families = Families(search.problem, search, lambda q: search.descend(search.problem.box.nearest(q))[0], lambda q: q)
-    return tuple(surface.equations for surface in surfaces(families, found, SAMPLES) if surface.equations)
 
 
 def _at_the_boundary(missed: IKSolutions, points: SingularPoints) -> IKSolutions | None:

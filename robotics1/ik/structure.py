@@ -30,7 +30,7 @@ class ClosedForm:
         deviation: by how much the arm differs from one for which it is exact, relative.
         solve: goal (4, 4) in the task's axes → q modulo 2π, (k, n); None where they are not finitely many.
         loop: of six joints, how their loop is solved, and the joint at which it begins.
-        roots: of six joints without special geometry, in place of `solve`: with what is known about the roots.
+        roots: in place of `solve`, where some may be missing: goal → the same with what is known about the roots.
     """
 
     method: str

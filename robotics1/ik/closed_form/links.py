@@ -119,7 +119,7 @@ def _points(chain: Chain, steps: list[Step], i: int, tool: Matrix) -> tuple[Matr
     found.append(origin)
     distinct: list[Matrix] = []
     for point in found:
-        if not any(_same(point, other) for other in distinct):
+        if all(any(point - other) for other in distinct):
             distinct.append(point)
     return tuple(distinct)
 
@@ -150,7 +150,3 @@ def _inverse(chain: Chain, f: TrigPolynomial) -> TrigPolynomial | None:
         return None
     number = f.terms[F.zero].LC
     return F.constant(F.ring(F.ring.domain.one / number))
-
-
-def _same(a: Matrix, b: Matrix) -> bool:
-    return not any(x - y for x, y in zip(a, b, strict=True))

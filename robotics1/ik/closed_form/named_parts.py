@@ -41,7 +41,7 @@ def in_named_parts(joints: Sequence[JointFormula], lengths: Lengths) -> list[Nam
     """Return the formulas of each joint with names in them; what a joint before it has named keeps its name."""
     split = [_halves(joint.options) for joint in joints]
     read = [
-        [_read(formula, lengths) for formula in (*(pair or joint.options), *joint[2:])]
+        [_with_decimals(readable(formula, lengths)) for formula in (*(pair or joint.options), *joint[2:])]
         for joint, pair in zip(joints, split, strict=True)
     ]
     taken = {symbol.name for formulas in read for formula in formulas for symbol in formula.free_symbols}
@@ -96,10 +96,6 @@ def _halves(options: Sequence[sympy.Expr]) -> tuple[sympy.Expr, sympy.Expr] | No
         half = -half
     is_root = half.as_coeff_Mul()[1].is_Pow
     return (sympy.Add(*(terms & others)), half) if is_root or half.func is sympy.acos else None
-
-
-def _read(formula: Any, lengths: Lengths) -> Any:
-    return _with_decimals(readable(formula, lengths))
 
 
 def _in_names(formula: Any, formulas: dict[Any, Any], names: dict[Any, Any], named: list[Any]) -> Any:

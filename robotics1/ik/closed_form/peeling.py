@@ -100,7 +100,6 @@ class Peeling:
         """Return a polynomial as an expression, with the symbols of the pose."""
         return without_long_fractions(written(f, self.target.groups))
 
-    # --- one equation after the other
     def _next(self) -> JointFormula:
         """Return the solution of the joint that has the fewest and shortest."""
         equations: dict[sympy.Symbol, list[OneUnknown]] = {}
@@ -200,9 +199,8 @@ class Peeling:
             e = e.subs(whole, shorter)
         return e.xreplace({symbol: value for symbol, value in self.definitions.items() if value is not None})
 
-    # --- known joints go to the side of the target
-
     def _peel(self) -> None:
+        """Move the known joints at both ends of what is left to the side of the target."""
         part, links = self.part, self.part.links
         while part.i < part.j and not self._moves_unknown(part.i):
             step = links.steps[part.i]

@@ -9,9 +9,9 @@ from robotics1.errors import InputError
 from robotics1.ik.postures.determinant import Determinant, determinant
 from robotics1.ik.postures.labels import postures
 from robotics1.ik.postures.path_between import (
-    GROWTH,
     PostureChangeStatus,
     by_signs,
+    growing,
     path_of,
     region_of,
 )
@@ -85,14 +85,12 @@ def _merge(
     seed: int,
 ) -> bool:
     """Give one leader to those of the pairs that a path joins; return whether the others are proven to be apart."""
-    region, rng = region_of(det, q[members], within_limits=False), np.random.default_rng(seed)
-    for nodes in (0, *[n for n in GROWTH if n < samples], samples):
-        region = region.grown(nodes - (len(region.nodes) - len(members)), rng) if nodes else region
+    for drawn, region in growing(region_of(det, q[members], within_limits=False), samples, seed):
         for i, j in pairs:
             if leader[i] == leader[j]:
                 continue
             a, b = members.index(i), members.index(j)
-            corners = region.path(a, b) if nodes else region.direct(q[i], q[j])
+            corners = region.path(a, b) if drawn else region.direct(q[i], q[j])
             if path_of(region, corners, q[i], q[j]).status is PostureChangeStatus.FOUND:
                 first, other = leader[i], leader[j]
                 leader.update({k: first for k in leader if leader[k] == other})

@@ -127,8 +127,10 @@ def _common_zeros(surfaces: tuple[TrigSurface, TrigSurface, TrigSurface]) -> tup
             return found, True
         if level >= 4:
             found = np.asarray(_polished(surfaces, cells))
-            if len(found) and _all_near(cells, found, half):
-                return found, True
+            if len(found) and half < 0.1 * BESIDE:
+                apart = np.abs(np.angle(np.exp(1j * (cells[:, None] - found)))).max(axis=2).min(axis=1)
+                if apart.max() < BESIDE:  # all cells that are left lie at the zeros found
+                    return found, True
         half /= 2
         corners = half * np.array([[-1, -1], [-1, 1], [1, -1], [1, 1]])
         cells = (cells[:, None] + corners).reshape(-1, 2)
@@ -154,9 +156,3 @@ def _polished(surfaces: tuple[TrigSurface, ...], x: Array) -> Array:
         if all(np.abs(np.angle(np.exp(1j * (p - other)))).max() > SAME for other in distinct):
             distinct.append(p)
     return np.array(distinct).reshape(-1, 2)
-
-
-def _all_near(cells: Array, found: Array, half: float) -> bool:
-    """Whether all cells that are left lie at the zeros found."""
-    apart = np.abs(np.angle(np.exp(1j * (cells[:, None] - found)))).max(axis=2).min(axis=1)
-    return bool(apart.max() < BESIDE and half < 0.1 * BESIDE)

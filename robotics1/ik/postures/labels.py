@@ -1,5 +1,6 @@
 """The names of postures: "shoulder right", "elbow up", "wrist not flipped"."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,19 +67,15 @@ def postures(robot: Robot, task: Task) -> Postures:
     chain, rows = chain_and_rows(problem)
     factors = () if chain is None else posture_factors(chain, rows)
     if chain is None or not factors:
-        return Postures(chain, (), np.zeros(0), False, _determinant(robot, task))
+        square = None
+        with suppress(TaskError):
+            square = determinant(robot, task)
+        return Postures(chain, (), np.zeros(0), False, square)
     lines = chain.lines(some_coordinates(chain, SAMPLES))
     sizes = np.array([np.abs(factor.values(lines)).max() for factor in factors])
     exact = posture_factors(chain, rows, EXACT)
     rounded = [factor.part for factor in exact] != [factor.part for factor in factors]
     return Postures(chain, factors, sizes, rounded, None)
-
-
-def _determinant(robot: Robot, task: Task) -> Determinant | None:
-    try:
-        return determinant(robot, task)
-    except TaskError:
-        return None
 
 
 def _word(factor: Factor, value: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
 
@@ -110,21 +111,25 @@ def posture_change(
 
 def _join(det: Determinant, a: Array, b: Array, *, within_limits: bool, samples: int, seed: int) -> PostureChange:
     """Return a path between configurations (nq,) at which det J has the same sign, or why there is none."""
-    region = region_of(det, np.array([a, b]), within_limits=within_limits)
-    corners = region.direct(a, b)
-    reason = wall_between(region, a, b) if corners is None and det.has_bound else ""
-    rng = np.random.default_rng(seed)
-    for count in (*[n for n in GROWTH if n < samples], samples):
-        if corners is not None or reason:
-            break
-        region = region.grown(count - (len(region.nodes) - 2), rng)
-        corners = region.path(0, 1)
-        if corners is None and det.has_bound and count == min(GROWTH[1], samples):
-            apart = are_apart(region, a, b)
-            reason = "a grid over the joints that det J depends on separates them" if apart else ""
-    if reason:
-        return _impossible(reason)
-    return path_of(region, corners, a, b)
+    for drawn, region in growing(region_of(det, np.array([a, b]), within_limits=within_limits), samples, seed):
+        corners = region.path(0, 1) if drawn else region.direct(a, b)
+        if corners is not None:
+            return path_of(region, corners, a, b)
+        reason = wall_between(region, a, b) if det.has_bound and not drawn else ""
+        if drawn == min(GROWTH[1], samples) and are_apart(region, a, b):
+            reason = "a grid over the joints that det J depends on separates them"
+        if reason:
+            return _impossible(reason)
+    return _not_found(region)
+
+
+def growing(region: Region, samples: int, seed: int) -> Iterator[tuple[int, Region]]:
+    """Yield the region as it is, and then with more and more random configurations on its roadmap, and their number."""
+    yield 0, region
+    rng, asked = np.random.default_rng(seed), len(region.nodes)
+    for count in (*(n for n in GROWTH if n < samples), samples):
+        region = region.grown(count - (len(region.nodes) - asked), rng)
+        yield count, region
 
 
 def path_of(region: Region, corners: Array | None, a: Array, b: Array) -> PostureChange:
