@@ -13,7 +13,7 @@ import pytest
 
 import robotics1 as r1
 from robotics1.workspaces import reachability_map, read_map, save_map
-from robotics1.workspaces.reachability.kept import chunk_kept
+from robotics1.workspaces.reachability.saved import chunk_kept
 
 pytest.importorskip("zarr")
 
