@@ -8,10 +8,9 @@ from hypothesis import given, settings, strategies as st
 from mimic_arms import text_of, trees
 
 import robotics1 as r1
-from robotics1.workspaces.certified.box_quadratic import largest_on_cube
-from robotics1.workspaces.certified.driven_chain import driven_chain
-from robotics1.workspaces.certified.objective import Objective
-from robotics1.workspaces.sampled.extremes import Measure
+from robotics1.workspaces.certified.extremes import Measure
+from robotics1.workspaces.certified.objective import Objective, largest_on_cube
+from robotics1.workspaces.chain import driven_chain
 
 MEASURES = [
     Measure(np.eye(3), np.array([0.3, -0.2, 0.5])),

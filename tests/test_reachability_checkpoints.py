@@ -14,7 +14,7 @@ from sweeps import some_of
 
 import robotics1 as r1
 from robotics1.workspaces import reachability_map, read_map, save_map
-from robotics1.workspaces.reachability.kept import chunk_kept
+from robotics1.workspaces.reachability.saved import chunk_kept
 
 pytest.importorskip("zarr")
 

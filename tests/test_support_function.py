@@ -8,8 +8,8 @@ from hypothesis import given, settings, strategies as st
 from mimic_arms import text_of, trees
 
 import robotics1 as r1
-from robotics1.workspaces.certified.driven_chain import driven_chain
 from robotics1.workspaces.certified.support_function import farthest_of, support_function
+from robotics1.workspaces.chain import driven_chain
 
 CELLS = 10  # a coarse grid, whose bounds hold all the same
 

@@ -168,3 +168,9 @@ def test_a_circle_along_two_strokes_is_a_rounded_rectangle():
     <joint name="end" type="fixed"><parent link="d"/><child link="tool"/><origin xyz="0.3 0 0"/></joint></robot>"""
     known = workspace_formulas(r1.load_robot(text), XY)
     assert known.number(known.area) == pytest.approx(2 * 1.5 + 2 * 0.3 * 3.5 + pi * 0.3**2, rel=1e-12)
+
+
+def test_a_joint_without_room_makes_one_link_of_two():
+    """The law of cosines: l = |l1 + l2 e^{iq2}|, and the area 4 π l l3."""
+    known = workspace_formulas(links(3, lower=[-pi, 0.5, -pi], upper=[pi, 0.5, pi]), XY)
+    assert known.number(known.area) == pytest.approx(4 * pi * abs(0.5 + 0.3 * exp(0.5j)) * 0.15, rel=1e-9)

@@ -94,8 +94,8 @@ def test_branches_that_cross_at_a_small_angle_are_told_apart():
     """Two branches of D = 0 that leave a crossing three degrees apart, nearer to each other than the grid is fine."""
     ws = drawn_workspace(1061, kinds="RRR")[1]
     section = ws.section
-    q = np.random.default_rng(1061).uniform(section.domain.lower, section.domain.upper, (10_000, 2))
-    assert (section.counts(section.mapped.image(q)) > 0).all()
+    q = np.random.default_rng(1061).uniform(section.arm.domain.lower, section.arm.domain.upper, (10_000, 2))
+    assert (section.counts(section.arm.mapped.image(q)) > 0).all()
     assert [region.solutions for region in ws.regions] == [4]
 
 
@@ -103,8 +103,8 @@ def test_branches_that_cross_at_a_small_angle_are_told_apart():
 def test_branches_that_cross_at_a_limit_of_a_joint_are_told_apart(seed):
     """∇D = 0 at q2 = −π/2, the lower limit, or π/2, the upper one: only half of each branch is inside."""
     section = drawn_workspace(seed, wide=True)[1].section
-    q = np.random.default_rng(seed).uniform(section.domain.lower, section.domain.upper, (20_000, 2))
-    assert (section.counts(section.mapped.image(q)) > 0).all()
+    q = np.random.default_rng(seed).uniform(section.arm.domain.lower, section.arm.domain.upper, (20_000, 2))
+    assert (section.counts(section.arm.mapped.image(q)) > 0).all()
 
 
 # --- brute force
@@ -125,19 +125,19 @@ def test_solutions_in_a_region_are_those_of_inverse_kinematics(seed):
     arm, ws = curved(seed, wide=True)
     for region in (*ws.regions, *ws.voids):
         p = _in_world(arm, ws, region.point)
-        if ws.section.distance_in_section(region.point / ws.section.size) > 1e-6:
+        if ws.section.distance_in_section(region.point / ws.section.arm.size) > 1e-6:
             assert len(r1.ik_solutions(arm, XYZ, p)) == region.solutions
 
 
 def _in_world(arm, ws, place):
     """A point of the world that is at a place of the section; of a slide at the height of a solution, or at 0."""
     section = ws.section
-    if section.mapped.about_axis:
+    if section.arm.mapped.about_axis:
         local = np.array([place[0], 0, place[1]])
     else:
-        found = section.solutions(place / section.size)
-        local = np.array([*place, section.mapped.point(found)[0, 2] * section.size if len(found) else 0.0])
-    return section.frame.T @ local + section.origin
+        found = section.solutions(place / section.arm.size)
+        local = np.array([*place, section.arm.mapped.point(found)[0, 2] * section.arm.size if len(found) else 0.0])
+    return section.place.frame.T @ local + section.place.origin
 
 
 @given(SEEDS)
@@ -187,7 +187,7 @@ def test_the_boundary_is_attained_and_singular_or_at_a_limit(seed):
     for curve in ws.boundary:
         for q, place in ((curve.q_start, curve.start), (curve.q_end, curve.end)):
             p = XYZ.value(arm, q)
-            assert ws.section.place(p)[0] * ws.section.size == pytest.approx(place, abs=1e-7)
+            assert ws.section.place.coordinates(p) == pytest.approx(place, abs=1e-7)
         if curve.singular:
             J = XYZ.jacobian(arm, curve.q_start)
             assert np.linalg.svd(J)[1][2] < 1e-6 * np.linalg.svd(J)[1][0]
@@ -203,10 +203,10 @@ def test_the_boundary_has_the_workspace_on_one_side(seed):
         middle, along = curve.points[k], curve.points[k + 1] - curve.points[k - 1]
         if np.linalg.norm(curve.points[0] - curve.points[-1]) < 0.05 or np.linalg.norm(along) < 1e-4:
             continue
-        across = 1e-4 * ws.section.size * np.array([-along[1], along[0]]) / np.linalg.norm(along)
-        sides = ws.section.counts(np.array([middle + across, middle - across]) / ws.section.size) > 0
+        across = 1e-4 * ws.section.arm.size * np.array([-along[1], along[0]]) / np.linalg.norm(along)
+        sides = ws.section.counts(np.array([middle + across, middle - across]) / ws.section.arm.size) > 0
         assert sides[0] != sides[1]
-        assert ws.section.distance_in_section(middle / ws.section.size) < 1e-9
+        assert ws.section.distance_in_section(middle / ws.section.arm.size) < 1e-9
 
 
 @given(SEEDS)
@@ -215,7 +215,7 @@ def test_smallest_and_largest_reach_are_attained_and_nothing_is_beyond(seed):
     section = ws.section
 
     def radius(q):
-        return np.linalg.norm(section.place(XYZ.value(arm, q))[1][:2]) * section.size
+        return np.linalg.norm(section.place.local(XYZ.value(arm, q))[:2])
 
     for value, found in ((ws.r_min, ws.nearest), (ws.r_max, ws.farthest)):
         assert len(found)
@@ -232,9 +232,9 @@ def test_distance_is_that_of_the_nearest_point_of_the_boundary(seed):
     fine = np.vstack([curve.points for curve in ws.boundary])
     for q in np.random.default_rng(seed).uniform(arm.lower, arm.upper, (6, 3)):
         p = XYZ.value(arm, q)
-        nearest = np.linalg.norm(fine - ws.section.place(p)[0] * ws.section.size, axis=1).min()
+        nearest = np.linalg.norm(fine - ws.section.place.coordinates(p), axis=1).min()
         assert ws.distance(p) <= nearest + 1e-9
-        assert ws.distance(p) == pytest.approx(nearest, abs=0.03 * ws.section.size)
+        assert ws.distance(p) == pytest.approx(nearest, abs=0.03 * ws.section.arm.size)
 
 
 # --- laws
@@ -290,10 +290,10 @@ def test_solutions_in_regions_of_a_hundred_arms_are_those_of_inverse_kinematics(
         pytest.skip("made of arcs, or a surface")
     section = ws.section
     for region in (*ws.regions, *ws.voids):
-        if section.distance_in_section(region.point / section.size) > 1e-6:
+        if section.distance_in_section(region.point / section.arm.size) > 1e-6:
             assert len(r1.ik_solutions(arm, XYZ, _in_world(arm, ws, region.point))) == region.solutions
-    q = np.random.default_rng(seed).uniform(section.domain.lower, section.domain.upper, (10_000, 2))
-    places = section.mapped.image(q)
+    q = np.random.default_rng(seed).uniform(section.arm.domain.lower, section.arm.domain.upper, (10_000, 2))
+    places = section.arm.mapped.image(q)
     outside = places[section.counts(places) == 0]
     assert all(section.distance_in_section(z) < 1e-8 for z in outside)
 
@@ -303,7 +303,7 @@ def test_none_of_a_million_configurations_of_a_3r_is_outside(seed):
     section = drawn_workspace(seed, kinds="RRR", wide=True)[1].section
     rng = np.random.default_rng(seed)
     for _ in range(20):
-        z = section.mapped.image(rng.uniform(section.domain.lower, section.domain.upper, (50_000, 2)))
+        z = section.arm.mapped.image(rng.uniform(section.arm.domain.lower, section.arm.domain.upper, (50_000, 2)))
         assert all(section.distance_in_section(p) < 1e-8 for p in z[section.counts(z) == 0])
 
 
@@ -312,3 +312,17 @@ def test_branches_that_nearly_meet_make_no_cusps():
     last = [("R", 0.4318, 0, 0, 0), ("R", 0.0203, -pi / 2, 0.15005, 0), ("R", 0, pi / 2, 0.4318, 0)]
     rows = [("R", 0, pi / 2, 0, 0), *last]
     assert len(r1.workspaces.workspace(r1.robot_from_dh(rows), "position").cusps) == 0
+
+
+@pytest.mark.parametrize("end", [-1.0, 1.3])
+def test_configurations_at_the_end_of_the_first_joints_range_are_inside_it(end):
+    """Rounding puts the angle of the point beyond the limit as often as before it: never a whole turn away."""
+    rows = [("R", 0, pi / 2, 0.4, 0), ("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)]
+    arm = r1.robot_from_dh(rows, lower=[-1.0, 0.1, 0.2], upper=[1.3, 1.2, 1.5])
+    ws = workspace(arm, XYZ)
+    for q2, q3 in np.random.default_rng(0).uniform([0.1, 0.2], [1.2, 1.5], (20, 2)):
+        p = XYZ.value(arm, [end, q2, q3])
+        found = ws.configurations(p)
+        assert len(found)
+        assert (np.abs(found[:, 0] - end) < 1e-9).all()
+        assert np.array([XYZ.value(arm, q) for q in found]) == pytest.approx(np.tile(p, (len(found), 1)), abs=1e-9)

@@ -2,10 +2,12 @@
 
 from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, Executor, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from itertools import islice
+from math import ceil
 from typing import Any, TypeVar
 
 from robotics1.errors import InputError, MissingExtraError
@@ -43,24 +45,9 @@ class Workers:
             InputError: a process of the executor has died, and its chunk with it.
         """
         if self.executor is None:
-            yield from map(work, chunks)
-            return
-        waiting: deque[Future[Answer]] = deque()
-        try:
-            for chunk in chunks:
-                waiting.append(self.executor.submit(work, chunk))
-                if len(waiting) >= min(self.ahead, most):
-                    yield waiting.popleft().result()
-            while waiting:
-                yield waiting.popleft().result()
-        except BrokenExecutor as error:
-            raise InputError(
-                f"a worker of the executor has died ({error}); with checkpoint= what was done is kept, and another "
-                f"call goes on from there"
-            ) from error
-        finally:
-            for future in waiting:
-                future.cancel()
+            return map(work, chunks)
+        submit = self.executor.submit
+        return _results((submit(work, chunk) for chunk in chunks), min(self.ahead, most))
 
     def joined_in_order(
         self,
@@ -75,20 +62,33 @@ class Workers:
             InputError: as `in_order` does.
         """
         if self.client is None:
-            yield from self.in_order(work, chunks, most)
-            return
-        waiting: deque[Any] = deque()
-        try:
-            while some := list(islice(chunks, JOINED)):
-                leaves = [self.client.submit(work, chunk, pure=False) for chunk in some]
-                waiting.append(self.client.submit(join, leaves, pure=False))
-                if JOINED * len(waiting) >= min(self.ahead, most):
-                    yield waiting.popleft().result()
-            while waiting:
+            return self.in_order(work, chunks, most)
+        submit = partial(self.client.submit, pure=False)
+        joined = (
+            submit(join, [submit(work, chunk) for chunk in some])
+            for some in iter(lambda: list(islice(chunks, JOINED)), [])
+        )
+        return _results(joined, ceil(min(self.ahead, most) / JOINED))
+
+
+def _results(futures: Iterator[Any], most: int) -> Iterator[Any]:
+    """Yield the results of futures in their order; so many are made ahead of the result that is needed next."""
+    waiting: deque[Any] = deque()
+    try:
+        for future in futures:
+            waiting.append(future)
+            if len(waiting) >= most:
                 yield waiting.popleft().result()
-        finally:
-            for future in waiting:
-                future.cancel()
+        while waiting:
+            yield waiting.popleft().result()
+    except BrokenExecutor as error:
+        raise InputError(
+            f"a worker of the executor has died ({error}); with checkpoint= what was done is kept, and another "
+            f"call goes on from there"
+        ) from error
+    finally:
+        for future in waiting:
+            future.cancel()
 
 
 def check_executor(executor: Any) -> None:

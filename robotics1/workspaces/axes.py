@@ -5,16 +5,17 @@ from dataclasses import dataclass, replace
 from math import pi, tau
 
 import numpy as np
+import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
-from robotics1.kinematics import frame_jacobian
-from robotics1.robot.box import intervals
+from robotics1.robot.box import intervals, refuse_open_range
 from robotics1.robot.model import Robot
-from robotics1.workspaces.planar_joints import CLOSED
 
 STRAIGHT = 1e-9  # of directions that are parallel or normal, and of distances by the arm's size
+CLOSED = 1e-9  # rad that a full turn may lack
+ALIKE = 1e-11  # the same, where bounds are proven
 
 
 @dataclass(frozen=True)
@@ -34,47 +35,61 @@ class Axis:
         """Whether it can make a full turn."""
         return self.revolute and self.upper - self.lower >= tau - CLOSED
 
-    def turns_to(self, angle: float) -> bool:
-        """Return whether an angle, but for whole turns, is in the range of a revolute joint."""
-        beyond = (angle - self.lower) % tau
-        return beyond <= self.upper - self.lower + CLOSED or beyond >= tau - CLOSED
+    def motion(self, value: float) -> pin.SE3:
+        """Return how it moves what is after it."""
+        if not self.revolute:
+            return pin.SE3(np.eye(3), value * self.direction)
+        R = pin.AngleAxis(float(np.mod(value, tau)), self.direction).toRotationMatrix()
+        return pin.SE3(R, self.point - R @ self.point)
+
+    def value_at(self, w: float, near: float) -> float | None:
+        """Return its value at an angle, but for whole turns, or at a place of a slide; None if beyond its limits."""
+        if not self.revolute:
+            return w if self.lower - near <= w <= self.upper + near else None
+        beyond = (w - self.lower) % tau
+        if near < beyond - (self.upper - self.lower) and beyond < tau - near:
+            return None
+        return self.lower + (beyond if beyond < tau - near else beyond - tau)
 
 
-def axes_to(robot: Robot, frame: str | None, tip: Array, box: Mapping[str, tuple[float, float]] | None) -> list[Axis]:
-    """Return the joints on the way to the tip, without the last ones if they turn about the tip."""
-    axes = all_axes_to(robot, frame, box)
-    while axes and axes[-1].revolute and distance_to(axes[-1], tip) < STRAIGHT * robot.reach:
-        axes.pop()
-    return axes
+def joints_on_the_way(robot: Robot, frame: str | None) -> tuple[list[Axis], list[float]]:
+    """Return the joints on the way to a frame, without limits, and how fast each moves when its coordinate does."""
+    pin.forwardKinematics(robot.own_model, robot.data, np.zeros(robot.nq))
+    axes, factors = [], []
+    for joint in robot.joints_to(frame):
+        if joint.kind == "fixed" or joint.multiplier == 0:
+            continue
+        T = robot.data.oMi[robot.own_model.getJointId(joint.name)]
+        direction = T.rotation @ np.array(joint.axis) / np.linalg.norm(joint.axis)
+        number, turns = robot.joint_names.index(joint.leader), joint.kind != "prismatic"
+        axes.append(Axis(number, joint.name, turns, direction, np.array(T.translation), -np.inf, np.inf))
+        factors.append(joint.multiplier)
+    return axes, factors
 
 
-def all_axes_to(robot: Robot, frame: str | None, box: Mapping[str, tuple[float, float]] | None) -> list[Axis]:
-    """Return the joints on the way to a frame.
+def axes_to(robot: Robot, frame: str | None, box: Mapping[str, tuple[float, float]] | None) -> list[Axis]:
+    """Return the joints on the way to a frame, with their limits.
 
     Raises:
         TaskError: one of them mimics another one.
     """
-    way = [joint for joint in robot.joints_to(frame) if joint.kind != "fixed"]
-    followers = [joint.name for joint in way if joint.follows]
+    followers = [joint.name for joint in robot.joints_to(frame) if joint.kind != "fixed" and joint.follows]
     if followers:
         raise TaskError(
             f"joint {followers[0]!r} mimics another one; the workspace of such arms is not known: a robot with "
             "independent joints is needed"
         )
     lower, upper = intervals(robot, box)
-    q = np.zeros(robot.nq)
-    pin.forwardKinematics(robot.own_model, robot.data, q)
-    J = frame_jacobian(robot, q, frame=frame)
-    placements = {joint.name: pin.SE3(robot.data.oMi[robot.own_model.getJointId(joint.name)]) for joint in way}
-    axes = []
-    for joint in way:
-        i = robot.joint_names.index(joint.name)
-        turns = bool(robot.revolute[i])
-        direction = J[3:, i] if turns else J[:3, i]
-        axes.append(
-            Axis(i, joint.name, turns, direction, np.array(placements[joint.name].translation), lower[i], upper[i])
-        )
-    return [_with_one_turn(axis) for axis in axes]
+    axes, _ = joints_on_the_way(robot, frame)
+    return [_with_one_turn(replace(axis, lower=lower[axis.number], upper=upper[axis.number])) for axis in axes]
+
+
+def without_joints_at(tip: Array, axes: Sequence[Axis], near: float) -> list[Axis]:
+    """Return the joints without the last ones, if they turn about the tip."""
+    kept = list(axes)
+    while kept and kept[-1].revolute and distance_to(kept[-1], tip) < near:
+        kept.pop()
+    return kept
 
 
 def require_moving(axes: Sequence[Axis], robot: Robot) -> None:
@@ -109,3 +124,43 @@ def across(direction: Array) -> Array:
             return np.asarray(axis)
     normal = np.cross(direction, np.eye(3)[int(np.argmin(np.abs(direction)))])
     return np.asarray(normal / np.linalg.norm(normal))
+
+
+def length_of(axes: Sequence[Axis], tip: Array, directions: Array | None = None) -> float:
+    """Return the length of an arm, or 1: its largest strokes and the distances between points of its axes [m].
+
+    With directions (d, 3) they are distances in these only.
+    """
+    places = np.array([*(axis.point for axis in axes if axis.revolute), tip])
+    steps = np.diff(places, axis=0) if directions is None else np.diff(places, axis=0) @ directions.T
+    strokes = sum(max(abs(axis.lower), abs(axis.upper)) for axis in axes if not axis.revolute)
+    return float(np.linalg.norm(steps, axis=1).sum() + strokes) or 1.0
+
+
+def without_held(axes: Sequence[Axis], tip: Array, near: float) -> tuple[list[Axis], Array]:
+    """Return the joints with room to move that move the tip, and the tip, as the others hold them."""
+    kept = list(axes)
+    for k in range(len(kept) - 1, -1, -1):
+        held = kept[k]
+        if held.upper - held.lower >= CLOSED:
+            continue
+        moved = held.motion(held.lower)
+        for i in range(k + 1, len(kept)):
+            kept[i] = replace(kept[i], direction=moved.rotation @ kept[i].direction, point=moved.act(kept[i].point))
+        tip = moved.act(tip)
+        del kept[k]
+    return without_joints_at(tip, kept, near), tip
+
+
+def refuse_open_slides(axes: Sequence[Axis]) -> None:
+    """Raise InputError if a prismatic joint has no limits."""
+    for axis in axes:
+        if not axis.revolute:
+            refuse_open_range(axis.name, axis.lower, axis.upper)
+
+
+def distinct(q: Array, turning: Sequence[bool] | npt.NDArray[np.bool_], same: float) -> npt.NDArray[np.intp]:
+    """Return the numbers of rows of q (k, n) that are not those of one before; whole turns of some columns are none."""
+    d = q[:, None] - q[None]
+    d = np.where(turning, (d + pi) % tau - pi, d)
+    return np.flatnonzero(~np.tril(np.abs(d).max(axis=-1, initial=0.0) < same, -1).any(axis=1))

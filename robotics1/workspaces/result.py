@@ -3,47 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import vector
 from robotics1.results import Frozen
 from robotics1.tables import Table, table_of
-
-
-class PlacedSection(Protocol):
-    """What answers questions about a point."""
-
-    def contains(self, p: npt.ArrayLike) -> bool:
-        """Return whether a point (m,) is reached."""
-
-    def distance(self, p: npt.ArrayLike) -> float:
-        """Return the distance of a point (m,) from the boundary [m]."""
-
-    def clearance(self, p: npt.ArrayLike) -> float:
-        """Return a length [m] that the distance is not below, in less time."""
-
-    def configurations(self, p: npt.ArrayLike) -> Array:
-        """Return configurations (k, nq) that reach a point (m,), some if there are infinitely many."""
-
-    def corners(self) -> Array:
-        """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
-
-    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
-        """Return the smallest and largest distance of a point at (ρ, h) [m] from each turned part of the boundary."""
-
-    def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
-        """Return which points (k, m) are reached."""
-
-    def full_turn(self) -> tuple[Array, Array] | None:
-        """Return a point (3,) and the direction (3,) of the axis about which a first joint turns fully; or None."""
-
-    def depth(self, place: Array) -> float:
-        """Return the distance of a place (2,) of the section from its boundary [m]; negative where it is outside."""
+from robotics1.workspaces.placed_section import PlacedSection
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,14 +117,14 @@ class Workspace(Frozen):
     r_max: float
     nearest: Array
     farthest: Array
-    boundary: tuple[BoundaryCurve, ...]
     regions: tuple[WorkspaceRegion, ...]
     voids: tuple[WorkspaceRegion, ...]
-    cusps: Array
-    nodes: Array
     coordinates: tuple[str, str]
     redundant: bool
     section: PlacedSection = field(repr=False)
+    boundary: tuple[BoundaryCurve, ...] = ()
+    cusps: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    nodes: Array = field(default_factory=lambda: np.zeros((0, 2)))
     volume_error: float = 0.0
     resolution: float = 0.0
     r_bounds: tuple[float, float] = field(default=(0.0, float("inf")), repr=False)
@@ -244,3 +214,17 @@ class Workspace(Frozen):
         reasons = dict.fromkeys(curve.reason for curve in self.boundary)
         lines += [f"The boundary is where {'; where '.join(reasons)}."] if reasons else []
         return "\n".join(lines)
+
+
+def check_workspace(ws: Workspace) -> None:
+    """Raise InputError if it is none."""
+    if not isinstance(ws, Workspace):
+        raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
+
+
+def reason_of(limits: dict[str, str], singular: tuple[str, ...]) -> str:
+    """Return in words which joints are at a limit, and which are singular together."""
+    parts = [f"{name} is at its {limit} limit" for name, limit in limits.items()]
+    if singular:
+        parts.append(f"{', '.join(singular[:-1])} and {singular[-1]} are singular together")
+    return " and ".join(parts)

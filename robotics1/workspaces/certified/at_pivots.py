@@ -12,11 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.axes import Axis, distance_to
-from robotics1.workspaces.certified.driven_chain import ALIKE, DrivenChain
+from robotics1.workspaces.axes import ALIKE, Axis, without_joints_at
+from robotics1.workspaces.certified.extremes import Measure, extremes_of
 from robotics1.workspaces.certified.objective import Objective
-from robotics1.workspaces.sampled.chain_map import chain_map
-from robotics1.workspaces.sampled.extremes import Measure, extremes_of
+from robotics1.workspaces.chain import Chain
 
 STARTS = 8
 TRIED = 3  # pivots whose bound is proven
@@ -66,8 +65,8 @@ def best_pivots(objective: Objective) -> list[Pivot]:
 
 def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
     """Yield joints that turn, by number, and points of their axes that are next to other axes, to c or to the tip."""
-    chain = objective.chain.chain
-    near = _rounding(objective.chain)
+    chain = objective.chain
+    near = _rounding(chain)
     for k, axis in enumerate(chain.axes):
         if not axis.revolute:
             continue
@@ -81,13 +80,13 @@ def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
                 yield k, o
 
 
-def _rounding(chain: DrivenChain) -> float:
+def _rounding(chain: Chain) -> float:
     """Return a distance that is none, by the arm's size."""
-    return ALIKE * max(float(np.linalg.norm(axis.point - chain.chain.tip)) for axis in chain.chain.axes)
+    return ALIKE * max(float(np.linalg.norm(axis.point - chain.tip)) for axis in chain.axes)
 
 
 def _ends(objective: Objective) -> tuple[Array, Array]:
-    return objective.measure.centre, objective.chain.chain.tip
+    return objective.measure.centre, objective.chain.tip
 
 
 def _nearest_to(axis: Axis, other: Axis) -> Array:
@@ -103,7 +102,7 @@ def _pivots_at(objective: Objective, k: int, o: Array) -> Iterator[Pivot]:
     """Yield the bounds that a point of the axis of joint k gives."""
     measure, largest = objective.measure, objective.sign > 0
     before = _some_joints(objective.chain, slice(0, k), o)
-    after = _some_joints(objective.chain, slice(k + 1, None), objective.chain.chain.tip)
+    after = _some_joints(objective.chain, slice(k + 1, None), objective.chain.tip)
     length = Measure(np.eye(3), o)
     if largest or measure.direction is not None:
         yield Pivot((_part(before, measure, objective.sign), _part(after, length, 1.0)), (1.0, objective.sign))
@@ -113,16 +112,15 @@ def _pivots_at(objective: Objective, k: int, o: Array) -> Iterator[Pivot]:
         yield Pivot((_part(before, measure, 1.0), _part(after, length, -1.0)), (-1.0, 1.0))
 
 
-def _some_joints(chain: DrivenChain, some: slice, tip: Array) -> DrivenChain:
+def _some_joints(chain: Chain, some: slice, tip: Array) -> Chain:
     """Return some of the joints, as if no others drove their coordinates; without the last ones that turn about o."""
-    axes, A = list(chain.chain.axes[some]), chain.A[some]
-    while axes and axes[-1].revolute and distance_to(axes[-1], tip) < _rounding(chain):
-        axes.pop()
-    A = A[: len(axes)]
+    axes = without_joints_at(tip, chain.axes[some], _rounding(chain))
+    A = chain.A[some][: len(axes)]
     kept = np.flatnonzero(A.any(axis=0))
     return replace(
         chain,
-        chain=chain_map(axes, tip),
+        axes=tuple(axes),
+        tip=tip,
         A=A[:, kept],
         numbers=chain.numbers[kept],
         lower=chain.lower[kept],
@@ -131,9 +129,9 @@ def _some_joints(chain: DrivenChain, some: slice, tip: Array) -> DrivenChain:
     )
 
 
-def _part(chain: DrivenChain, measure: Measure, sign: float) -> _Part:
-    if not chain.chain.axes:
-        return _Part(None, float(measure.value(chain.chain.tip[None])[0]), np.zeros(0))
+def _part(chain: Chain, measure: Measure, sign: float) -> _Part:
+    if not chain.axes:
+        return _Part(None, float(measure.value(chain.tip[None])[0]), np.zeros(0))
     values, q = extremes_of(chain, measure, STARTS, largest=sign > 0)
     best = int(np.argmax(sign * values))
     return _Part(Objective(chain, measure, sign), float(values[best]), q[best])

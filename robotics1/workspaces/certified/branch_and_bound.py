@@ -13,8 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
+from robotics1.workspaces.certified.extremes import ends_of
 from robotics1.workspaces.certified.objective import Objective
-from robotics1.workspaces.sampled.extremes import ends_of
 
 AT_ONCE = 1024  # boxes that are halved together
 MOST = 2_000_000  # boxes that are kept

@@ -9,12 +9,14 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
-from robotics1.workspaces.certified.box_quadratic import largest_on_cube
-from robotics1.workspaces.certified.driven_chain import DrivenChain
-from robotics1.workspaces.sampled.extremes import Measure
+from robotics1.workspaces.certified.extremes import Measure
+from robotics1.workspaces.chain import Chain
+
+SWEEPS = 6  # along the coordinates, towards the largest value of a concave function
 
 
 class BoxBounds(NamedTuple):
@@ -53,7 +55,7 @@ class Objective:
         sign: 1 for the largest, −1 for the smallest.
     """
 
-    chain: DrivenChain
+    chain: Chain
     measure: Measure
     sign: float
 
@@ -110,8 +112,8 @@ class Objective:
 
     def _derivatives(self, v: Array) -> tuple[Array, Array, Array]:
         """Return p (k, 3), the columns J (k, 3, m), and the axes ω (k, m, 3), which are zero of slides."""
-        p, J = self.chain.chain.jacobian(v)
-        return p, J, self.chain.chain.turning(v)
+        p, J = self.chain.joint_columns(v)
+        return p, J, self.chain.turning(v)
 
     def _hessian(self, pull: Array, J: Array, turning: Array) -> Array:
         """Return ∂²F (k, m, m): ∂²p/∂vᵢ∂vⱼ = ωᵢ × Jⱼ where joint i is not after joint j."""
@@ -126,7 +128,7 @@ class Objective:
     @cached_property
     def _order(self) -> tuple[Array, Array, Array, Array]:
         """Which joint of two, and of three, is the last, and whether those before it all turn."""
-        turns = np.array([axis.revolute for axis in self.chain.chain.axes])
+        turns = np.array([axis.revolute for axis in self.chain.axes])
         i = np.arange(len(turns))
         two = np.maximum(i[:, None], i)
         three = np.maximum(two[:, :, None], i)
@@ -140,7 +142,7 @@ class Objective:
         moved = np.zeros(len(w))
         radii = np.ones_like(w)
         for i in range(w.shape[1] - 1, -1, -1):
-            if self.chain.chain.axes[i].revolute:
+            if self.chain.axes[i].revolute:
                 radii[:, i] = length[:, i] + moved
                 moved = moved + 2 * np.sin(np.minimum(w[:, i], np.pi) / 2) * radii[:, i]
             else:
@@ -163,3 +165,32 @@ class Objective:
             radii[:, :, None] * radii[:, None, :] + far * second,
             mixed + crossed + np.swapaxes(crossed, 1, 2) + far * third,
         )
+
+
+def largest_on_cube(g: Array, H: Array, active: npt.NDArray[np.bool_]) -> Array:
+    """Return numbers (k,) that g·x + xᵀH x/2 does not exceed for |xᵢ| ≤ 1.
+
+    With λ the largest eigenvalue of H, or 0, the function is at most g·x − xᵀN x/2 + λ n/2, with N = λI − H positive
+    semidefinite. That is concave, so that it is below each of its tangents; the one is taken at which a few steps along
+    the coordinates end.
+
+    Args:
+        g: (k, n).
+        H: (k, n, n).
+        active: (k, n) where a row of g and H is not zero.
+    """
+    k, n = g.shape
+    top = np.maximum(np.linalg.eigvalsh(H)[:, -1], 0.0)
+    N = top[:, None, None] * np.eye(n) - H
+    y, slope = np.zeros((k, n)), g.copy()
+    for _ in range(SWEEPS):
+        for i in range(n):
+            curve = N[:, i, i]
+            with np.errstate(divide="ignore", invalid="ignore"):
+                free = y[:, i] + slope[:, i] / curve
+            end = np.where(curve > 1e-300, np.clip(np.nan_to_num(free), -1, 1), np.sign(slope[:, i]))
+            slope -= N[:, :, i] * (end - y[:, i])[:, None]
+            y[:, i] = end
+    at_y = np.einsum("ki,ki->k", g + slope, y) / 2
+    rise = (np.abs(slope) - slope * y).sum(axis=1)
+    return np.asarray(at_y + rise + 0.5 * top * active.sum(axis=1))

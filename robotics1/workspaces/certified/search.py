@@ -13,10 +13,10 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.workspaces.certified.at_pivots import Pivot, best_pivots
 from robotics1.workspaces.certified.branch_and_bound import Enclosure, enclosed
-from robotics1.workspaces.certified.driven_chain import DrivenChain
-from robotics1.workspaces.certified.idle import free_coordinates
+from robotics1.workspaces.certified.extremes import free_coordinates
 from robotics1.workspaces.certified.objective import Objective
 from robotics1.workspaces.certified.support_function import farthest_of, support_function
+from robotics1.workspaces.chain import Chain
 
 DEPTH, FEW = 2, 3  # how often an arm is divided at a pivot, and coordinates for which boxes do as well
 FINENESS = (16, 32, 64, 128)  # cells of the support function along a side: each takes four times as long
@@ -125,10 +125,10 @@ class Search:
         return least
 
 
-def _longest(chain: DrivenChain, centre: Array) -> float:
+def _longest(chain: Chain, centre: Array) -> float:
     """Return the length of the way from a point along the joints to the tip, with all slides at their ends."""
-    axes = chain.chain.axes
-    places = [centre, *(axis.point for axis in axes if axis.revolute), chain.chain.tip]
+    axes = chain.axes
+    places = [centre, *(axis.point for axis in axes if axis.revolute), chain.tip]
     most = np.abs(chain.A) @ np.maximum(np.abs(chain.lower), np.abs(chain.upper))
     slides = sum(float(length) for length, axis in zip(most, axes, strict=True) if not axis.revolute)
     return slides + sum(float(np.linalg.norm(b - a)) for a, b in itertools.pairwise(places))

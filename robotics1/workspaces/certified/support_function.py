@@ -18,7 +18,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.workspaces.axes import Axis
-from robotics1.workspaces.certified.driven_chain import DrivenChain
+from robotics1.workspaces.chain import Chain
 
 ARCS, PARTS, ROUNDS, KEPT = 32, 8, 3, 2  # of a turn; into which the best so many are cut, so many times
 AT_ONCE = 4096  # directions
@@ -59,7 +59,7 @@ def corners(cells: int) -> Array:
     return u
 
 
-def support_function(chain: DrivenChain, first: int, cells: int, seconds: float) -> Support | None:
+def support_function(chain: Chain, first: int, cells: int, seconds: float) -> Support | None:
     """Return what u · p is at most, of the joints from the first one on; None if there is not enough time.
 
     Args:
@@ -70,7 +70,7 @@ def support_function(chain: DrivenChain, first: int, cells: int, seconds: float)
     """
     ends = chain.A[:, :, None] * np.stack([chain.lower, chain.upper], axis=1)
     lower, upper = ends.min(axis=2).sum(axis=1), ends.max(axis=2).sum(axis=1)
-    tip, u, end = chain.chain.tip, corners(cells), monotonic() + seconds
+    tip, u, end = chain.tip, corners(cells), monotonic() + seconds
 
     def of_tip(w: Array) -> Array:
         return np.asarray(w @ tip)
@@ -79,7 +79,7 @@ def support_function(chain: DrivenChain, first: int, cells: int, seconds: float)
     for i in range(len(lower) - 1, first - 1, -1):
         if monotonic() > end:
             return None
-        found = moved(chain.chain.axes[i], float(lower[i]), float(upper[i]), found)
+        found = moved(chain.axes[i], float(lower[i]), float(upper[i]), found)
         if i > first:
             found = _Grid(found(u.reshape(-1, 3)).reshape(u.shape[:-1]))
     return found

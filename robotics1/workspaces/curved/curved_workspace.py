@@ -8,7 +8,6 @@ import numpy as np
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.model import Robot
-from robotics1.workspaces.axes import Axis
 from robotics1.workspaces.curved.boundary_parts import BoundaryPart, boundary_parts
 from robotics1.workspaces.curved.curved_section import CurvedSection
 from robotics1.workspaces.curved.image_curves import TURN, TURNED, ImageCurve, RisingPiece, image_curves
@@ -19,8 +18,8 @@ from robotics1.workspaces.curved.rising_pieces import rising_pieces
 from robotics1.workspaces.curved.singular_curves import singular_curves
 from robotics1.workspaces.curved.strip_regions import StripRegion, strip_regions
 from robotics1.workspaces.curved.strips import AXIS, Strips, strips_between
-from robotics1.workspaces.naming import reason_of
-from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion
+from robotics1.workspaces.moving_point import MovingPoint
+from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion, reason_of
 
 CELLS = (160, 320, 640, 1280, 2560)  # a turn: the grid on which D = 0 is looked for
 MOST_POINTS = 2_000_000  # of a grid
@@ -28,7 +27,7 @@ NO_AREA = 1e-9  # of D
 BALANCED = 0.01  # of ∫ |D|: the difference to ∫ N dA that a grid's own error explains
 
 
-def curved_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> Workspace:
+def curved_workspace(robot: Robot, point: MovingPoint) -> Workspace:
     """Return the workspace of three joints that move a point in space, or two joints two of its coordinates.
 
     The first of three joints moves the section: it turns it about its axis, or slides it. Critical curves of the
@@ -37,15 +36,11 @@ def curved_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array
 
     Raises:
         TaskError: fewer joints move the point, or it only moves on a surface or a curve.
-        InputError: a prismatic joint has no limits.
     """
-    arm = read_in_space(robot, axes, tip, rows)
+    arm = read_in_space(robot, point)
     images, cusps, strips = _decomposition(robot, arm)
     parts = boundary_parts(strips, images, cusps)
-    section = CurvedSection(
-        arm.mapped, arm.domain, strips, tuple(parts), arm.joints, arm.base, arm.rows, arm.origin, arm.frame, arm.size,
-        arm.neutral,
-    )  # fmt: skip
+    section = CurvedSection(arm.place, arm, strips, tuple(parts))
     found = strip_regions(strips)
     volume, error = volume_with_limits(section, found)
     r_min, nearest = extreme_radius(section, images, largest=False)
@@ -65,7 +60,7 @@ def curved_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array
         voids=tuple(_region(section, region) for region in found if not region.count),
         cusps=np.array([images[i].at(np.array([t]))[0] * arm.size for i, t in cusps]).reshape(-1, 2),
         nodes=_nodes(strips, images) * arm.size,
-        coordinates=_names(arm),
+        coordinates=arm.place.names,
         redundant=False,
         section=section,
     )
@@ -78,7 +73,7 @@ def _decomposition(robot: Robot, arm: SpatialArm) -> tuple[list[ImageCurve], lis
     if size.max() < NO_AREA:
         raise TaskError(
             f"robot {robot.name!r} moves the point along a surface or a curve only; its workspace has no "
-            f"{'volume' if arm.base else 'area'} and no section"
+            f"{'volume' if arm.place.base else 'area'} and no section"
         )
     whole = float(size.mean() * np.prod(arm.domain.span))
     possible = [cells for cells in CELLS if prod(map(len, arm.domain.grid(cells))) <= MOST_POINTS]
@@ -117,7 +112,7 @@ def _axis(pieces: Sequence[RisingPiece]) -> RisingPiece:
 
 
 def _region(section: CurvedSection, region: StripRegion) -> WorkspaceRegion:
-    size, base = section.size, section.base
+    size, base = section.arm.size, section.place.base
     volume = None
     if base is not None and base.circular:
         volume = tau * region.moment * size**3
@@ -126,10 +121,10 @@ def _region(section: CurvedSection, region: StripRegion) -> WorkspaceRegion:
 
 
 def _boundary_curve(robot: Robot, section: CurvedSection, part: BoundaryPart) -> BoundaryCurve:
-    limit, names = part.image.curve.limit, [joint.name for joint in section.joints]
+    limit, names = part.image.curve.limit, [joint.name for joint in section.arm.joints]
     limits = {} if limit is None else {names[limit[0]]: limit[1]}
     singular = _singular(section, names) if limit is None else ()
-    points = part.points * section.size
+    points = part.points * section.arm.size
     start, end = part.image.q(np.array([part.a, part.b]))
     return BoundaryCurve(
         points=points,
@@ -138,8 +133,8 @@ def _boundary_curve(robot: Robot, section: CurvedSection, part: BoundaryPart) ->
         center=None,
         radius=float("inf"),
         angle=0.0,
-        q_start=section.configuration(start),
-        q_end=section.configuration(end),
+        q_start=section.arm.configuration(start),
+        q_end=section.arm.configuration(end),
         joint="" if limit is None else names[1 - limit[0]],
         limits=limits,
         singular=singular,
@@ -148,7 +143,7 @@ def _boundary_curve(robot: Robot, section: CurvedSection, part: BoundaryPart) ->
 
 
 def _singular(section: CurvedSection, names: list[str]) -> tuple[str, ...]:
-    return (*names,) if section.base is None else (section.base.name, *names)
+    return (*names,) if section.place.base is None else (section.place.base.name, *names)
 
 
 def _nodes(strips: Strips, images: Sequence[ImageCurve]) -> Array:
@@ -162,10 +157,3 @@ def _nodes(strips: Strips, images: Sequence[ImageCurve]) -> Array:
         if all(np.linalg.norm(place - other) > 1e-6 for other in found):
             found.append(place)
     return np.array(found).reshape(-1, 2)
-
-
-def _names(arm: SpatialArm) -> tuple[str, str]:
-    if arm.mapped.about_axis:
-        return "ρ", "h"
-    letters = ["xyz"[int(np.argmax(axis))] if np.max(axis) > 1 - 1e-9 else "" for axis in arm.frame[:2]]
-    return (letters[0], letters[1]) if all(letters) else ("u", "v")

@@ -14,28 +14,28 @@ SAMPLES = (150, 600)  # points of the section, twice
 
 def volume_with_limits(section: CurvedSection, regions: Sequence[StripRegion]) -> tuple[float | None, float]:
     """Return the volume [m³], None of a task in a plane, and by how much two samplings differ; 0 if it is exact."""
-    base = section.base
+    base = section.place.base
     if base is None:
         return None, 0.0
     reached = [region for region in regions if region.count]
     if base.circular:
-        return tau * sum(region.moment for region in reached) * section.size**3, 0.0
-    about = section.mapped.about_axis
-    span = (base.upper - base.lower) / (1.0 if about else section.size)
+        return tau * sum(region.moment for region in reached) * section.arm.size**3, 0.0
+    about = section.arm.mapped.about_axis
+    span = (base.upper - base.lower) / (1.0 if about else section.arm.size)
     alone = sum(span * (r.moment if about else r.area) for r in reached if r.count == 1)
     several = [region for region in reached if region.count > 1]
     area = sum(region.area for region in several)
     if not several:
-        return alone * section.size**3, 0.0
+        return alone * section.arm.size**3, 0.0
     found = [alone + sum(_swept(section, r, ceil(count * r.area / area)) for r in several) for count in SAMPLES]
-    return found[1] * section.size**3, abs(found[1] - found[0]) * section.size**3
+    return found[1] * section.arm.size**3, abs(found[1] - found[0]) * section.arm.size**3
 
 
 def _swept(section: CurvedSection, region: StripRegion, count: int) -> float:
     """Return the mean of what the base sweeps at points of a region, times the region's own measure."""
     points, weights = _samples(section, region, count)
     shares = section.reached_shares(points, region.count)
-    about = section.mapped.about_axis
+    about = section.arm.mapped.about_axis
     measure = weights * points[:, 0] if about else weights
     whole = region.moment if about else region.area
     return float((measure * shares).sum() / measure.sum() * whole)

@@ -11,6 +11,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.workspaces.axes import Axis
+from robotics1.workspaces.placed_section import in_section
 
 ON_AXIS = 1e-9  # ρ of a point on the axis, when the arm is one long
 
@@ -36,8 +37,7 @@ class PlaneMap:
 
     def image(self, q: Array) -> Array:
         """Return the section's coordinates at q (k, 2): (k, 2)."""
-        p = self.point(q)
-        return np.column_stack([np.hypot(p[:, 0], p[:, 1]), p[:, 2]]) if self.about_axis else p[:, :2]
+        return in_section(self.point(q), self.about_axis)
 
     def velocity(self, q: Array, qdot: Array) -> Array:
         """Return the velocity of the section's coordinates: (k, 2)."""

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from robotics1.inputs import Array
+from robotics1.workspaces.axes import distinct
 from robotics1.workspaces.curved.curved_section import CurvedSection
 from robotics1.workspaces.curved.image_curves import ImageCurve
 from robotics1.workspaces.curved.singular_curves import onto_singular
@@ -19,9 +20,9 @@ def extreme_radius(section: CurvedSection, images: Sequence[ImageCurve], *, larg
     The smallest and the largest distance are attained on critical curves; but for the centre, where it is inside.
     """
     centre = np.zeros(2)
-    if not largest and not section.mapped.about_axis and section.counts(centre[None])[0]:
+    if not largest and not section.arm.mapped.about_axis and section.counts(centre[None])[0]:
         found = section.solutions(centre)
-        return 0.0, np.array([section.configuration(q, _base(section)) for q in found])
+        return 0.0, np.array([section.arm.configuration(q, _base(section)) for q in found])
     values: list[float] = []
     places: list[Array] = []
     for image in images:
@@ -34,16 +35,13 @@ def extreme_radius(section: CurvedSection, images: Sequence[ImageCurve], *, larg
         places += list(q)
     best = max(values) if largest else min(values)
     best = 0.0 if best < SAME else best
-    near = [q for value, q in zip(values, places, strict=True) if abs(value - best) < SAME]
-    kept: list[Array] = []
-    for q in near:
-        if all(np.abs(section.domain.difference(q, other)).max() > SAME_CONFIGURATION for other in kept):
-            kept.append(q)
-    return best * section.size, np.array([section.configuration(q, _base(section)) for q in kept])
+    near = np.array([q for value, q in zip(values, places, strict=True) if abs(value - best) < SAME])
+    kept = near[distinct(near, section.arm.domain.circular, SAME_CONFIGURATION)]
+    return best * section.arm.size, np.array([section.arm.configuration(q, _base(section)) for q in kept])
 
 
 def _base(section: CurvedSection) -> float | None:
-    base = section.base
+    base = section.place.base
     return None if base is None else float(np.clip(0.0, base.lower, base.upper))
 
 

@@ -1,20 +1,19 @@
 """Sizes of workspaces as formulas in the lengths of links and the ends of strokes.
 
-The lengths come from the columns of J: the mean of |∂p/∂qₖ|² over the joints after k is the sum of the squares of the
-lengths from k on.
+The lengths are distances between the centres of joints that turn: the mean of p over q is the centre of the joint.
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import pairwise
 from math import pi, tau
 from typing import Any
 
 import sympy
 
-from robotics1.workspaces.planar_joints import PlanarJoint
+from robotics1.workspaces.flat.planar_joints import PlanarJoint
 
-THIRDS = (0, 2 * sympy.pi / 3, 4 * sympy.pi / 3)  # over these the mean of a harmonic of order 1 or 2 is 0
+THIRDS = (0, 2 * sympy.pi / 3, 4 * sympy.pi / 3)  # over these the mean of cos q and of sin q is 0
 
 
 @dataclass(frozen=True)
@@ -69,33 +68,23 @@ class PlaneFormulas:
         """Return upper − lower of joint k."""
         return self.end(k, "max") - self.end(k, "min")
 
-    def speed_squared(self, k: int) -> Any:
-        """Return |∂p/∂qₖ|², with the joints before k at 0."""
-        column = self.value.diff(self.q[self.joints[k].number])
-        before = {self.q[joint.number]: 0 for joint in self.joints[: k + 1]}
-        return sympy.expand((column.T * column)[0].subs(before))
+    def centre(self, k: int) -> Any:
+        """Return where joint k of the chain is, which turns: the mean of the position over its angle; or the tip."""
+        if k == len(self.joints):
+            return self.value
+        q = self.q[self.joints[k].number]
+        return (sum((self.value.subs(q, angle) for angle in THIRDS), sympy.zeros(2, 1)) / 3).applyfunc(sympy.simplify)
+
+    def square_between(self, a: int, b: int, at: Mapping[Any, Any] | None = None) -> Any:
+        """Return the squared distance of joint a from joint b, or from the tip, with some joints' values given."""
+        d = self.centre(b) - self.centre(a)
+        before = {self.q[joint.number]: 0 for joint in self.joints[: a + 1]}
+        return sympy.simplify(sympy.expand((d.T * d)[0].subs(before).subs(at or {})))
 
     def lengths(self) -> list[Any]:
         """Return the distance from each revolute joint to the next one, the last to the tip."""
         turning = [k for k, joint in enumerate(self.joints) if joint.revolute]
-        sums = [
-            self._mean(self.speed_squared(k), [self.q[self.joints[j].number] for j in turning if j > k])
-            for k in turning
-        ]
-        return [root_of(a - b) for a, b in zip(sums, [*sums[1:], 0], strict=True)]
-
-    def centre(self, k: int = 0) -> list[Any]:
-        """Return where joint k of the chain, a revolute one, is in the plane: that of the first does not move."""
-        return [self._mean(row, [self.q[self.joints[k].number]]) for row in self.value]
-
-    def squared_mean(self, k: int, over: int) -> Any:
-        """Return the mean of |∂p/∂qₖ|² over the angle of a joint of the chain."""
-        return self._mean(self.speed_squared(k), [self.q[self.joints[over].number]])
-
-    def _mean(self, expression: Any, over: list[Any]) -> Any:
-        picks = list(product(THIRDS, repeat=len(over)))
-        values = [expression.subs(dict(zip(over, pick, strict=True))) for pick in picks]
-        return sympy.simplify(sympy.expand(sum(values) / len(picks)))
+        return [root_of(self.square_between(a, b)) for a, b in pairwise([*turning, len(self.joints)])]
 
 
 def root_of(square: Any) -> Any:
@@ -135,7 +124,7 @@ def _links(arm: PlaneFormulas) -> ClosedForm:
 def _about_the_first(arm: PlaneFormulas) -> ClosedForm | None:
     """Return the annulus or sector between the extremes of r(q2) = |∂p/∂q1|."""
     q2, joint = arm.q[arm.joints[1].number], arm.joints[1]
-    square = arm.speed_squared(0)
+    square = arm.square_between(0, 2)
     low, high = ({q2: arm.end(1, name)} for name in ("min", "max"))
     ends = [root_of(sympy.simplify(square.subs(low))), root_of(sympy.simplify(square.subs(high)))]
     if joint.revolute:
@@ -202,16 +191,12 @@ def _inside(joint: PlanarJoint, angle: float) -> bool:
 
 def _slide_between_turns(arm: PlaneFormulas) -> ClosedForm | None:
     """Return the annulus of a circle of full turns whose centre is at distances c(q2) from the first joint."""
-    link = root_of(arm.speed_squared(2))
-    square = sympy.simplify(arm.squared_mean(0, 2) - link**2)
-    return _annulus_of_two(arm, 1, square, link)
+    return _annulus_of_two(arm, 1, arm.square_between(0, 2), root_of(arm.square_between(2, 3)))
 
 
 def _slide_after_turns(arm: PlaneFormulas) -> ClosedForm | None:
     """Return the annulus of a link that turns fully, and a tip at distances t(q3) from its end."""
-    square = sympy.simplify(arm.speed_squared(1))
-    link = root_of(sympy.simplify(arm.squared_mean(0, 1) - square))
-    return _annulus_of_two(arm, 2, square, link)
+    return _annulus_of_two(arm, 2, arm.square_between(1, 3), root_of(arm.square_between(0, 1)))
 
 
 def _annulus_of_two(arm: PlaneFormulas, slide: int, square: Any, link: Any) -> ClosedForm | None:

@@ -10,24 +10,24 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.errors import TaskError
-from robotics1.inputs import Array, real_array
+from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
 from robotics1.results import Frozen
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import Robot
 from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.workspaces.arrangement import area_within, dividers, inner_point, outline_of, regions
-from robotics1.workspaces.axes import Axis, all_axes_to, axes_to, require_moving
-from robotics1.workspaces.critical_curves import TOLERANCE, CriticalCurve
-from robotics1.workspaces.distances import distance_to_curve
+from robotics1.workspaces.axes import STRAIGHT, Axis, axes_to, require_moving, without_joints_at
 from robotics1.workspaces.find import workspace_of
-from robotics1.workspaces.naming import coordinates, names_of_coordinates
-from robotics1.workspaces.pieces import cut, meeting_points
+from robotics1.workspaces.flat.arrangement import dividers, regions
+from robotics1.workspaces.flat.critical_curves import TOLERANCE, CriticalCurve
+from robotics1.workspaces.flat.flat_workspace import region_of
+from robotics1.workspaces.flat.pieces import cut, meeting_points
+from robotics1.workspaces.flat.planar_arm import PlanarArm, planar_arm
+from robotics1.workspaces.flat.section import Section, section_of
+from robotics1.workspaces.moving_point import point_moved_by, position_rows
 from robotics1.workspaces.questions.wrist_dexterity import WristDexterity, wrist_of
-from robotics1.workspaces.reading import ReadArm, position_rows, read_arm
 from robotics1.workspaces.result import WorkspaceRegion
-from robotics1.workspaces.section import Section, section_of
 
 SAME_RADIUS = 1e-9
 
@@ -50,7 +50,7 @@ class _Disc:
         ends = [*met, met[0] + circle.length] if met else [0.0, circle.length]
         for a, b in itertools.pairwise(ends):
             w = circle.point((a + b) / 2)
-            if not self.inner.count(w) and min(distance_to_curve(edge, w) for edge in self.edges) > TOLERANCE:
+            if not self.inner.count(w) and min(edge.distance(w) for edge in self.edges) > TOLERANCE:
                 return 0
         return 1
 
@@ -75,7 +75,7 @@ class DexterousWorkspace(Frozen):
     regions: tuple[WorkspaceRegion, ...]
     last_link: float
     coordinates: tuple[str, str]
-    arm: ReadArm = field(repr=False)
+    arm: PlanarArm = field(repr=False)
     disc: _Disc = field(repr=False)
 
     def contains(self, p: npt.ArrayLike) -> bool:
@@ -84,8 +84,8 @@ class DexterousWorkspace(Frozen):
         Raises:
             InputError: p has another shape or is not finite.
         """
-        point = self.arm.rows.T @ real_array("p", p, (2,), "the task's coordinates [m]")
-        return bool(self.disc.count(self.arm.in_plane(point)))
+        u, v, _ = self.arm.place.local(p) / self.arm.size
+        return bool(self.disc.count(complex(u, v)))
 
     def explain(self) -> str:
         """Return area and radii in sentences."""
@@ -121,12 +121,12 @@ def dexterous_workspace(
     robot.require_single_coordinates("have a workspace")
     rows, frame = position_rows(task)
     tip = np.array(forward_kinematics(robot, np.zeros(robot.nq), frame=frame).translation)
-    axes = all_axes_to(robot, frame, box)
+    axes = axes_to(robot, frame, box)
     require_moving(axes, robot)
     if len(rows) == 3:
         return _of_a_wrist(robot, axes, tip, rows)
-    axes = axes_to(robot, frame, tip, box)
-    arm = read_arm(robot, axes, tip, rows) if axes else None
+    axes = without_joints_at(tip, axes, STRAIGHT * robot.reach)
+    arm = planar_arm(robot, point_moved_by(robot, axes, tip, rows)) if axes else None
     if arm is None or len(arm.joints) < 3:
         raise TaskError(
             f"robot {robot.name!r} is no planar arm of three joints or more for this task: with fewer joints a point "
@@ -135,34 +135,24 @@ def dexterous_workspace(
     return _of_a_plane(robot, arm)
 
 
-def _of_a_plane(robot: Robot, arm: ReadArm) -> DexterousWorkspace:
+def _of_a_plane(robot: Robot, arm: PlanarArm) -> DexterousWorkspace:
     last = arm.joints[-1]
     if not (last.revolute and last.circular):
         raise TaskError(
             f"joint {last.name!r} cannot make a full turn; every orientation is known only of a last joint that can"
         )
-    inner = section_of(arm.joints[:-1], last.place, arm.neutral)
+    inner = section_of(arm.joints[:-1], last.place, tuple(arm.place.neutral))
     edges = tuple(d.piece.curve for d in inner.divided if 0 in (d.left, d.right))
     disc = _Disc(inner, edges, abs(arm.tip - last.place))
     divided = dividers(cut(_parallels(edges, disc.r)), disc.count)
-    found = tuple(
-        WorkspaceRegion(
-            1,
-            sum(map(area_within, (outer, *holes))) * arm.size**2,
-            None,
-            coordinates(arm, inner_point(outer, holes, divided)),
-            tuple(np.array([coordinates(arm, z) for z in outline_of(loop)]) for loop in (outer, *holes)),
-        )
-        for outer, holes in regions(divided)
-        if outer[0].count
-    )
+    found = tuple(region_of(arm, *loops, divided) for loops in regions(divided) if loops[0][0].count)
     return DexterousWorkspace(
         robot_name=robot.name,
         area=float(sum(region.area for region in found)),
         radii=_radii(arm, disc) * arm.size,
         regions=found,
         last_link=disc.r * arm.size,
-        coordinates=names_of_coordinates(arm),
+        coordinates=arm.place.names,
         arm=arm,
         disc=disc,
     )
@@ -176,7 +166,7 @@ def _of_a_wrist(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> 
         raise TaskError(
             f"every orientation in space is known of an arm whose first joint turns fully; {base.name!r} does not"
         )
-    ws = workspace_of(robot, before, centre, rows)
+    ws = workspace_of(robot, point_moved_by(robot, before, centre, rows))
     if ws.resolution:
         raise TaskError(
             f"the workspace of the wrist of robot {robot.name!r} is known by samples only: the arm is redundant"
@@ -211,7 +201,7 @@ def _parallel(edge: CriticalCurve, away: float) -> list[CriticalCurve]:
     return [CriticalCurve(edge.centre, start, 1 + 0j, edge.length, edge.q, edge.joint, edge.rate)]
 
 
-def _radii(arm: ReadArm, disc: _Disc) -> Array:
+def _radii(arm: PlanarArm, disc: _Disc) -> Array:
     """Return the distances from the first joint's axis between which all points count, of a first joint that turns."""
     first = arm.joints[0]
     if not (first.revolute and first.circular):

@@ -14,7 +14,7 @@ import numpy as np
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_number
 from robotics1.results import Frozen
-from robotics1.workspaces.result import Workspace
+from robotics1.workspaces.result import Workspace, check_workspace
 
 MOST_CELLS = 4000
 
@@ -54,8 +54,7 @@ def largest_circle(ws: Workspace, *, tolerance: float = 1e-3) -> FittingCircle:
     Raises:
         InputError: ws is no workspace, or the tolerance is not between 0 and 1.
     """
-    if not isinstance(ws, Workspace):
-        raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
+    check_workspace(ws)
     if not 0 < real_number("tolerance", tolerance) < 1:
         raise InputError(f"tolerance must be between 0 and 1, not {tolerance!r}")
     search = _Search(ws)

@@ -38,7 +38,7 @@ def form_in_space(arm: TurnedPlane) -> dict[str, Any] | None:
     """Return r_min, r_max, volume and conditions, or None."""
     if arm.flat.r_max is None or not arm.plane.joints[0].revolute:
         return None
-    a = sympy.simplify(arm.plane.centre()[0])
+    a = sympy.simplify(arm.plane.centre(0)[0])
     if not arm.plane.joints[0].circular:
         return _sector(arm) if a == 0 and arm.beside == 0 else None
     if a == 0:

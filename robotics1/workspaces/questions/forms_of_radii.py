@@ -65,19 +65,12 @@ def _state(arm: PlaneFormulas, q: Array) -> tuple[dict[Any, Any], dict[str, list
 
 def _between(arm: PlaneFormulas, a: int, b: int, at_limit: dict[Any, Any], free: dict[str, list[int]]) -> Any:
     """Return the distance from the centre of joint a to that of joint b, or to the tip."""
-    d = _centre(arm, b) - _centre(arm, a)
-    before = {arm.q[joint.number]: 0 for joint in arm.joints[: a + 1]}
-    square = sympy.simplify((d.T * d)[0].subs(before).subs(at_limit))
+    square = arm.square_between(a, b, at_limit)
     for k in free["P"]:
         slide = arm.q[arm.joints[k].number]
         if a < k < b and square.has(slide):
             square = sympy.simplify(square.subs(slide, sympy.solve(sympy.diff(square, slide), slide)[0]))
     return root_of(square)
-
-
-def _centre(arm: PlaneFormulas, k: int) -> Any:
-    """Return where a joint that turns is (2, 1), or the tip."""
-    return arm.value if k == len(arm.joints) else sympy.Matrix(arm.centre(k))
 
 
 def _words(arm: PlaneFormulas, at_limit: dict[Any, Any], free: dict[str, list[int]]) -> str:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
 import sympy
 
 from robotics1.errors import TaskError
@@ -19,10 +18,11 @@ from robotics1.symbolic.tasks.formula import formulas
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.workspaces.find import workspace
+from robotics1.workspaces.flat.planar_arm import PlanarArm, planar_arm, plane_beside_axis
+from robotics1.workspaces.moving_point import moving_point
 from robotics1.workspaces.questions.closed_forms import ClosedForm, PlaneFormulas, closed_form
 from robotics1.workspaces.questions.forms_in_space import TurnedPlane, form_in_space, without_sign
 from robotics1.workspaces.questions.forms_of_radii import form_of_radii
-from robotics1.workspaces.reading import ReadArm, moving_point, plane_beside_axis, read_arm
 
 AGREE = 1e-9  # relative, between a formula and the exact workspace
 
@@ -82,20 +82,23 @@ def workspace_formulas(
         InputError: a prismatic joint has no limits.
     """
     robot, task = with_frame_at_point(*robot_and_task(robot, task))
-    rows, tip, axes = moving_point(robot, task, box)
-    arm = read_arm(robot, axes, tip, rows) or plane_beside_axis(robot, axes, tip, rows)
+    point = moving_point(robot, task, box)
+    arm = planar_arm(robot, point) or plane_beside_axis(robot, point)
     symbolic = formulas(robot, task)
+    moving = {axis.number for axis in point.axes}
+    others = {x: sympy.nsimplify(point.neutral[i], rational=True) for i, x in enumerate(symbolic.q) if i not in moving}
+    position = symbolic.value.subs(others)
     values = dict(robot.parameters)
-    for axis in axes:
+    for axis in point.axes:
         q = str(symbolic.q[axis.number])
         values |= {f"{q}_min": axis.lower, f"{q}_max": axis.upper}
     found = None
     if arm is not None:
-        plane = _plane(arm, symbolic, values)
+        plane = _plane(arm, position, symbolic.q, values)
         flat = closed_form(plane)
-        if flat is None and arm.base is None:
+        if flat is None and arm.turn is None:
             flat = form_of_radii(plane, workspace(robot, task, box=box))
-        found = None if flat is None else _sized(arm, flat, symbolic, values)
+        found = None if flat is None else _sized(arm, flat, position, symbolic.q, values)
     if found is None:
         raise TaskError(
             f"no formula is known of the workspace of robot {robot.name!r}; workspace(robot, task) has its numbers"
@@ -108,33 +111,35 @@ def workspace_formulas(
     return result
 
 
-def _plane(arm: ReadArm, symbolic: Any, values: Mapping[str, float]) -> PlaneFormulas:
+def _plane(arm: PlanarArm, position: Any, q: Sequence[Any], values: Mapping[str, float]) -> PlaneFormulas:
     """Return the position in the plane of the chain; a joint that turns the plane stands at 0."""
-    value = symbolic.value
-    if arm.base is not None or arm.slide is not None:
-        value = _exact(np.array([arm.first, arm.second]) @ arm.rows.T) * value
-    if arm.base is not None:
-        value = value.subs(symbolic.q[arm.base.number], 0)
-    return PlaneFormulas(sympy.Matrix(value), list(symbolic.q), arm.joints, values)
+    value = position
+    if arm.place.base is not None:
+        value = _exact(arm.directions @ arm.place.rows.T) * value
+    if arm.turn is not None:
+        value = value.subs(q[arm.turn.number], 0)
+    return PlaneFormulas(sympy.Matrix(value), list(q), arm.joints, values)
 
 
 def _exact(numbers: Array) -> Any:
     return sympy.Matrix([[sympy.nsimplify(float(x), rational=True) for x in row] for row in numbers])
 
 
-def _sized(arm: ReadArm, flat: ClosedForm, symbolic: Any, values: dict[str, float]) -> dict[str, Any] | None:
+def _sized(
+    arm: PlanarArm, flat: ClosedForm, position: Any, q: Sequence[Any], values: dict[str, float]
+) -> dict[str, Any] | None:
     """Return r_min, r_max, area, volume, lengths and conditions, in the plane or in space."""
     known: dict[str, Any] = {"r_min": flat.r_min, "r_max": flat.r_max, "area": None, "volume": None}
     known |= {"lengths": flat.lengths, "conditions": flat.conditions}
     if arm.slide is not None:
-        q = symbolic.q[arm.slide.number]
-        return known | {"volume": None if flat.area is None else flat.area * _range(q)}
-    if arm.base is None:
+        stroke = _range(q[arm.slide.number])
+        return known | {"volume": None if flat.area is None else flat.area * stroke}
+    if arm.turn is None:
         return known | {"area": flat.area}
-    q = symbolic.q[arm.base.number]
-    angle = 2 * sympy.pi if arm.base.circular else _range(q)
-    across = sympy.simplify((_exact(arm.normal[None] @ arm.rows.T) * symbolic.value.subs(q, 0))[0])
-    turned = TurnedPlane(_plane(arm, symbolic, values), flat, without_sign(across), angle, arm.base.circular)
+    first = q[arm.turn.number]
+    angle = 2 * sympy.pi if arm.turn.circular else _range(first)
+    across = sympy.simplify((_exact(arm.normal[None] @ arm.place.rows.T) * position.subs(first, 0))[0])
+    turned = TurnedPlane(_plane(arm, position, q, values), flat, without_sign(across), angle, arm.turn.circular)
     found = form_in_space(turned)
     return None if found is None else known | found
 

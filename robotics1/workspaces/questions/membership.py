@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 import numpy.typing as npt
 
-from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.results import Frozen
-from robotics1.workspaces.result import Workspace
+from robotics1.workspaces.result import Workspace, check_workspace
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,8 +52,7 @@ def is_reached(ws: Workspace, p: npt.ArrayLike) -> Membership:
     Raises:
         InputError: ws is no workspace, or p has another shape or is not finite.
     """
-    if not isinstance(ws, Workspace):
-        raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
+    check_workspace(ws)
     inside = ws.contains(p)
     q = ws.configurations(p)
     return Membership(inside, q if inside else q[:0], ws.distance(p), bool(len(q)) or not ws.resolution)

@@ -16,11 +16,11 @@ from robotics1.robot.given import RobotLike
 from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.axes import require_moving
-from robotics1.workspaces.certified.driven_chain import driven_chain
+from robotics1.workspaces.certified.extremes import Measure, extremes_of
 from robotics1.workspaces.certified.objective import Objective
 from robotics1.workspaces.certified.search import Search
-from robotics1.workspaces.reading import position_rows
-from robotics1.workspaces.sampled.extremes import Measure, extremes_of
+from robotics1.workspaces.chain import driven_chain
+from robotics1.workspaces.moving_point import position_rows
 
 STARTS = 32
 HOW = {
@@ -141,7 +141,7 @@ def extreme_reach(
     tolerance = real_number("tolerance", tolerance, positive=True)
     seconds = real_number("time_limit", time_limit, positive=True)
     chain = driven_chain(robot, frame, box)
-    require_moving(chain.chain.axes, robot)
+    require_moving(chain.axes, robot)
     objective = Objective(chain, Measure(rows.T @ rows, centre, n), -1.0 if smallest else 1.0)
     values, found = extremes_of(chain, objective.measure, STARTS, largest=not smallest)
     best = int(np.argmin(values) if smallest else np.argmax(values))

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.results import Frozen
-from robotics1.workspaces.result import Workspace
+from robotics1.workspaces.result import Workspace, check_workspace
 
 RESOLUTION = 1e-5  # of the workspace's largest distance: an excursion that is shorter may be missed
 NEAR = 1e-3  # of the workspace's largest distance: a clearance that asks for the distance itself
@@ -72,8 +72,7 @@ def crossings(ws: Workspace, motion: Any, start: float = 0.0, end: float = 1.0) 
     Raises:
         InputError: the motion gives no points, or the times are not in order.
     """
-    if not isinstance(ws, Workspace):
-        raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
+    check_workspace(ws)
     first, last = real_number("start", start), real_number("end", end)
     if not last > first:
         raise InputError(f"end must be later than start = {first:g}, not {last:g}")

@@ -20,7 +20,7 @@ from robotics1.results import Frozen
 from robotics1.workspaces.axes import across
 from robotics1.workspaces.curved.level_lines import Function, level_lines
 from robotics1.workspaces.questions.passages import crossings
-from robotics1.workspaces.result import Workspace
+from robotics1.workspaces.result import Workspace, check_workspace
 
 COARSE = 16  # cells along the longer side, at first
 HALVINGS = (3, 2)  # of a cell; the second where the workspace is sampled
@@ -86,8 +86,7 @@ def plane_section(ws: Workspace, point: npt.ArrayLike, normal: npt.ArrayLike) ->
         InputError: ws is no workspace, or the point or the normal has another form.
         TaskError: the workspace is one in a plane.
     """
-    if not isinstance(ws, Workspace):
-        raise InputError(f"ws must be what workspace(robot, task) returns, not {ws!r}")
+    check_workspace(ws)
     p = real_array("point", point, (3,), "a point in world axes [m]")
     n = real_array("normal", normal, (3,), "a direction in world axes")
     length = float(np.linalg.norm(n))

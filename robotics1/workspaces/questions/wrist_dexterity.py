@@ -18,8 +18,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
-from robotics1.workspaces.axes import STRAIGHT, Axis
-from robotics1.workspaces.planar_joints import CLOSED
+from robotics1.workspaces.axes import CLOSED, STRAIGHT, Axis
 from robotics1.workspaces.result import Workspace
 
 

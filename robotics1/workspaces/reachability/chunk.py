@@ -8,6 +8,7 @@ import numpy.typing as npt
 from robotics1.inputs import Array
 from robotics1.workspaces.reachability.evaluation import Codes, PoseStatus, evaluator_of
 from robotics1.workspaces.reachability.poses import goals_of
+from robotics1.workspaces.reachability.result import ReachabilityMap
 
 CHUNKS = 256  # of a map of middle size
 LEAST, MOST = 2**13, 2**17  # poses in a chunk, or those of one position if these are more; and the most positions
@@ -72,3 +73,28 @@ def empty_chunk(k: int, o: int, nq: int) -> ChunkOfMap:
         np.empty((k, nq)),
         np.empty(k, dtype=np.int32),
     )
+
+
+class Description(NamedTuple):
+    """What a map is of; the attributes are those of `ReachabilityMap`, and `counts` whether there are `solutions`."""
+
+    robot: str
+    joint_names: tuple[str, ...]
+    task: tuple[str, ...]
+    coordinates: str
+    positions: Array
+    orientations: Array
+    grid: tuple[Array, ...] | None
+    counts: bool
+
+    def finished(self, found: ChunkOfMap) -> ReachabilityMap:
+        """Return the map with what was found."""
+        solutions = found.solutions if self.counts else None
+        return ReachabilityMap(*self[:-1], found.status, solutions, *found[2:])
+
+    @property
+    def parts(self) -> list[slice]:
+        """The positions of each chunk."""
+        k = len(self.positions)
+        size = positions_in_a_chunk(k, len(self.orientations))
+        return [slice(start, min(start + size, k)) for start in range(0, k, size)]

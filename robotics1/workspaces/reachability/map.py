@@ -14,12 +14,11 @@ from robotics1.errors import InputError
 from robotics1.inputs import Array
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
-from robotics1.workspaces.reachability.chunk import ChunkOfMap, chunk_of_map, empty_chunk
+from robotics1.workspaces.reachability.chunk import ChunkOfMap, Description, chunk_of_map, empty_chunk
 from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of, question_of
-from robotics1.workspaces.reachability.kept import chunk_kept
 from robotics1.workspaces.reachability.poses import Poses, poses_of, task_of_map
 from robotics1.workspaces.reachability.result import ReachabilityMap
-from robotics1.workspaces.reachability.saved import Description, MapFolder, map_folder
+from robotics1.workspaces.reachability.saved import MapFolder, chunk_kept, map_folder
 
 Progress = Callable[[int, int], None]
 Answer = TypeVar("Answer")

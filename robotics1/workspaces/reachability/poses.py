@@ -1,5 +1,6 @@
 """The poses of a map: positions, and at each of them the same orientations."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -9,13 +10,14 @@ from scipy.spatial.transform import Rotation
 
 from robotics1.angles import TURN
 from robotics1.errors import InputError, TaskError
+from robotics1.ik.pose_problem import pose_problem
+from robotics1.ik.proof import motionless, reach_bound
 from robotics1.inputs import Array, counting_number, dimensions, real_array, real_number
 from robotics1.orientation.pointing import align_direction
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
 from robotics1.tasks.position import AXES, PositionTask
 from robotics1.tasks.task import FrameMap, PoseError, Task
-from robotics1.workspaces.reachability.grids import grid_over_reach
 
 PSI = 1.533751168755204288118041  # ψ⁴ = ψ + 4
 GOLDEN = (1 + 5**0.5) / 2
@@ -180,3 +182,22 @@ def directions(count: int, axis: Array) -> Array:
     r, a = np.sqrt(1 - z * z), TURN * s / GOLDEN
     ends = np.column_stack([r * np.cos(a), r * np.sin(a), z])
     return np.array([align_direction(axis, end).rotation for end in ends])
+
+
+def grid_over_reach(robot: Robot, form: FrameMap, letters: str, step: float) -> dict[str, Array]:
+    """Return letter → values with a step [m], of a cube around what the lengths of the arm allow.
+
+    The middle is a point on the first axis; a coordinate that no joint changes has its one value.
+
+    Raises:
+        InputError: a slide has no limits, so that the cube has no end.
+    """
+    problem = pose_problem(robot, PositionTask(letters, frame=form.frame, reference=form.reference))
+    bound, still = reach_bound(problem), motionless(robot, problem.form)
+    if not math.isfinite(bound.length):
+        raise InputError("a slide without limits reaches without end: name the positions, as {'x': [0, 0.1], ...}")
+    steps = step * np.arange(-math.ceil(bound.length / step), math.ceil(bound.length / step) + 1)
+    return {
+        letter: np.array([still.p[i]]) if still.rows[i] else bound.o[i] + steps
+        for i, letter in ((AXES.index(letter), letter) for letter in letters)
+    }

@@ -8,15 +8,22 @@ import hashlib
 import os
 import secrets
 import shutil
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from robotics1.chunks.identity import Identity, refuse_another
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.inputs import Array
-from robotics1.workspaces.reachability.chunk import ChunkOfMap, empty_chunk, positions_in_a_chunk
+from robotics1.workspaces.reachability.chunk import (
+    ChunkOfMap,
+    Description,
+    chunk_of_map,
+    empty_chunk,
+    positions_in_a_chunk,
+)
 from robotics1.workspaces.reachability.damage import readable, whole_parts
 from robotics1.workspaces.reachability.result import ReachabilityMap
 
@@ -25,31 +32,6 @@ FORMAT = 1
 NOT_DONE = {  # no answer is one of these; Zarr writes no chunk that is full of them
     "status": 254, "solutions": 254, "manipulability": -2.0, "limit_margin": -2.0, "q": -np.inf, "orientation": -2
 }  # fmt: skip
-
-
-class Description(NamedTuple):
-    """What a map is of; the attributes are those of `ReachabilityMap`, and `counts` whether there are `solutions`."""
-
-    robot: str
-    joint_names: tuple[str, ...]
-    task: tuple[str, ...]
-    coordinates: str
-    positions: Array
-    orientations: Array
-    grid: tuple[Array, ...] | None
-    counts: bool
-
-    def finished(self, found: ChunkOfMap) -> ReachabilityMap:
-        """Return the map with what was found."""
-        solutions = found.solutions if self.counts else None
-        return ReachabilityMap(*self[:-1], found.status, solutions, *found[2:])
-
-    @property
-    def parts(self) -> list[slice]:
-        """The positions of each chunk."""
-        k = len(self.positions)
-        size = positions_in_a_chunk(k, len(self.orientations))
-        return [slice(start, min(start + size, k)) for start in range(0, k, size)]
 
 
 class MapFolder:
@@ -277,3 +259,29 @@ def _path(path: str | Path) -> Path:
         return Path(path)
     except TypeError as error:
         raise InputError(f"a checkpoint is the path of a folder, such as 'reach.zarr', not {path!r}") from error
+
+
+def chunk_kept(
+    packed: bytes, coordinates: str, orientations: Array, folder: str, token: str, place: tuple[int, Array]
+) -> ChunkOfMap | None:
+    """Write what is known of some positions to the folder of the map, or return it if the folder is not seen here.
+
+    Raises:
+        InputError: the folder cannot be written to, as on a full disk.
+    """
+    found = chunk_of_map(packed, coordinates, orientations, place)
+    arrays = _arrays_seen(folder, token)
+    if arrays is None:
+        return found
+    start, positions = place
+    write_part(Path(folder), arrays, slice(start, start + len(positions)), found)
+    return None
+
+
+@lru_cache(maxsize=4)
+def _arrays_seen(folder: str, token: str) -> dict[str, Any] | None:
+    """Return the arrays of a folder; None if there is none of this name here, or another one."""
+    try:
+        return arrays_of(Path(folder)) if token_of(Path(folder)) == token else None
+    except (OSError, ImportError, InputError):
+        return None

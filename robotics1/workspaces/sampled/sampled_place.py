@@ -9,10 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.caching import cached_property
-from robotics1.inputs import Array, real_array
-from robotics1.workspaces.axes import Axis
-from robotics1.workspaces.extents import corners_of_box
-from robotics1.workspaces.sampled.chain_map import ChainMap
+from robotics1.inputs import Array
+from robotics1.workspaces.chain import Chain
+from robotics1.workspaces.placed_section import PlacedSection
 from robotics1.workspaces.sampled.sampled_section import SampledSection, descend, sampled_section, shown
 
 CELLS_IN_SPACE = 48  # along the longest side, where the first joint has limits
@@ -22,42 +21,28 @@ NEAREST = 12  # of them, those whose points are nearest
 
 
 @dataclass(frozen=True, eq=False)
-class SampledPlace:
-    """A sampled section and where it is in the world.
+class SampledPlace(PlacedSection):
+    """A sampled section.
 
     Attributes:
         section: the cells.
         whole: all joints that move the point, in the section's frame.
-        base: the joint that moves the section, or None.
-        rows: (m, 3) the rows of the task.
-        origin, frame: (3,) and (3, 3): the section's coordinates are those of frame (P − origin).
-        neutral: (nq,) the values of the joints that do not move the point.
         seed: of the random configurations.
     """
 
     section: SampledSection
-    whole: ChainMap
-    base: Axis | None
-    rows: Array
-    origin: Array
-    frame: Array
-    neutral: Array
+    whole: Chain
     seed: int
-
-    def local(self, p: npt.ArrayLike) -> Array:
-        """Return a point (m,) in the section's frame (3,)."""
-        point = self.rows.T @ real_array("p", p, (len(self.rows),), "the task's coordinates [m]")
-        return np.asarray(self.frame @ (point - self.rows.T @ self.rows @ self.origin))
 
     def contains(self, p: npt.ArrayLike) -> bool:
         """Return whether a configuration was found that reaches a point (m,)."""
-        return bool(self.reaches(self.local(p)[None])[0])
+        return bool(self.reaches(self.place.local(p)[None])[0])
 
     def configurations(self, p: npt.ArrayLike) -> Array:
         """Return the configuration (1, nq) that was found for a point (m,), or (0, nq)."""
-        q, found = self._found(self.local(p)[None])
-        values = np.tile(self.neutral, (int(found.sum()), 1))
-        values[:, [axis.number for axis in self.whole.axes]] = q[found]
+        q, found = self._found(self.place.local(p)[None])
+        values = np.tile(self.place.neutral, (int(found.sum()), 1))
+        values[:, self.whole.numbers] = q[found]
         return values
 
     def reaches(self, points: Array) -> npt.NDArray[np.bool_]:
@@ -67,7 +52,7 @@ class SampledPlace:
     def _found(self, points: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
         """Return the joints' values (k, n), and at which points (k, 3) they were found."""
         tree, q = self._nearest
-        wanted = points[:, : len(self.rows)]
+        wanted = points[:, : len(self.place.rows)]
         near = np.reshape(tree.query(wanted, NEAREST)[1], (len(points), NEAREST))
         found, possible = np.zeros(len(points), dtype=bool), self._near_reached_cells(points)
         ends = np.zeros((len(points), q.shape[1]))
@@ -99,7 +84,7 @@ class SampledPlace:
         from scipy.spatial import cKDTree
 
         q = self.whole.drawn(np.random.default_rng(self.seed), DRAWN)
-        return cKDTree(self.whole.point(q)[:, : len(self.rows)]), q
+        return cKDTree(self.whole.point(q)[:, : len(self.place.rows)]), q
 
     def distance(self, p: npt.ArrayLike) -> float:
         """Return the distance of a point (m,) from the boundary [m], to about the side of a cell."""
@@ -112,10 +97,10 @@ class SampledPlace:
 
     def _from_boundary(self, p: npt.ArrayLike) -> tuple[float, float]:
         """Return the distance of a point (m,), and the side of the cells, which bounds its error [m]."""
-        local, inside = self.local(p), self.contains(p)
-        if self.base is not None and not self.base.circular:
+        local, inside = self.place.local(p), self.contains(p)
+        if self.place.limited:
             return _far(self._in_space, local, inside), self._in_space.side
-        return _far(self.section, shown(local[None], 2, self.section.about_axis)[0], inside), self.section.side
+        return _far(self.section, self.place.coordinates(p), inside), self.section.side
 
     @cached_property
     def _in_space(self) -> SampledSection:
@@ -124,24 +109,11 @@ class SampledPlace:
 
     def contains_each(self, points: Array) -> npt.NDArray[np.bool_]:
         """Return at which points (k, m) a configuration was found."""
-        return self.reaches(np.array([self.local(p) for p in points]).reshape(-1, 3))
+        return self.reaches(np.array([self.place.local(p) for p in points]).reshape(-1, 3))
 
-    def full_turn(self) -> tuple[Array, Array] | None:
-        """Return a point (3,) and the direction (3,) of the axis about which a first joint turns fully; or None."""
-        base = self.base
-        return (base.point, base.direction) if base is not None and base.circular else None
-
-    def sphere_ranges(self, place: Array) -> list[tuple[float, float]]:
-        """Return none: no parts of the boundary are known."""
-        return []
-
-    def corners(self) -> Array:
-        """Return the corners (8, 3) of a box around what is reached, in world axes [m]."""
-        section = self.section
-        z = section.middle(np.argwhere(section.reached))
+    def _extent(self) -> tuple[Array, tuple[float, float]]:
         own = self.whole.point(self.whole.drawn(np.random.default_rng(self.seed), DRAWN))[:, 2]
-        heights = None if section.about_axis else (float(own.min()), float(own.max()))
-        return corners_of_box(z, heights, self.frame, self.origin)
+        return self.section.middle(np.argwhere(self.section.reached)), (float(own.min()), float(own.max()))
 
     def depth(self, place: Array) -> float:
         """Return the distance of a place (2,) of the section from its boundary [m]; negative outside."""

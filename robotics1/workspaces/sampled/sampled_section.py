@@ -11,7 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.workspaces.sampled.chain_map import ChainMap
+from robotics1.workspaces.chain import Chain
+from robotics1.workspaces.placed_section import in_section
 
 Cells = npt.NDArray[Any]  # (k, 2) whole numbers, or (k, 3) of cells in space
 FIRST = 60_000  # random configurations
@@ -35,7 +36,7 @@ class SampledSection:
         q: (..., joints) the configurations.
     """
 
-    chain: ChainMap
+    chain: Chain
     about_axis: bool
     corner: Array
     side: float
@@ -47,7 +48,7 @@ class SampledSection:
         return np.asarray(self.corner + (cells + 0.5) * self.side)
 
 
-def sampled_section(chain: ChainMap, about_axis: bool, cells: int, seed: int, coordinates: int = 2) -> SampledSection:
+def sampled_section(chain: Chain, about_axis: bool, cells: int, seed: int, coordinates: int = 2) -> SampledSection:
     """Return the reached cells, with as many cells along the longest side, of a section or of space."""
     q = chain.drawn(np.random.default_rng(seed), FIRST)
     z = shown(chain.point(q), coordinates, about_axis)
@@ -113,11 +114,10 @@ def _enclosed(section: SampledSection) -> Cells:
     return np.argwhere((groups > 0) & (sizes[groups] <= FEW))
 
 
-def descend(chain: ChainMap, about_axis: bool, q: Array, z: Array, side: float) -> tuple[Array, npt.NDArray[np.bool_]]:
+def descend(chain: Chain, about_axis: bool, q: Array, z: Array, side: float) -> tuple[Array, npt.NDArray[np.bool_]]:
     """Return where damped Newton steps inside the limits lead from q (k, n), and which end at z (k, 2), or (k, 3)."""
     q = q.copy()
-    lower, upper = chain.lower, chain.upper
-    circular = np.array([axis.circular for axis in chain.axes])
+    lower, upper, circular = chain.lower, chain.upper, chain.circular
     size, rows = max(float(np.abs(z).max()), side), z.shape[1]
     for _ in range(STEPS):
         p, J = chain.jacobian(q)
@@ -138,9 +138,7 @@ def descend(chain: ChainMap, about_axis: bool, q: Array, z: Array, side: float) 
 
 def shown(p: Array, rows: int, about_axis: bool) -> Array:
     """Return the point (k, 3) itself, or its place in the section."""
-    if rows == 3:
-        return p
-    return np.column_stack([np.hypot(p[:, 0], p[:, 1]), p[:, 2]]) if about_axis else p[:, :2]
+    return p if rows == 3 else in_section(p, about_axis)
 
 
 def _rows(p: Array, J: Array, rows: int, about_axis: bool) -> Array:

@@ -9,17 +9,16 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
-from robotics1.robot.box import refuse_open_range
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import Axis
-from robotics1.workspaces.certified.driven_chain import DrivenChain
+from robotics1.workspaces.certified.extremes import Measure, extremes_of
 from robotics1.workspaces.certified.objective import Objective
 from robotics1.workspaces.certified.search import Search
-from robotics1.workspaces.curved.reading_in_space import section_frame
+from robotics1.workspaces.chain import Chain, chain_of
 from robotics1.workspaces.curved.strip_regions import closed_loops
+from robotics1.workspaces.moving_point import MovingPoint
+from robotics1.workspaces.placed_section import SectionFrame, frame_of_section
 from robotics1.workspaces.result import Workspace, WorkspaceRegion
-from robotics1.workspaces.sampled.chain_map import ChainMap, chain_map
-from robotics1.workspaces.sampled.extremes import Measure, extremes_of
 from robotics1.workspaces.sampled.sampled_place import SampledPlace
 from robotics1.workspaces.sampled.sampled_section import SampledSection, sampled_section
 
@@ -33,23 +32,15 @@ ROUNDING = 1e-10  # by which their bounds are moved outwards, by the reach
 POINTS = 1500  # of the section, turned at random, where the first joint has limits
 
 
-def sampled_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array, *, seed: int = 0) -> Workspace:
-    """Return the workspace of any arm by cells.
-
-    Raises:
-        InputError: a prismatic joint has no limits.
-    """
-    for axis in axes:
-        if not axis.revolute:
-            refuse_open_range(axis.name, axis.lower, axis.upper)
-    base = axes[0] if len(rows) == 3 else None
-    frame, origin = section_frame(base, rows)
-    whole = _placed(axes, tip, frame, origin)
-    about_axis = base is not None and base.revolute
-    chain = ChainMap(whole.axes[1:], whole.tip) if base is not None else whole
-    section = sampled_section(chain, about_axis, CELLS, seed)
-    neutral = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
-    place = SampledPlace(section, whole, base, rows, origin, frame, neutral, seed)
+def sampled_workspace(robot: Robot, point: MovingPoint, *, seed: int = 0) -> Workspace:
+    """Return the workspace of any arm by cells."""
+    base = point.axes[0] if len(point.rows) == 3 else None
+    frame, origin = frame_of_section(base, point.rows)
+    at = SectionFrame(point.rows, origin, frame, base, point.neutral)
+    whole = _placed(point.axes, point.tip, frame, origin)
+    chain = chain_of(whole.axes[1:], whole.tip) if base is not None else whole
+    section = sampled_section(chain, at.about_axis, CELLS, seed)
+    place = SampledPlace(at, section, whole, seed)
     regions, voids = _components(section)
     area = float(section.reached.sum()) * section.side**2
     volume, error = _volume(place)
@@ -65,12 +56,9 @@ def sampled_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Arra
         r_max=r_max,
         nearest=nearest,
         farthest=farthest,
-        boundary=(),
         regions=regions,
         voids=voids,
-        cusps=np.zeros((0, 2)),
-        nodes=np.zeros((0, 2)),
-        coordinates=("ρ", "h") if about_axis else ("u", "v") if base is not None else _letters(rows),
+        coordinates=at.names,
         redundant=True,
         section=place,
         resolution=section.side,
@@ -78,15 +66,10 @@ def sampled_workspace(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Arra
     )
 
 
-def _letters(rows: Array) -> tuple[str, str]:
-    letters = ["xyz"[int(np.argmax(row))] if np.max(row) > 1 - 1e-9 else "" for row in rows]
-    return (letters[0], letters[1]) if all(letters) else ("u", "v")
-
-
-def _placed(axes: Sequence[Axis], tip: Array, frame: Array, origin: Array) -> ChainMap:
+def _placed(axes: Sequence[Axis], tip: Array, frame: Array, origin: Array) -> Chain:
     """Return the joints in the section's frame."""
     moved = [replace(axis, direction=frame @ axis.direction, point=frame @ (axis.point - origin)) for axis in axes]
-    return chain_map(moved, frame @ (tip - origin))
+    return chain_of(moved, frame @ (tip - origin))
 
 
 def _components(section: SampledSection) -> tuple[tuple[WorkspaceRegion, ...], tuple[WorkspaceRegion, ...]]:
@@ -128,7 +111,7 @@ def _sides(section: SampledSection, cells: npt.NDArray[np.bool_]) -> Iterator[Ar
 
 def _volume(place: SampledPlace) -> tuple[float | None, float]:
     """Return the volume and about how wrong it is: half of the cells at the edge, and the share that is sampled."""
-    section, base = place.section, place.base
+    section, base = place.section, place.place.base
     if base is None:
         return None, 0.0
     cells = np.argwhere(section.reached)
@@ -159,15 +142,13 @@ def _volume(place: SampledPlace) -> tuple[float | None, float]:
 def _extreme(robot: Robot, place: SampledPlace, *, largest: bool) -> tuple[float, Array, float]:
     """Return the largest or smallest distance from the first joint's axis, a configuration (1, nq), and its bound."""
     sign, whole = 1.0 if largest else -1.0, place.whole
-    count = len(whole.axes)
-    chain = DrivenChain(whole, np.eye(count), np.arange(count), whole.lower, whole.upper, whole.circular)
-    objective = Objective(chain, Measure(np.diag([1.0, 1.0, 0.0]), np.zeros(3)), sign)
+    objective = Objective(whole, Measure(np.diag([1.0, 1.0, 0.0]), np.zeros(3)), sign)
     values, found = extremes_of(whole, objective.measure, STARTS, largest=largest)
     best = int(np.argmax(sign * values))
     search = Search(objective, TOLERANCE * robot.reach, monotonic() + SECONDS)
     sure, _ = search.run(float(values[best]), found[best])
-    q = place.neutral.copy()
-    q[[axis.number for axis in whole.axes]] = sure.q
+    q = place.place.neutral.copy()
+    q[whole.numbers] = sure.q
     value, bound = (objective.meant(F) for F in (sure.value, sure.bound))
     bound = max(bound + sign * ROUNDING * robot.reach, 0.0)
     return value if value > SMALL * robot.reach else 0.0, q[None], bound

@@ -7,7 +7,7 @@ from math import sqrt
 
 import numpy as np
 
-from robotics1.workspaces.critical_curves import TOLERANCE, CriticalCurve
+from robotics1.workspaces.flat.critical_curves import TOLERANCE, CriticalCurve
 
 TOUCHING = 1e-7  # half the distance of two crossings that count as one point of contact, when the arm is one long
 SAME_PLACE = 2e-8  # distance of points that are one

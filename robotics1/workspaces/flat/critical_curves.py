@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import tau
 
-from robotics1.workspaces.planar_joints import CLOSED, PlanarJoint
+from robotics1.workspaces.axes import CLOSED
+from robotics1.workspaces.flat.planar_joints import PlanarJoint
 
 TOLERANCE = 1e-9  # of lengths, when the arm is one long
 
@@ -100,6 +101,28 @@ class CriticalCurve:
             q=tuple(q),
             limits=(*self.limits, (joint.number, limit)),
         )
+
+    def distance(self, z: complex) -> float:
+        """Return the least distance of a point from the curve."""
+        return min(abs(self.point(t) - z) for t in self.extreme_positions(z))
+
+    def farthest(self, z: complex) -> float:
+        """Return the largest distance of a point from the curve."""
+        return max(abs(self.point(t) - z) for t in self.extreme_positions(z))
+
+    def extreme_positions(self, z: complex) -> list[float]:
+        """Return t of the ends, and of where the distance from a point is stationary.
+
+        Of an arc about the point, whose distance is the same everywhere, it is the middle.
+        """
+        if self.centre is None:
+            points = [self.start + ((z - self.start) * self.direction.conjugate()).real * self.direction]
+        elif abs(z - self.centre) < TOLERANCE:
+            return [self.length / 2]
+        else:
+            towards = (z - self.centre) / abs(z - self.centre) * self.radius
+            points = [self.centre + towards, self.centre - towards]
+        return [0.0, self.length, *(t for t in map(self.position, points) if t is not None)]
 
     def tangent_positions(self, joint: PlanarJoint) -> list[float]:
         """Return t of the points that the joint moves along the curve, where these are single points."""

@@ -8,8 +8,8 @@ from math import tau
 
 import numpy as np
 
-from robotics1.workspaces.critical_curves import CriticalCurve
-from robotics1.workspaces.pieces import Piece, meeting_points
+from robotics1.workspaces.flat.critical_curves import CriticalCurve
+from robotics1.workspaces.flat.pieces import Piece, meeting_points
 
 BESIDE = 1e-6  # how far from a piece its sides are looked at, when the arm is one long
 NEARER = (0.1, 0.01, 0.001, 10.0, 0.3)  # times that distance, one after the other where the numbers do not agree

@@ -1,39 +1,15 @@
-"""The extremes of a distance over the configurations of a chain."""
+"""A distance of the point that a chain moves: where it is extreme, and the coordinates that it depends on."""
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from robotics1.inputs import Array
+from robotics1.workspaces.axes import ALIKE, Axis, distance_to
+from robotics1.workspaces.chain import Chain
 
 SAMPLES = 4000  # random configurations; the best of them are starts
-
-
-class Chain(Protocol):
-    """Coordinates that move a point: `ChainMap`, `DrivenChain`."""
-
-    @property
-    def lower(self) -> Array:
-        """The lower limits (n,)."""
-
-    @property
-    def upper(self) -> Array:
-        """The upper limits (n,)."""
-
-    @property
-    def circular(self) -> npt.NDArray[np.bool_]:
-        """Where both are the same place (n,)."""
-
-    def point(self, q: Array) -> Array:
-        """Return the point (k, 3) at q (k, n)."""
-
-    def jacobian(self, q: Array) -> tuple[Array, Array]:
-        """Return the point (k, 3) and its Jacobian (k, 3, n)."""
-
-    def drawn(self, rng: np.random.Generator, count: int) -> Array:
-        """Return configurations (count, n)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,3 +63,31 @@ def ends_of(chain: Chain, measure: Measure, starts: Array, *, largest: bool) -> 
     ends = np.array([minimize(cost, q, jac=True, method="L-BFGS-B", bounds=bounds, options=options).x for q in starts])
     ends = np.where(circular, lower + (ends - lower) % np.where(circular, upper - lower, 1.0), ends)
     return measure.value(chain.point(ends)), ends
+
+
+def free_coordinates(chain: Chain, measure: Measure) -> npt.NDArray[np.bool_]:
+    """Return the coordinates (n,) on which a measure of the point depends.
+
+    The first joint does not change a distance from a point of its axis, nor a coordinate along its axis; and so the
+    next ones, until one does. A joint that mimics another one, or is mimicked on the way, is not left out.
+    """
+    free = np.ones(len(chain.lower), dtype=bool)
+    size = float(np.abs(chain.joint_columns(np.zeros((1, len(chain.A))))[1]).max()) + 1e-300
+    for row, axis in zip(chain.A, chain.axes, strict=True):
+        own = np.flatnonzero(row)
+        alone = np.count_nonzero(chain.A[:, own[0]]) == 1
+        if not (alone and _changes_nothing(axis, measure, size)):
+            break
+        free[own[0]] = False
+    return free
+
+
+def _changes_nothing(axis: Axis, measure: Measure, size: float) -> bool:
+    n, a = measure.direction, axis.direction
+    if n is not None:
+        return bool(np.linalg.norm(np.cross(a, n)) < ALIKE if axis.revolute else abs(a @ n) < ALIKE)
+    across = bool(np.linalg.norm(measure.P @ a) < ALIKE)
+    if not axis.revolute:
+        return across
+    whole = np.allclose(measure.P, np.eye(3), rtol=0, atol=ALIKE)
+    return (across or whole) and distance_to(axis, measure.centre) < ALIKE * size

@@ -7,7 +7,7 @@ directions d and the tip p₀ are those of the arm at q = 0 (a product of expone
 from cmath import exp
 from dataclasses import dataclass
 
-CLOSED = 1e-9  # rad that a full turn may lack
+from robotics1.workspaces.axes import CLOSED
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,1 @@
+"""Sections of planar chains, by arcs and segments: exact."""
