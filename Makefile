@@ -12,13 +12,13 @@ OLDER := OPENBLAS_CORETYPE=Nehalem NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX51
 # Tests whose answer is a count, a rank, a status, a branch or an order: there the last digit of a number decides.
 # What asserts numbers within a tolerance hardly depends on how a processor rounds: `make fuzz` computes that so too.
 ROUNDED := all_solutions arm_angle bases_on_branches boundary_by_search cuspidal dh_from_urdf \
-    differential_kinematics double_zeros elimination every_root exams_inverse exams_singularity extreme_reach \
+    differential_kinematics double_zeros elimination every_root exams_inverse exams_singularity \
     families fewer_joints fractions_of_turns general_six ik_by_priority ik_formulas ik_formulas_drawn \
     jacobian_slopes locus meeting minimum_time minimum_time_joints nearest_miss orientation_axis \
     orientation_euler orientation_pointing planar_loop polynomial postures printed_digits printed_velocities \
     reachability redundancy rigid_motions self_motion singular_set_edges singular_sets_at_limits \
     singular_targets singularity solution_solver solutions solutions_kinds solve_ik solve_ik_honest solve_trig \
-    spaces statics support_function surfaces_of_solutions symbolic_singularities textbook_questions time_optimal \
+    spaces statics surfaces_of_solutions symbolic_singularities textbook_questions time_optimal \
     timing_profiles two_slides units_of_length unreachable workspace workspace_distances workspace_in_space \
     workspace_laws
 

@@ -98,7 +98,7 @@ def test_crossings_of_a_turn_with_limits_are_found_by_steps_as_long_as_the_dista
     assert found.resolution < 1e-4
 
 
-@settings(max_examples=5)
+@settings(max_examples=3)
 @given(st.integers(0, 300))
 def test_with_offsets_too_it_is_the_distance_of_the_nearest_configuration(seed):
     arm, rng = drawn_arm(seed), np.random.default_rng(seed)
@@ -107,7 +107,7 @@ def test_with_offsets_too_it_is_the_distance_of_the_nearest_configuration(seed):
     assert ws.distance(p) == pytest.approx(nearest_of_all(arm, p, rng), abs=1e-6)
 
 
-@settings(max_examples=5)
+@settings(max_examples=3)
 @given(st.integers(0, 300))
 def test_with_offsets_too_a_ball_of_this_radius_is_reached_and_touches_what_is_not(seed):
     """The nearest point of the boundary is p − d ∇d: some points around it are not reached."""
