@@ -12,6 +12,7 @@ import pytest
 
 from robotics1 import PoseTask, forward_kinematics, load_robot
 from robotics1.ik import SolutionSolver
+from robotics1.kernels import newton, placements
 
 pytestmark = pytest.mark.skipif(find_spec("numba") is None, reason="Numba is not installed")
 
@@ -116,3 +117,15 @@ def test_a_kernel_for_python_does_not_take_the_code_on_disk_that_only_kernels_ca
             env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "cache")},
         )  # fmt: skip
     assert done.stdout.splitlines()[-1] == "9.0"
+
+
+def test_an_inner_kernel_called_from_python_raises_a_type_error_also_once_it_is_compiled():
+    robot = load_robot("ur5", tool="tool0")
+    SolutionSolver(robot, PoseTask())(forward_kinematics(robot, Q))
+    for kernel, arguments in [
+        (placements.turn, (np.eye(3, 4), np.ones(3), np.zeros(3))),
+        (newton.norm, (np.ones(3), np.arange(3), 1.0)),
+    ]:
+        for _ in range(2):
+            with pytest.raises(TypeError, match=f"{kernel.__name__} is called by other kernels only"):
+                kernel(*arguments)

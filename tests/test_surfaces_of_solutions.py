@@ -5,8 +5,7 @@ from math import pi
 import numpy as np
 import pytest
 from brute_force import all_solutions, apart
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
+from hypothesis import assume, given, settings, strategies as st
 from test_all_solutions import POSE, XYZ, H, R, robot_of
 from test_families import ELBOW
 

@@ -159,7 +159,7 @@ def in_order(joints: Array, unit: float, count: int, x: Array, of: Array, q: Arr
             k -= 1
     for c in range(count):
         for j in range(n):
-            q[c, int(joints[j, ENTRY])] = x[place[c], j]
+            q[c, np.int64(joints[j, ENTRY])] = x[place[c], j]
     edge = np.inf
     for c in range(count):
         if outside[c] == 0:  # where its partner is does not matter: J loses rank between them
@@ -173,7 +173,7 @@ def comes_before(joints: Array, outside: Indices, x: Array, a: int, b: int) -> b
     if outside[a] != outside[b]:
         return bool(outside[a] < outside[b])
     for j in range(len(joints)):
-        p, r = np.round(DIGITS * x[a, j]), np.round(DIGITS * x[b, j])
+        p, r = np.rint(DIGITS * x[a, j]), np.rint(DIGITS * x[b, j])
         if p != r:
             return bool(p < r)
     return False

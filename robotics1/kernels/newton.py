@@ -133,7 +133,8 @@ def norm(e: Array, rows: Indices, unit: float) -> float:
     """Return |e| in metres and radians."""
     square = 0.0
     for k in range(len(rows)):
-        square += (unit * e[k] if rows[k] < 3 else e[k]) ** 2
+        entry = unit * e[k] if rows[k] < 3 else e[k]
+        square += entry * entry
     return math.sqrt(square)
 
 
