@@ -13,6 +13,7 @@ import pytest
 from robotics1 import PoseTask, forward_kinematics, load_robot
 from robotics1.ik import SolutionSolver
 from robotics1.kernels import newton, placements
+from robotics1.kernels.compilation import COMPILED
 
 pytestmark = pytest.mark.skipif(find_spec("numba") is None, reason="Numba is not installed")
 
@@ -119,6 +120,7 @@ def test_a_kernel_for_python_does_not_take_the_code_on_disk_that_only_kernels_ca
     assert done.stdout.splitlines()[-1] == "9.0"
 
 
+@pytest.mark.skipif(not COMPILED, reason="kernels run as Python")
 def test_an_inner_kernel_called_from_python_raises_a_type_error_also_once_it_is_compiled():
     robot = load_robot("ur5", tool="tool0")
     SolutionSolver(robot, PoseTask())(forward_kinematics(robot, Q))
