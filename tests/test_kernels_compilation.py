@@ -12,6 +12,8 @@ import pytest
 
 from robotics1 import PoseTask, forward_kinematics, load_robot
 from robotics1.ik import SolutionSolver
+from robotics1.kernels import newton, placements
+from robotics1.kernels.compilation import COMPILED
 
 pytestmark = pytest.mark.skipif(find_spec("numba") is None, reason="Numba is not installed")
 
@@ -133,3 +135,16 @@ def test_a_kernel_calls_its_own_copies_of_functions_so_that_it_rounds_as_it_does
     functions = [each for each in program._final_module.functions if not each.is_declaration]
     assert functions
     assert not [each.name for each in functions if each.linkage in shared]
+
+
+@pytest.mark.skipif(not COMPILED, reason="kernels run as Python")
+def test_an_inner_kernel_called_from_python_raises_a_type_error_also_once_it_is_compiled():
+    robot = load_robot("ur5", tool="tool0")
+    SolutionSolver(robot, PoseTask())(forward_kinematics(robot, Q))
+    for kernel, arguments in [
+        (placements.turn, (np.eye(3, 4), np.ones(3), np.zeros(3))),
+        (newton.norm, (np.ones(3), np.arange(3), 1.0)),
+    ]:
+        for _ in range(2):
+            with pytest.raises(TypeError, match=f"{kernel.__name__} is called by other kernels only"):
+                kernel(*arguments)

@@ -78,8 +78,7 @@ class ExactSolver:
         families = Families(self.problem, search, lambda q: self._polished(q[None], goal)[0][0], self._within)
         dimensions = [self._dimension(root, families) for root in every]
         if max(dimensions, default=0) > 1:
-            starts = [root.q for root, dimension in zip(every, dimensions, strict=True) if dimension]
-            return with_surfaces(otherwise(None), starts, max(dimensions), families)
+            return with_surfaces(otherwise(None), max(dimensions), families)
         if any(dimensions):
             answer = self._with_families(every, dimensions, families, proven=proven)
             if answer is not None:

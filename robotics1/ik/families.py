@@ -14,7 +14,9 @@ from robotics1.inputs import Array
 STEP, STEPS = 0.25, 60  # along a curve, to each side
 LISTED = 0.6 * STEP  # from a sample of a curve, of a solution that is on it
 DIFFERENCE = 1e-4  # in units, of a quotient
-PLACES, SPREAD = 2, 0.2  # near a solution, where steps are made, and of these beside one that counts
+PLACES, AWAY = 12, 0.8  # near a solution, where steps are made, and how far away, in units
+ENOUGH = 3  # of these on a surface, around which J keeps its rank
+SPREAD = 0.2  # of steps beside one that counts
 MOST = 24  # curves that cross each other
 DIRECTIONS = 24  # in which curves may leave a crossing
 CHANGES = 0.999  # of the second smallest σ, from one sample to the next, where there may be a crossing between
@@ -42,6 +44,7 @@ class Families:
         polished: a configuration (nq,) → the solution next to it, with no regard to limits.
         within: a configuration → the same turned into the limits; None if it is outside.
         seen: all samples of the curves so far.
+        on_surfaces: solutions around which the set has two dimensions or more.
     """
 
     problem: ScaledTask
@@ -49,6 +52,7 @@ class Families:
     polished: Callable[[Array], Array]
     within: Callable[[Array], Array | None]
     seen: list[Array] = field(default_factory=list)
+    on_surfaces: list[Array] = field(default_factory=list)
 
     def dimension(self, q: Array) -> int:
         """Return in how many independent directions solutions go on from one, with no regard to limits."""
@@ -60,18 +64,47 @@ class Families:
     def dimension_around(self, q: Array) -> int:
         """Return the dimension of a family, at least 1, from steps at solutions near one of its own.
 
-        At the solution itself curves may cross, whose tangents span a plane although there is no surface.
+        At the solution itself curves may cross, whose tangents span a plane although there is no surface. And a formula
+        may find of a surface only points at which J loses more rank than it does around them: Newton's method then
+        leads back to these, and damped least squares from a place aside to the others.
         """
-        rng, largest = np.random.default_rng(0), 1
+        highest = self._nullity(q)
+        if highest < 2:
+            return 1
+        rng, largest, regular = np.random.default_rng(0), 1, 0
         for _ in range(PLACES):
-            p = self.step(q, rng, STEP)
-            p = p if self.search.relative_error(p) <= REACHED else q
-            steps = 3 * int(np.count_nonzero(self._spectrum(p)[0] < FLAT))
-            ahead = [self.step(p, rng, ASIDE[0]) for _ in range(steps if steps > 3 else 0)]
-            moves = [self._way(a, p) / ASIDE[0] for a in ahead if self.search.relative_error(a) <= REACHED]
-            lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
-            largest = max(largest, int(np.count_nonzero(lengths > SPREAD * np.sqrt(len(moves)))))
+            p = self._aside(q, rng)
+            dimension = 0 if p is None else self._spread(p, rng)
+            if dimension < 2 or p is None:
+                continue
+            self.on_surfaces.append(p)
+            largest = max(largest, dimension)
+            regular += dimension == self._nullity(p)  # N(J) is all tangents: the dimension is proven there
+            if largest == highest or regular == ENOUGH:
+                break
         return largest
+
+    def _aside(self, q: Array, rng: np.random.Generator) -> Array | None:
+        """Return a solution near one, next to a place in a random direction of all; None if the way leads to none."""
+        way, moving = rng.standard_normal(np.count_nonzero(self.problem.moving)), self.problem.moving
+        place = q.copy()
+        place[moving] += AWAY * self.problem.box.unit[moving] * way / np.linalg.norm(way)
+        p, _ = self.search.descend(self.problem.box.nearest(place))
+        return p if self.search.relative_error(p) <= REACHED else None
+
+    def _spread(self, q: Array, rng: np.random.Generator) -> int:
+        """Return in how many independent directions steps of a solution along N(J) lead to others."""
+        steps = 3 * self._nullity(q)
+        if steps < 6:
+            return 1
+        ahead = [self.step(q, rng, ASIDE[0]) for _ in range(steps)]
+        moves = [self._way(a, q) / ASIDE[0] for a in ahead if self.search.relative_error(a) <= REACHED]
+        lengths = np.linalg.svd(np.array(moves), compute_uv=False) if moves else np.zeros(0)
+        return int(np.count_nonzero(lengths > SPREAD * np.sqrt(len(moves))))
+
+    def _nullity(self, q: Array) -> int:
+        """Return how many directions J takes to zero."""
+        return int(np.count_nonzero(self._spectrum(q)[0] < FLAT))
 
     def _goes_on(self, q: Array, tangent: Array, step: float) -> bool:
         p = self._ahead(q, tangent, step)

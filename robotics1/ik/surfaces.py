@@ -25,16 +25,15 @@ class Surface(NamedTuple):
     equations: tuple[str, ...]
 
 
-def with_surfaces(searched: IKSolutions, starts: list[Array], dimension: int, families: Families) -> IKSolutions:
+def with_surfaces(searched: IKSolutions, dimension: int, families: Families) -> IKSolutions:
     """Return the answer of a search, with more samples of the sets of two or more dimensions, and their equations.
 
     Args:
         searched: what the search has found.
-        starts: other solutions, with no regard to limits.
         dimension: of the sets.
         families: of the target.
     """
-    sets = surfaces(families, [*starts, *(searched.q if searched.dimension else ())], SAMPLES)
+    sets = surfaces(families, [*families.on_surfaces, *(searched.q if searched.dimension else ())], SAMPLES)
     inside = [p for surface in sets for p in map(families.within, surface.q) if p is not None]
     if not inside and not len(searched):
         return searched

@@ -46,7 +46,7 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         if not COMPILED:
             return function
         from robotics1.kernels.machine_code import MachineCode
-        from robotics1.kernels.one_program import KernelCompiler
+        from robotics1.kernels.one_program import KernelCompiler, refuse_python
 
         makes_arrays = not {"empty", "zeros"}.isdisjoint(function.__code__.co_names)
         hands_back = "ndarray" in repr(function.__annotations__.get("return"))  # which the caller then lets go
@@ -54,6 +54,8 @@ def compiled(*, contract: bool = False, inline: bool = False, inner: bool = Fals
         dispatcher = numba.njit(pipeline_class=KernelCompiler, **options, **counted)(function)
         with suppress(RuntimeError):  # "no locator available": there is no directory to write to
             dispatcher._cache = MachineCode(function, inner=inner)
+        if inner:
+            refuse_python(dispatcher)
         return cast(Function, dispatcher)
 
     return compile_later

@@ -87,17 +87,18 @@ def lacks_the_second(F: Array, G: Array) -> bool:
             ff += F[i, j] * F[i, j]
             fg += F[i, j] * G[i, j]
             gg += G[i, j] * G[i, j]
-    if ff <= ABSENT**2 and gg > ABSENT**2:
+    if ff <= ABSENT * ABSENT and gg > ABSENT * ABSENT:
         for i in range(3):
             for j in range(3):
                 F[i, j], G[i, j] = G[i, j], F[i, j]
         return True
-    factor = fg / ff if ff > ABSENT**2 else 0.0
+    factor = fg / ff if ff > ABSENT * ABSENT else 0.0
     left = 0.0
     for i in range(3):
         for j in range(1, 3):
-            left += (G[i, j] - factor * F[i, j]) ** 2
-    if left > ROUNDED**2 * gg and gg > ABSENT**2:
+            rest = G[i, j] - factor * F[i, j]
+            left += rest * rest
+    if left > ROUNDED * ROUNDED * gg and gg > ABSENT * ABSENT:
         return False
     for i in range(3):
         for j in range(3):

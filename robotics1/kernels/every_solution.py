@@ -85,13 +85,13 @@ def each_once(
     target is from one where they do.
     """
     n = len(rows)
-    T, axes, J, e = scratch((3, 4)), scratch((6, 6)), scratch((6, 6)), scratch(6)
-    M, swaps, step, trig = scratch((6, 6)), scratch_indices(6), scratch(6), scratch((3, TOGETHER))
+    T, axes, M, swaps = scratch((3, 4)), scratch((6, 6)), scratch((6, 6)), scratch_indices(6)
+    e, step, trig = scratch(6), scratch(6), scratch((3, TOGETHER))
     trigonometry(count, x, trig)
     kept = int(np.int64(0))  # a literal 0 is a type of its own, for which Numba would compile `apart` anew
     close = CLOSE * math.sqrt(max(1.0, 1.0 / unit))
     for c in range(count):
-        error, sigma = verified(links, goal, rows, least, x, c, trig, T, axes, J, M, swaps, e, step)
+        error, sigma = verified(links, goal, rows, least, x, c, trig, T, axes, M, swaps, e, step)
         if not error <= REACHED:
             if error < MISSED:
                 return UNKNOWN
@@ -105,7 +105,7 @@ def each_once(
         for j in range(n):
             x[kept, j] = x[c, j]
         if nearest < np.inf:
-            inverse_jacobian(links, rows, T, axes, J, M, swaps)
+            inverse_jacobian(links, rows, T, axes, M, swaps)
             for k in range(kept):
                 if apart(links, x, k, kept, close, step) == np.inf:
                     continue
@@ -121,7 +121,7 @@ def each_once(
         if of[SIGMA, k] < least and least > SPLIT:
             return UNKNOWN
         alone = partner[k] == k  # else the distance of the singularity is known
-        if of[SIGMA, k] < least and alone and near_singular(links, rows, unit, x[k], T, axes, J, M, swaps, e, step):
+        if of[SIGMA, k] < least and alone and near_singular(links, rows, unit, x[k], T, axes, M, swaps, e, step):
             return UNKNOWN
     return kept
 
@@ -159,7 +159,7 @@ def in_order(joints: Array, unit: float, count: int, x: Array, of: Array, q: Arr
             k -= 1
     for c in range(count):
         for j in range(n):
-            q[c, int(joints[j, ENTRY])] = x[place[c], j]
+            q[c, np.int64(joints[j, ENTRY])] = x[place[c], j]
     edge = np.inf
     for c in range(count):
         if outside[c] == 0:  # where its partner is does not matter: J loses rank between them
@@ -173,7 +173,7 @@ def comes_before(joints: Array, outside: Indices, x: Array, a: int, b: int) -> b
     if outside[a] != outside[b]:
         return bool(outside[a] < outside[b])
     for j in range(len(joints)):
-        p, r = np.round(DIGITS * x[a, j]), np.round(DIGITS * x[b, j])
+        p, r = np.rint(DIGITS * x[a, j]), np.rint(DIGITS * x[b, j])
         if p != r:
             return bool(p < r)
     return False

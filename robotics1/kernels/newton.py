@@ -7,8 +7,8 @@ import numpy as np
 from robotics1.inputs import Array
 from robotics1.kernels.chain import PRISMATIC, Indices
 from robotics1.kernels.compilation import compiled
-from robotics1.kernels.conditioning import inverse_jacobian, is_far_from_singular, rows_that_count
-from robotics1.kernels.pose import after_turn, forward_kinematics, geometric_jacobian
+from robotics1.kernels.conditioning import inverse_jacobian, is_far_from_singular, transposed_jacobian
+from robotics1.kernels.pose import after_turn, forward_kinematics
 
 STEPS = 10  # of Newton's method
 EXACT, REACHED = 1e-14, 1e-12  # |e| at which it ends, and that of a solution
@@ -42,13 +42,11 @@ def missing(T: Array, goal: Array, rows: Indices, e: Array) -> float:
 
 @compiled(contract=True, inner=True)
 def polish(
-    links: Array, goal: Array, rows: Indices, x: Array, T: Array, axes: Array, J: Array, M: Array, swaps: Indices,
-    e: Array, step: Array,
+    links: Array, goal: Array, rows: Indices, x: Array, T: Array, axes: Array, M: Array, swaps: Indices, e: Array,
+    step: Array,
 ) -> tuple[float, float]:  # fmt: skip
     """Move x, (n,), by Newton's method to f(x) = goal; return the largest entry of the error, which is the least on the
     way where x does not get there, and a bound of σ_min/σ_max.
-
-    J is (6, n), M (6, 6).
     """
     n = len(rows)
     error, sigma, least = np.inf, 0.0, np.inf
@@ -58,14 +56,14 @@ def polish(
         least = min(least, error)
         if k > 0 and (error <= EXACT or (error <= REACHED and error > 0.5 * before)):
             break
-        sigma = inverse_jacobian(links, rows, T, axes, J, M, swaps)
+        sigma = inverse_jacobian(links, rows, T, axes, M, swaps)
         if error <= EXACT or sigma == 0.0:
             break
         longest = 1.0
         for i in range(n):
             step[i] = 0.0
             for j in range(n):
-                step[i] += M[i, j] * e[j]
+                step[i] += M[j, i] * e[j]
             longest = max(longest, 2.0 * abs(step[i]))
         for i in range(n):
             x[i] += step[i] / longest
@@ -75,7 +73,7 @@ def polish(
 @compiled(contract=True, inner=True)
 def verified(
     links: Array, goal: Array, rows: Indices, least: float, x: Array, c: int, trig: Array, T: Array, axes: Array,
-    J: Array, M: Array, swaps: Indices, e: Array, step: Array,
+    M: Array, swaps: Indices, e: Array, step: Array,
 ) -> tuple[float, float]:  # fmt: skip
     """Do what `polish` does for x[c], (n,), with cosines and sines as `trigonometry` writes them.
 
@@ -85,29 +83,11 @@ def verified(
     place_solution(links, x, c, trig, T, axes)
     error = missing(T, goal, rows, e)
     if not error <= EXACT:
-        return polish(links, goal, rows, x[c], T, axes, J, M, swaps, e, step)
-    n = len(rows)
-    if n == 6:
-        transposed_jacobian(links, T, axes, M)
-    else:
-        geometric_jacobian(links, T, axes, J)
-        rows_that_count(J, rows, M)
-    if is_far_from_singular(n, M, least):
+        return polish(links, goal, rows, x[c], T, axes, M, swaps, e, step)
+    transposed_jacobian(links, rows, T, axes, M)
+    if is_far_from_singular(len(rows), M, least):
         return error, np.inf
-    return error, inverse_jacobian(links, rows, T, axes, J, M, swaps)
-
-
-@compiled(contract=True, inline=True, inner=True)
-def transposed_jacobian(links: Array, T: Array, axes: Array, M: Array) -> None:
-    """Write Jᵀ to M, (6, 6), of six joints with a coordinate each, from what `place_solution` found."""
-    for j in range(6):
-        x, y, z = axes[j, 0], axes[j, 1], axes[j, 2]
-        if links[j, PRISMATIC] != 0.0:
-            M[j, 0], M[j, 1], M[j, 2], M[j, 3], M[j, 4], M[j, 5] = x, y, z, 0.0, 0.0, 0.0
-        else:
-            dx, dy, dz = T[0, 3] - axes[j, 3], T[1, 3] - axes[j, 4], T[2, 3] - axes[j, 5]
-            M[j, 0], M[j, 1], M[j, 2] = y * dz - z * dy, z * dx - x * dz, x * dy - y * dx
-            M[j, 3], M[j, 4], M[j, 5] = x, y, z
+    return error, inverse_jacobian(links, rows, T, axes, M, swaps)
 
 
 @compiled(contract=True, inline=True, inner=True)
@@ -133,7 +113,8 @@ def norm(e: Array, rows: Indices, unit: float) -> float:
     """Return |e| in metres and radians."""
     square = 0.0
     for k in range(len(rows)):
-        square += (unit * e[k] if rows[k] < 3 else e[k]) ** 2
+        entry = unit * e[k] if rows[k] < 3 else e[k]
+        square += entry * entry
     return math.sqrt(square)
 
 
@@ -143,7 +124,7 @@ def distance_of_meeting(
 ) -> float:
     """Return how far the goal is from one at which two close solutions x and z meet [m, rad], y being z − x.
 
-    Where they meet J has a left null vector u. Nearby it is the longest row of M = J⁻¹, (6, 6), at x. Halfway between
+    Where they meet J has a left null vector u. Nearby it is the longest row of J⁻¹ = Mᵀ, (6, 6), at x. Halfway between
     them e = goal − f leaves the boundary by uᵀ e; the rest of e is a way along the boundary.
     """
     n = len(x)
@@ -155,9 +136,9 @@ def distance_of_meeting(
     for i in range(n):
         square = product = 0.0
         for j in range(n):
-            u = M[i, j] / unit if rows[j] < 3 else M[i, j]
+            u = M[j, i] / unit if rows[j] < 3 else M[j, i]
             square += u * u
-            product += M[i, j] * e[j]
+            product += M[j, i] * e[j]
         if square > longest:
             longest, across = square, abs(product) / math.sqrt(square)
     return across
@@ -165,8 +146,8 @@ def distance_of_meeting(
 
 @compiled(contract=True, inner=True)
 def near_singular(
-    links: Array, rows: Indices, unit: float, x: Array, T: Array, axes: Array, J: Array, M: Array, swaps: Indices,
-    e: Array, step: Array,
+    links: Array, rows: Indices, unit: float, x: Array, T: Array, axes: Array, M: Array, swaps: Indices, e: Array,
+    step: Array,
 ) -> bool:  # fmt: skip
     """Whether a singular configuration near x may have a value f nearer than NEARBY to f(x).
 
@@ -179,7 +160,7 @@ def near_singular(
         if j >= 0:
             x[j] += ASIDE
         forward_kinematics(links, x, T, axes)
-        bound = inverse_jacobian(links, rows, T, axes, J, M, swaps)
+        bound = inverse_jacobian(links, rows, T, axes, M, swaps)
         if bound == 0.0:
             return True
         there = 0.0
@@ -196,9 +177,9 @@ def near_singular(
     if square * LINEAR * LINEAR < here * here:
         return True
     forward_kinematics(links, x, T, axes)
-    geometric_jacobian(links, T, axes, J)
+    transposed_jacobian(links, rows, T, axes, M)
     for i in range(n):
         e[i] = 0.0
         for j in range(n):
-            e[i] -= J[rows[i], j] * step[j] * here / square
+            e[i] -= M[j, i] * step[j] * here / square
     return norm(e, rows, unit) < NEARBY

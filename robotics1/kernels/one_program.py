@@ -5,12 +5,16 @@ through five others is translated six times. Here the inner functions are typed 
 Python calls is optimized and translated together with them, once. It runs as fast, within a few percent.
 """
 
+from functools import cache
 from typing import Any
 
 from llvmlite.binding import Linkage
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags
 from numba.core.compiler_machinery import PassManager
+from numba.core.targetconfig import ConfigStack
+from numba.core.types import Function
+from numba.core.typing import Context
 
 # Passes for what no kernel has: closures, `with` blocks, branches on types, literals, array expressions.
 NOT_NEEDED = {
@@ -36,6 +40,7 @@ class KernelCompiler(CompilerBase):  # type: ignore[misc]
 
     def _compile_bytecode(self) -> Any:
         self.state.flags = SharedFlags(self.state.flags)
+        self.state.typingctx = remembering(self.state.typingctx)
         return super()._compile_bytecode()
 
     def define_pipelines(self) -> list[PassManager]:
@@ -46,10 +51,59 @@ class KernelCompiler(CompilerBase):  # type: ignore[misc]
             state.library = code(state.targetctx.codegen(), state.func_id.func_qualname)
             state.library.enable_object_caching()
         usual = DefaultPassBuilder.define_nopython_pipeline(state)
-        pipeline = PassManager(usual.pipeline_name)
+        pipeline = Passes(usual.pipeline_name)
         pipeline.passes = [each for each in usual.passes if each[0]._name not in NOT_NEEDED]
         pipeline.finalize()
         return [pipeline]
+
+
+def refuse_python(dispatcher: Any) -> None:
+    """Have an inner kernel, which has no way in from Python, raise TypeError there; else the call ends the process."""
+
+    def refuse(*_: object, **__: object) -> None:
+        raise TypeError(f"{dispatcher.py_func.__name__} is called by other kernels only; Python can call its py_func")
+
+    def keep(compiled: Any) -> None:
+        dispatcher.overloads[tuple(compiled.signature.args)] = compiled
+
+    dispatcher.add_overload, dispatcher._compile_for_args = keep, refuse
+
+
+class Passes(PassManager):  # type: ignore[misc]
+    """Numba's passes one after the other, neither timed nor announced nor checked after each of them."""
+
+    def _runPass(self, index: int, each: Any, state: Any) -> None:
+        each.analysis = self._analysis
+        each.run_initialization(state)
+        each.run_pass(state)
+        each.run_finalizer(state)
+
+
+class TypesOfCalls(Context):  # type: ignore[misc]
+    """Numba's context of types, which remembers what an operation returns for the types of its arguments.
+
+    Numba asks every overload of every + and * anew, those of strings and dates too: a fifth of the compilation.
+    """
+
+    remembered: dict[Any, Any]
+
+    def _resolve_user_function_type(self, func: Any, args: Any, kws: Any, literals: Any = None) -> Any:
+        own = self._lookup_global(func) or func
+        if not isinstance(own, Function):
+            return super()._resolve_user_function_type(func, args, kws, literals)
+        key = own, tuple(args), tuple(kws.items()), ConfigStack.top_or_none()
+        if key not in self.remembered:
+            self.remembered[key] = super()._resolve_user_function_type(func, args, kws, literals)
+        return self.remembered[key]
+
+
+@cache
+def remembering(context: Context) -> TypesOfCalls:
+    """Return a view of a context of types that remembers."""
+    view = object.__new__(TypesOfCalls)
+    view.__dict__ = context.__dict__
+    view.remembered = {}
+    return view
 
 
 class SharedFlags(Flags):  # type: ignore[misc]

@@ -26,7 +26,7 @@ def forward_kinematics(links: Array, q: Array, T: Array, joint_axes: Array) -> N
     for joint in range(len(links) - 1):
         for i in range(3):
             joint_axes[joint, i], joint_axes[joint, 3 + i] = T[i, 2], T[i, 3]
-        motion = links[joint, RATIO] * q[int(links[joint, COORDINATE])]
+        motion = links[joint, RATIO] * q[np.int64(links[joint, COORDINATE])]
         if links[joint, PRISMATIC] != 0.0:
             for i in range(3):
                 T[i, 3] += motion * T[i, 2]
@@ -54,7 +54,7 @@ def geometric_jacobian(links: Array, T: Array, joint_axes: Array, J: Array) -> N
     """
     J[:] = 0.0
     for joint in range(len(links) - 1):
-        column, r = int(links[joint, COORDINATE]), links[joint, RATIO]
+        column, r = np.int64(links[joint, COORDINATE]), links[joint, RATIO]
         x, y, z = r * joint_axes[joint, 0], r * joint_axes[joint, 1], r * joint_axes[joint, 2]
         if links[joint, PRISMATIC] != 0.0:
             J[0, column] += x

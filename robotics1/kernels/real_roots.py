@@ -23,7 +23,7 @@ def roots_of_one(slides: float, f0: float, f1: float, f2: float, roots: Array) -
     Where a double root is just missed, it is given.
     """
     size = abs(f0) + abs(f1) + abs(f2)
-    if f1 * f1 + f2 * f2 <= (ABSENT * size) ** 2:
+    if f1 * f1 + f2 * f2 <= ABSENT * size * ABSENT * size:
         return UNKNOWN if abs(f0) <= VANISHES else 0
     if slides:
         return roots_of_quadratic(f0, f1, f2, size, roots)

@@ -12,7 +12,7 @@ def scaled_links(links: Array, unit: float, scaled: Array) -> None:
     """Write links with lengths in units."""
     for i in range(len(links)):
         for j in range(links.shape[1]):
-            scaled[i, j] = links[i, j] / unit if j in (3, 7, 11) else links[i, j]
+            scaled[i, j] = links[i, j] / unit if j < 12 and j % 4 == 3 else links[i, j]
 
 
 @compiled(contract=True, inner=True)
