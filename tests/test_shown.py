@@ -148,6 +148,7 @@ def test_other_coefficients_are_relative_to_the_largest():
     assert shown(a * sympy.cos(q1) + 1, short) == "a*cos(q1) + 1"
     half = r1.formulas(r1.textbook_robots.planar_arm("RR", lengths=[0.5, 1.2]), "position:xy")
     assert shown(sympy.cos(q2 / 2) + sympy.Rational(1, 2), half) == "cos(q2/2) + 0.5"  # 0.5 is a length, not q2/2
+    assert shown(sympy.cos(5 * q2 / 12) + sympy.Rational(1, 2), half) == "cos(5*q2/12) + 0.5"
 
 
 TENTHS = st.integers(1, 15)  # of a metre

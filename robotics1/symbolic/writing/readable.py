@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy
 
+from robotics1.robot.mimic import MOST_TURNS
 from robotics1.symbolic.writing.decimals import SAME, Lengths, scale_to_lengths, terms_of
 from robotics1.symbolic.writing.printing import DIGITS, with_decimals
 
@@ -56,12 +57,13 @@ def _is_wave(formula: Any) -> bool:
 
 
 def _decimals(formula: Any, lengths: Lengths) -> Any:
-    """Return a formula with decimals for long fractions and for lengths, and 1 for 1.0; in a wave q2/2 stays."""
-    waves = {wave: sympy.Dummy() for wave in formula.atoms(sympy.sin, sympy.cos)}
-    outside = formula.xreplace(waves)
+    """Return a formula with decimals for long fractions and for lengths, and 1 for 1.0; waves of 5 q2/12 stay."""
+    waves = formula.atoms(sympy.sin, sympy.cos)
+    known = {wave: sympy.Dummy() for wave in waves if all(x.q <= MOST_TURNS for x in wave.atoms(sympy.Rational))}
+    outside = formula.xreplace(known)
     fractions = {x for x in outside.atoms(sympy.Rational) if not x.is_Integer and abs(float(x)) in lengths}
-    outside = outside.xreplace({x: sympy.Float(x, DIGITS) for x in fractions})
-    return _whole(with_decimals(outside.xreplace({dummy: wave for wave, dummy in waves.items()})))
+    shown = _whole(with_decimals(outside.xreplace({x: sympy.Float(x, DIGITS) for x in fractions})))
+    return shown.xreplace({dummy: wave for wave, dummy in known.items()})
 
 
 def _number(x: sympy.Expr, lengths: Lengths) -> sympy.Expr:
