@@ -37,7 +37,7 @@ def manipulability(
     """
     import numpy as np
 
-    from robotics1.cli.output import PlainConsole, say_outside_limits, units, write_json
+    from robotics1.cli.output import PlainConsole, assumed, say_outside_limits, units, write_json
     from robotics1.singularities.dexterity import manipulability as at_configuration
     from robotics1.singularities.polytopes import MOST, velocity_polytope
     from robotics1.viewer.arm_data import is_planar
@@ -60,6 +60,8 @@ def manipulability(
     say_outside_limits(out, arm, values)
     for line in _lines(found, passed):
         out.print(line, markup=False)
+    if q is None:
+        out.print(assumed(values))
     if fastest is not None:
         out.print(f"within the limits of the joints the largest speed is {fastest:.6g}", markup=False)
     if figure is not None:

@@ -152,6 +152,13 @@ def say_outside_limits(console: Console, robot: Robot, q: Array) -> None:
             console.print(f"{name} = {value:.4g} is outside its limits [{low:.4g}, {high:.4g}]", style="yellow")
 
 
+def assumed(q: Array) -> str:
+    """Return the sentence about a configuration that was not typed."""
+    from robotics1.notation import vector
+
+    return f"at q = {vector(q)}, since --q is not given"
+
+
 @contextmanager
 def progress_bar(doing: str, at_the_end: str = "", *, hidden: bool = False) -> Iterator[Callable[[int, int], None]]:
     """Show a bar on stderr, if that is a terminal, from the first step on.
