@@ -17,6 +17,7 @@ Misuse raises. An unreachable target is not misuse: it is an outcome, reported i
 """
 
 import re
+import reprlib
 import sys
 import warnings
 from collections.abc import Iterable
@@ -58,6 +59,18 @@ class RobotFileError(Robotics1Error, ValueError):
         self.message = message
         self.line = line
         self.element = element
+
+
+_SHORT = reprlib.Repr()
+_SHORT.maxlist = _SHORT.maxtuple = _SHORT.maxdict = 12
+_SHORT.maxstring = _SHORT.maxother = 120
+
+
+def shown(value: Any) -> str:
+    """Return a value on one line of a message; of a long one what it begins with, of an array its shape."""
+    if shape := getattr(value, "shape", ()):
+        return f"{value.tolist()}" if len(shape) == 1 and shape[0] <= _SHORT.maxlist else f"an array of shape {shape}"
+    return " ".join(_SHORT.repr(value).split())
 
 
 def _sentence(message: str) -> str:

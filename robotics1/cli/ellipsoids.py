@@ -37,7 +37,7 @@ def manipulability(
     """
     import numpy as np
 
-    from robotics1.cli.output import PlainConsole, assumed, say_outside_limits, units, write_json
+    from robotics1.cli.output import PlainConsole, say_configuration, units, write_json
     from robotics1.singularities.dexterity import manipulability as at_configuration
     from robotics1.singularities.polytopes import MOST, velocity_polytope
     from robotics1.viewer.arm_data import is_planar
@@ -57,11 +57,9 @@ def manipulability(
         write_json({"q": values, **_as_json(found, passed), "largest_speed": fastest, "units": {"q": units(arm)}})
         return
     out = PlainConsole()
-    say_outside_limits(out, arm, values)
+    say_configuration(out, arm, values, q)
     for line in _lines(found, passed):
         out.print(line, markup=False)
-    if q is None:
-        out.print(assumed(values))
     if fastest is not None:
         out.print(f"within the limits of the joints the largest speed is {fastest:.6g}", markup=False)
     if figure is not None:

@@ -152,11 +152,13 @@ def say_outside_limits(console: Console, robot: Robot, q: Array) -> None:
             console.print(f"{name} = {value:.4g} is outside its limits [{low:.4g}, {high:.4g}]", style="yellow")
 
 
-def assumed(q: Array) -> str:
-    """Return the sentence about a configuration that was not typed."""
+def say_configuration(console: Console, robot: Robot, q: Array, typed: str | None) -> None:
+    """Say which configuration is taken where none was typed, and which joints are beyond their limits."""
     from robotics1.notation import vector
 
-    return f"at q = {vector(q)}, since --q is not given"
+    if typed is None:
+        console.print(f"at q = {vector(q)}, since --q is not given")
+    say_outside_limits(console, robot, q)
 
 
 @contextmanager

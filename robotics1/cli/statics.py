@@ -30,15 +30,7 @@ def statics(
     """The torques that balance a force on the tool, τ = −Jᵀ f."""
     import numpy as np
 
-    from robotics1.cli.output import (
-        PlainConsole,
-        assumed,
-        effort_units,
-        joint_names,
-        say_outside_limits,
-        units,
-        write_json,
-    )
+    from robotics1.cli.output import PlainConsole, effort_units, joint_names, say_configuration, units, write_json
     from robotics1.notation import vector
     from robotics1.singularities.explain import directions
     from robotics1.singularities.rounding import singularity_within_rounding
@@ -62,10 +54,8 @@ def statics(
         write_json(answer | {"status": rounded.status.name, "at_singularity": singularity_as_json(rounded)})
         return
     out = PlainConsole()
-    say_outside_limits(out, arm, values)
+    say_configuration(out, arm, values, q)
     out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(joint_names(arm))}) [N m, for a prismatic joint N]")
-    if q is None:
-        out.print(assumed(values))
     for name, value, ok, limit in zip(joint_names(arm), torque, within, arm.max_effort, strict=True):
         if not ok:
             out.print(f"{name} would need {value:.4g}, beyond its effort limit {limit:.4g}", style="yellow")
