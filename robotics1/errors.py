@@ -16,12 +16,16 @@
 Misuse raises. An unreachable target is not misuse: it is an outcome, reported in the result's status.
 """
 
+import re
+import reprlib
 import sys
 import warnings
 from collections.abc import Iterable
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
+
+LONG_WORD = r"\S{301,}"
 
 
 class Robotics1Error(Exception):
@@ -57,6 +61,24 @@ class RobotFileError(Robotics1Error, ValueError):
         self.element = element
 
 
+_SHORT = reprlib.Repr()
+_SHORT.maxlist = _SHORT.maxtuple = _SHORT.maxdict = 12
+_SHORT.maxstring = _SHORT.maxother = 120
+
+
+def shown(value: Any) -> str:
+    """Return a value on one line of a message; of a long one what it begins with, of an array its shape."""
+    if shape := getattr(value, "shape", ()):
+        return f"{value.tolist()}" if len(shape) == 1 and shape[0] <= _SHORT.maxlist else f"an array of shape {shape}"
+    return " ".join(_SHORT.repr(value).split())
+
+
+def _sentence(message: str) -> str:
+    """Return a message on one line, its longest words cut."""
+    line = " ".join(part.strip() for part in message.splitlines())
+    return re.sub(LONG_WORD, lambda word: f"{word[0][:100]}...", line)
+
+
 def nearest_names(name: str, candidates: Iterable[str], alike: float = 0.6) -> list[str]:
     """Return up to three candidates that resemble a name, the nearest first; if one has the same letters, that alone.
 
@@ -84,14 +106,14 @@ class UnknownNameError(Robotics1Error, LookupError):
             hint = f"there is {', '.join(map(repr, self.candidates[:12]))}{more}"
         else:
             hint = "there is none"
-        super().__init__(f"no {kind} {name!r}; {hint}{note}")
+        super().__init__(_sentence(f"no {kind} {name!r}; {hint}{note}"))
 
 
 class InputError(Robotics1Error, ValueError):
     """An argument has the wrong shape, type or value; the message says what would be right, on one line."""
 
     def __init__(self, message: str):
-        super().__init__(" ".join(line.strip() for line in message.splitlines()))
+        super().__init__(_sentence(message))
 
 
 class TaskError(Robotics1Error, ValueError):

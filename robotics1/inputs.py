@@ -3,31 +3,16 @@
 from __future__ import annotations
 
 import math
-import reprlib
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError, Robotics1Error
+from robotics1.errors import InputError, Robotics1Error, shown
 
 Array = npt.NDArray[np.floating[Any]]
 Choice = TypeVar("Choice", bound=str)
-
-
-_SHORT = reprlib.Repr()
-_SHORT.maxlist = _SHORT.maxtuple = _SHORT.maxdict = 12
-_SHORT.maxstring = _SHORT.maxother = 120
-
-
-def shown(value: Any) -> str:
-    """Return a value on one line of a message; of a long one what it begins with, of an array its shape."""
-    if isinstance(value, np.ndarray) and value.ndim:
-        return (
-            f"an array of shape {value.shape}" if value.ndim > 1 or value.size > _SHORT.maxlist else f"{value.tolist()}"
-        )
-    return " ".join(_SHORT.repr(value).split())
 
 
 def real_array(name: str, value: npt.ArrayLike, shape: tuple[int | None, ...], meaning: str = "") -> Array:

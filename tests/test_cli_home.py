@@ -300,3 +300,19 @@ def test_statics_and_jacobian_have_a_column_for_each_rate(carried, kind, columns
 
 def test_a_robot_with_a_floating_joint_has_no_workspace(carried):
     assert "only arms of revolute and prismatic joints" in run("workspace", carried("floating")).refusal
+
+
+@pytest.mark.parametrize("typed", ["30°", "30 deg", "q1=30deg,q2=0", "1.5º", "90degrees"])
+def test_degrees_with_their_sign_are_answered_with_the_option(typed):
+    assert "degrees are meant with --degrees" in run("fk", "planar_2r", "--q", typed).refusal
+
+
+def test_numbers_with_blanks_behind_an_option_are_answered_with_a_comma():
+    typed = run("ik", "planar_2r", "--target", "1", "1").stderr
+    assert "numbers that belong together have a comma between them, as 1,2" in " ".join(typed.split())
+
+
+@pytest.mark.parametrize("command", [("statics", "planar_2r", "--force", "1,2"), ("manipulability", "planar_2r")])
+def test_a_configuration_that_is_not_typed_is_told(command):
+    assert "at q = (0, 0), since --q is not given" in run(*command).stdout
+    assert "since --q is not given" not in run(*command, "--q", "0.1,0.2").stdout

@@ -1,6 +1,7 @@
 """The largest and smallest reach of any arm, between a value that is attained and a bound that nothing exceeds."""
 
 from math import cos, hypot, pi, sqrt
+from time import process_time
 
 import numpy as np
 import pytest
@@ -183,3 +184,16 @@ def test_a_joint_without_room_stays_where_it_is():
     arm = links(0.4, 0.3, 0.2, lower=[-1, 0.5, -2], upper=[1, 0.5, -1])
     assert_proven(extreme_reach(arm, XY), np.linalg.norm(XY.value(arm, [0, 0.5, -1])))
     assert extreme_reach(arm, XY).q[1] == 0.5
+
+
+def test_a_search_whose_time_is_over_does_not_look_for_pivots():
+    """Six axes that meet nowhere have many pivots, each with two searches of its own, whatever time was left."""
+    h = pi / 2
+    rows = [(0.2, h, 0.6), (0.9, 0.3, 0.1), (0.2, -h, 0.2), (0.1, h, 0.9), (0.1, -h, 0.1), (0.1, 0.2, 0.2)]
+    arm = r1.robot_from_dh([("R", a, alpha, d, 0) for a, alpha, d in rows], lower=[-3] * 6, upper=[3] * 6)
+    begin = process_time()
+    found = extreme_reach(arm, XYZ, time_limit=0.01)
+    assert process_time() - begin < 5
+    q = np.random.default_rng(0).uniform(-3, 3, (2000, 6))
+    assert np.linalg.norm(r1.forward_kinematics(arm, q)[:, :3, 3], axis=1).max() <= found.bound
+    assert found.value <= found.bound

@@ -17,6 +17,8 @@ NUMBER = re.compile(  # with one way only to read each text: else a long one tak
     r"([+-]?)((?:\d+(?:\.\d*)?|\.\d+)?(?:e[+-]?\d+)?)\s*(?:\*\s*)?(pi|π)?(?:/(\d+(?:\.\d*)?))?", re.IGNORECASE
 )
 
+DEGREES = re.compile(r"(°|º|deg(rees?)?)\s*\Z", re.IGNORECASE)
+
 
 def parse_number(text: str) -> float:
     """Return a number as typed: 1.5, -2e-3, pi, 0.7pi, -3pi/4, 1/2.
@@ -26,7 +28,8 @@ def parse_number(text: str) -> float:
     """
     match = NUMBER.fullmatch(text.strip().replace("−", "-"))
     if match is None or not (match[2] or match[3]):
-        raise InputError(f"{text[:100]!r} is not a number; write it like 1.5, 0.7pi or -pi/4")
+        unit = "; degrees are meant with --degrees" if DEGREES.search(text) else ""
+        raise InputError(f"{text[:100]!r} is not a number; write it like 1.5, 0.7pi or -pi/4{unit}")
     try:
         value = float(match[2] or 1) * (math.pi if match[3] else 1.0) / float(match[4] or 1)
     except (ValueError, ZeroDivisionError) as error:

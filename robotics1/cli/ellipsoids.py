@@ -32,7 +32,7 @@ def manipulability(
     """
     import numpy as np
 
-    from robotics1.cli.output import PlainConsole, say_outside_limits, units, write_json
+    from robotics1.cli.output import PlainConsole, say_configuration, units, write_json
     from robotics1.singularities.dexterity import manipulability as at_configuration
     from robotics1.singularities.polytopes import MOST, velocity_polytope
     from robotics1.viewer.arm_data import is_planar
@@ -51,7 +51,7 @@ def manipulability(
         write_json({"q": values, **_as_json(found, passed), "largest_speed": fastest, "units": {"q": units(robot)}})
         return
     out = PlainConsole()
-    say_outside_limits(out, robot, values)
+    say_configuration(out, robot, values, q)
     for line in _lines(found, passed):
         out.print(line, markup=False)
     if fastest is not None:

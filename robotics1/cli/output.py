@@ -184,6 +184,15 @@ def say_written(page: Page, *, json: bool, show: bool) -> None:
         webbrowser.open(page.file.resolve().as_uri())
 
 
+def say_configuration(console: Console, robot: Robot, q: Array, typed: str | None) -> None:
+    """Say which configuration is taken where none was typed, and which joints are beyond their limits."""
+    from robotics1.notation import vector
+
+    if typed is None:
+        console.print(f"at q = {vector(q)}, since --q is not given")
+    say_outside_limits(console, robot, q)
+
+
 @contextmanager
 def progress_bar(doing: str, at_the_end: str = "", *, hidden: bool = False) -> Iterator[Callable[[int, int], None]]:
     """Show a bar on stderr, if that is a terminal, from the first step on.

@@ -26,7 +26,7 @@ def statics(
     """The torques that balance a force on the tool, τ = −Jᵀ f."""
     import numpy as np
 
-    from robotics1.cli.output import PlainConsole, effort_units, joint_names, say_outside_limits, units, write_json
+    from robotics1.cli.output import PlainConsole, effort_units, joint_names, say_configuration, units, write_json
     from robotics1.notation import vector
     from robotics1.singularities.explain import directions
     from robotics1.singularities.rounding import singularity_within_rounding
@@ -48,7 +48,7 @@ def statics(
         write_json(answer | {"status": rounded.status.name, "at_singularity": singularity_as_json(rounded)})
         return
     out = PlainConsole()
-    say_outside_limits(out, robot, values)
+    say_configuration(out, robot, values, q)
     out.print(f"τ = −Jᵀ f = {vector(torque)} for ({', '.join(joint_names(robot))}) [N m, for a prismatic joint N]")
     for name, value, ok, limit in zip(joint_names(robot), torque, within, robot.max_effort, strict=True):
         if not ok:

@@ -31,10 +31,12 @@ class RobotCommand(TyperCommand):
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the words of the command line."""
         names = {name for parameter in self.params for name in parameter.opts}
+        apart = any(word in names for word in args[:-1])
         try:
             return super().parse_args(ctx, args)
         except Exception as error:
             behind = [f"{what} behind {option}" for option, what in MEANT.items() if option in names]
             if behind and "extra argument" in getattr(error, "message", ""):
-                error.message = f"{error.message}: write {', '.join(behind)}"  # type: ignore[attr-defined]
+                joined = "; numbers that belong together have a comma between them, as 1,2" if apart else ""
+                error.message = f"{error.message}: write {', '.join(behind)}{joined}"  # type: ignore[attr-defined]
             raise

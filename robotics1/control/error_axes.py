@@ -10,8 +10,8 @@ from robotics1.curves.composition import PathTrajectory
 from robotics1.curves.curve import Curve
 from robotics1.curves.frenet import FrenetRotation, frenet_frame, frenet_path
 from robotics1.curves.named_derivatives import Side
-from robotics1.errors import InputError
-from robotics1.inputs import Array, real_array, shown
+from robotics1.errors import InputError, shown
+from robotics1.inputs import Array, real_array
 from robotics1.orientation.elementary import cross_matrix
 
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])  # a turn of π/2 in the plane

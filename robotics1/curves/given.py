@@ -12,8 +12,8 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.curves.curve import Curve
 from robotics1.curves.named_derivatives import Side
-from robotics1.errors import InputError
-from robotics1.inputs import Array, answer_of, shown
+from robotics1.errors import InputError, shown
+from robotics1.inputs import Array, answer_of
 
 
 class Motion(Protocol):

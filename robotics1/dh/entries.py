@@ -10,8 +10,8 @@ from unicodedata import normalize
 import numpy as np
 
 from robotics1.angles import WIDE, warn_of_degrees
-from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import Array, real_number, shown
+from robotics1.errors import InputError, UnknownNameError, shown
+from robotics1.inputs import Array, real_number
 from robotics1.names import refuse_no_number
 from robotics1.robot.findings import LARGEST
 

@@ -6,8 +6,7 @@ from math import factorial, perm
 from typing import Any
 
 from robotics1.caching import cached_property
-from robotics1.errors import InputError
-from robotics1.inputs import shown
+from robotics1.errors import InputError, shown
 
 TIMES = ("tau", "t")  # the variables of the formulas
 MOST = 12  # conditions at one end

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from robotics1.caching import cached_property
-from robotics1.errors import FormulaError, InputError, UnknownNameError
-from robotics1.inputs import counting_number, one_of, positive_number, real_number, shown
+from robotics1.errors import FormulaError, InputError, UnknownNameError, shown
+from robotics1.inputs import counting_number, one_of, positive_number, real_number
 from robotics1.trajectories.law_kinds import KINDS
 from robotics1.trajectories.least_time_of_joints import Law, minimum_time
 from robotics1.trajectories.limits import MotionLimits

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from robotics1.errors import InputError
-from robotics1.inputs import real_number, shown
+from robotics1.errors import InputError, shown
+from robotics1.inputs import real_number
 from robotics1.robot.xacro.budget import Budget, Refused
 from robotics1.robot.xacro.evaluator import evaluate
 from robotics1.robot.xacro.functions import MATH, PYTHON

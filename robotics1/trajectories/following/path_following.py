@@ -13,8 +13,8 @@ from numpy.polynomial import chebyshev, polynomial
 from robotics1.curves.curve import Curve
 from robotics1.curves.given import as_curve
 from robotics1.curves.piecewise_polynomial import PiecewisePolynomial
-from robotics1.errors import InputError, TaskError
-from robotics1.inputs import Array, non_negative_numbers, real_array, shown
+from robotics1.errors import InputError, TaskError, shown
+from robotics1.inputs import Array, non_negative_numbers, real_array
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tasks.given import TaskLike, robot_and_task

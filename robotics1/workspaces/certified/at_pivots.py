@@ -7,6 +7,8 @@ Along a direction it is n · (p − c) ≤ max n · (o − c) + max |p − o|, a
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from itertools import takewhile
+from time import monotonic
 from typing import NamedTuple
 
 import numpy as np
@@ -57,9 +59,10 @@ class Pivot:
         return sum(sign * part.bound(prove) for sign, part in zip(self.signs, self.parts, strict=True))
 
 
-def best_pivots(objective: Objective) -> list[Pivot]:
-    """Return some pivots, the one with the best bound first."""
-    found = [pivot for k, o in _points(objective) for pivot in _pivots_at(objective, k, o)]
+def best_pivots(objective: Objective, end: float) -> list[Pivot]:
+    """Return some pivots, the one with the best bound first, of those found before `end` of the monotonic clock."""
+    in_time = takewhile(lambda _: monotonic() < end, _points(objective))
+    found = [pivot for k, o in in_time for pivot in _pivots_at(objective, k, o)]
     return sorted(found, key=lambda pivot: objective.sign * pivot.hoped)[:TRIED]
 
 
