@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy
 
-from robotics1.robot.mimic import MOST_TURNS
+from robotics1.robot.box import MOST_TURNS
 from robotics1.symbolic.writing.decimals import SAME, Lengths, scale_to_lengths, terms_of
 from robotics1.symbolic.writing.printing import DIGITS, with_decimals
 
