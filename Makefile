@@ -72,7 +72,7 @@ $(USED): pyproject.toml constraints.txt
 	touch $@
 
 $(INSTALLED): $(USED)
-	$(BIN)/python -m pip install --quiet --no-compile --constraint constraints.txt --editable '.[dev]'
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev]'
 	touch $@
 
 fuzz: $(INSTALLED)  ## before a release, some hours: all cases, 100 examples of each property, 300 arms, 100 000 mutants

@@ -68,7 +68,8 @@ _SHORT.maxstring = _SHORT.maxother = 120
 
 def shown(value: Any) -> str:
     """Return a value on one line of a message; of a long one what it begins with, of an array its shape."""
-    if shape := getattr(value, "shape", ()):
+    shape = getattr(value, "shape", None)
+    if isinstance(shape, tuple) and shape and hasattr(value, "tolist"):
         return f"{value.tolist()}" if len(shape) == 1 and shape[0] <= _SHORT.maxlist else f"an array of shape {shape}"
     return " ".join(_SHORT.repr(value).split())
 

@@ -29,8 +29,8 @@ def test_an_error_that_is_no_number_is_no_success(monkeypatch):
     """A goal that the kernel refuses although the task has taken it: |e| is NaN, which no tolerance admits."""
     solver = IKSolver(arm("planar_2r"), PoseTask(), time_limit=1e-3)
     refused = np.diag([1.1, 1.1, 1.1, 1.0])
-    monkeypatch.setattr(solver._search.descent, "goals", lambda *_: np.array([refused, refused]))
-    monkeypatch.setattr(solver._search.descent, "goal", lambda _: refused)
+    monkeypatch.setattr(solver._search, "goals", lambda *_: np.array([refused, refused]))
+    monkeypatch.setattr(solver._search, "goal", lambda _: refused)
     batch = solver.solve_batch([pin.SE3.Identity(), pin.SE3.Identity()])
     assert np.isnan(batch.error_norm).all()
     assert not batch.converged.any()

@@ -14,8 +14,7 @@ from robotics1.inputs import Array
 STEP, STEPS = 0.25, 60  # along a curve, to each side
 LISTED = 0.6 * STEP  # from a sample of a curve, of a solution that is on it
 DIFFERENCE = 1e-4  # in units, of a quotient
-PLACES, AWAY = 12, 0.8  # near a solution, where steps are made, and how far away, in units
-ENOUGH = 3  # of these on a surface, around which J keeps its rank
+PLACES, AWAY, ENOUGH = 12, 0.8, 3  # near a solution; how far away, in units; how many where J keeps its rank suffice
 SPREAD = 0.2  # of steps beside one that counts
 MOST = 24  # curves that cross each other
 DIRECTIONS = 24  # in which curves may leave a crossing
@@ -64,9 +63,9 @@ class Families:
     def dimension_around(self, q: Array) -> int:
         """Return the dimension of a family, at least 1, from steps at solutions near one of its own.
 
-        At the solution itself curves may cross, whose tangents span a plane although there is no surface. And a formula
-        may find of a surface only points at which J loses more rank than it does around them: Newton's method then
-        leads back to these, and damped least squares from a place aside to the others.
+        At the solution itself curves may cross, whose tangents span a plane where there is no surface. And all roots of
+        a formula may be points of a surface at which J loses more rank than around them. Newton's method leads back to
+        such points; damped least squares, from a place aside, leads to the others.
         """
         highest = self._nullity(q)
         if highest < 2:
@@ -74,8 +73,7 @@ class Families:
         rng, largest, regular = np.random.default_rng(0), 1, 0
         for _ in range(PLACES):
             p = self._aside(q, rng)
-            dimension = 0 if p is None else self._spread(p, rng)
-            if dimension < 2 or p is None:
+            if p is None or (dimension := self._spread(p, rng)) < 2:
                 continue
             self.on_surfaces.append(p)
             largest = max(largest, dimension)
@@ -186,9 +184,8 @@ class Families:
             turned = _projected(tangent if len(flat) < 2 else self._way(ahead, p), flat)
             if turned is None:
                 break
-            tangent = turned
-            found.append((ahead, tangent))
-            p = ahead
+            p, tangent = ahead, turned
+            found.append((p, tangent))
         return found, False
 
     def _crossings(self, curve: list[Array]) -> list[Array]:
@@ -219,10 +216,8 @@ class Families:
             way = self.problem.shortest_difference(after if place > 0 else before, q)
             return self.polished(q + abs(place) * way * unit)
 
-        found = minimize_scalar(
-            lambda x: self._second(at(x)), bounds=(-1, 1), method="bounded", options={"xatol": 1e-9}
-        )
-        return at(float(found.x))
+        options = {"bounds": (-1, 1), "method": "bounded", "options": {"xatol": 1e-9}}
+        return at(float(minimize_scalar(lambda x: self._second(at(x)), **options).x))
 
     def _ways_from(self, crossing: Array) -> list[Array]:
         """Return solutions one step away from one at which J loses rank twice."""

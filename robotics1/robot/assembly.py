@@ -4,13 +4,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import pinocchio as pin
+
 from robotics1.robot.building import build_model
 from robotics1.robot.frames import tool_frame
 from robotics1.robot.joints import Joint, free_name
 from robotics1.robot.markup import parse_xml
 from robotics1.robot.model import Robot, RobotSource
 from robotics1.robot.parameters import Parameters
-from robotics1.robot.urdf import PLAIN, Link, read_joints, read_links, urdf_text
+from robotics1.robot.urdf import PLAIN, Link, elements_text, read_joints, read_links, urdf_text
 
 
 def robot_of_joints(
@@ -49,16 +51,25 @@ def robot_of_joints(
     return Robot(name, model, tuple(joints), tool, Parameters(parameters), text, file, warnings, source)
 
 
-def with_fixed_joint(robot: Robot, joint: Joint) -> Robot:
-    """Return the robot with one more fixed joint: to a new link, or from a new link to its root."""
+def with_tip(robot: Robot, joint: Joint) -> Robot:
+    """Return the robot with one more link, at the end of a fixed joint."""
+    model = pin.Model(robot.own_model)
+    number = robot.frame_id(joint.parent)
+    parent = model.frames[number]
+    placement = parent.placement * joint.placement
+    model.addFrame(pin.Frame(joint.child, parent.parentJoint, number, placement, pin.FrameType.BODY))
+    before, end, _ = robot.urdf.rpartition("</robot>")
+    text = before + elements_text({joint.child: PLAIN}, [joint]) + end
+    return replace(robot, own_model=model, joints=(*robot.joints, joint), urdf=text)
+
+
+def with_root(robot: Robot, joint: Joint) -> Robot:
+    """Return the robot whose root is a new link, at the beginning of a fixed joint."""
     root = parse_xml(robot.urdf, robot.path)
-    links, written, joints = read_links(root), read_joints(root), robot.joints
-    if joint.child in links:
-        links, written, joints = {joint.parent: PLAIN, **links}, (joint, *written), (joint, *joints)
-    else:
-        links, written, joints = {**links, joint.child: PLAIN}, (*written, joint), (*joints, joint)
-    model = build_model(robot.name, {key: link.inertia for key, link in links.items()}, joints)
-    return replace(robot, own_model=model, joints=joints, urdf=urdf_text(robot.name, links, written))
+    links, written, joints = {joint.parent: PLAIN, **read_links(root)}, (joint, *read_joints(root)), robot.joints
+    model = build_model(robot.name, {key: link.inertia for key, link in links.items()}, (joint, *joints))
+    text = urdf_text(robot.name, links, written)
+    return replace(robot, own_model=model, joints=(joint, *joints), urdf=text)
 
 
 def free_link_name(robot: Robot, name: str) -> str:

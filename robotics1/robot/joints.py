@@ -7,6 +7,7 @@ import numpy as np
 import pinocchio as pin
 
 Triple = tuple[float, float, float]
+TURNING = {"revolute": (1,), "prismatic": (0,), "planar": (0, 0, 1), "floating": (0, 0, 0, 1, 1, 1)}
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,11 @@ class Joint:
     def __post_init__(self) -> None:
         """Let a joint that mimics no other lead itself."""
         object.__setattr__(self, "leader", self.leader or self.name)
+
+    @property
+    def turning(self) -> tuple[int, ...]:
+        """Of each rate of the joint, 1 if it is that of an angle, 0 if it is that of a length."""
+        return TURNING.get(self.kind, ())
 
     @property
     def placement(self) -> pin.SE3:

@@ -26,7 +26,7 @@ from robotics1.robot.postures import in_numbers, named_postures
 
 ConfigurationLike: TypeAlias = npt.ArrayLike | Mapping[str, float]  # also the name of a posture
 SMALLEST = 1e-100  # length of an arm [m]
-TURNING = {"revolute": (1,), "prismatic": (0,), "planar": (0, 0, 1), "floating": (0, 0, 0, 1, 1, 1)}  # rates of angles
+LIMITS = ("lower", "upper", "max_velocity", "max_effort")
 
 
 class RobotSource(Protocol):
@@ -37,9 +37,6 @@ class RobotSource(Protocol):
 
     def placements(self, robot: Robot) -> Placements:
         """Return the placements of the robot's joints as polynomials in its parameters."""
-
-
-LIMITS = ("lower", "upper", "max_velocity", "max_effort")
 
 
 @made_by("load_robot('ur5')")
@@ -195,7 +192,7 @@ class Robot(DescribedRobot):
     @property
     def units(self) -> Array:
         """(nv,) what counts as one of each entry of q̇: 1 rad, or the reach [m]."""
-        turning = [turns for joint in self.moving_joints for turns in TURNING[joint.kind]]
+        turning = [turns for joint in self.moving_joints for turns in joint.turning]
         return np.where(np.array(turning, dtype=bool), 1.0, self.reach)
 
     @cached_property

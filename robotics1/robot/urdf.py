@@ -148,10 +148,21 @@ def _color(material: ET.Element) -> str:
 
 def urdf_text(name: str, links: Mapping[str, Link], joints: Sequence[Joint]) -> str:
     """Return the text of a URDF, in one layout: xacro, once imported, changes how Python writes all XML."""
-    root = element("robot", name=name)
-    root.extend(element("link", *link.parts, name=key) for key, link in links.items())
-    root.extend(map(_joint_element, joints))
-    ET.indent(root)
+    return _text(element("robot", *_elements(links, joints), name=name))
+
+
+def elements_text(links: Mapping[str, Link], joints: Sequence[Joint]) -> str:
+    """Return what `urdf_text` writes of links and joints."""
+    return "".join(f"  {_text(each, level=1)}\n" for each in _elements(links, joints))
+
+
+def _elements(links: Mapping[str, Link], joints: Sequence[Joint]) -> list[ET.Element]:
+    written = [element("link", *link.parts, name=key) for key, link in links.items()]
+    return [*written, *map(_joint_element, joints)]
+
+
+def _text(root: ET.Element, level: int = 0) -> str:
+    ET.indent(root, level=level)
     for part in root.iter():
         part.attrib = dict(sorted(part.attrib.items()))
     return ET.tostring(root, encoding="unicode")

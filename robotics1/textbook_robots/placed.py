@@ -8,7 +8,7 @@ from typing import Any
 
 import pinocchio as pin
 
-from robotics1.robot.assembly import free_link_name, with_fixed_joint
+from robotics1.robot.assembly import free_link_name, with_root, with_tip
 from robotics1.robot.given import RobotLike, robot_from
 from robotics1.robot.joints import Joint, placed, root_of
 from robotics1.robot.model import Robot
@@ -64,9 +64,9 @@ class PlacedRobot:
         if self.base is not None:
             name = free_link_name(found, "world")
             root = root_of(found.frame_names, found.joints)
-            found = with_fixed_joint(found, placed(Joint(f"{name}_joint", "fixed", name, root), self.base))
+            found = with_root(found, placed(Joint(f"{name}_joint", "fixed", name, root), self.base))
         if self.tool is not None:
             name = free_link_name(found, "tool")
             mount = placed(Joint(f"{name}_joint", "fixed", found.link_of(None), name), self.tool)
-            found = replace(with_fixed_joint(found, mount), tool=name)
+            found = replace(with_tip(found, mount), tool=name)
         return replace(found, source=self if found.parameters else None)

@@ -291,11 +291,10 @@ def _drawn(formula: TimeFormula, rng: np.random.Generator) -> dict[str, float]:
     """Return random values of the symbols; the velocities at the ends within their bound."""
     values = {str(s): float(np.exp(rng.uniform(-2, 2))) for s in formula.symbols.values() if s.is_Symbol}
     bound = formula.symbols.get("velocity", 3)
+    ends = [formula.symbols[name] for name in ("v0", "v1") if name in formula.symbols]
     if str(bound) in values:
-        ends = [formula.symbols[name] for name in ("v0", "v1") if name in formula.symbols]
         values[str(bound)] += max((abs(float(v)) for v in ends if v.is_number), default=0.0)
     most = values.get(str(bound), bound)
-    for name in ("v0", "v1"):
-        if name in formula.symbols and formula.symbols[name].is_Symbol:
-            values[str(formula.symbols[name])] = float(most) * float(rng.uniform(-1, 1))
+    for end in (symbol for symbol in ends if symbol.is_Symbol):
+        values[str(end)] = float(most) * float(rng.uniform(-1, 1))
     return values

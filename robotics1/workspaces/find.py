@@ -10,8 +10,8 @@ from robotics1.symbolic.kinematics.task_at_point import with_frame_at_point
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.axes import refuse_open_slides
 from robotics1.workspaces.curved.curved_workspace import curved_workspace
+from robotics1.workspaces.flat.flat_arm import planar_arm
 from robotics1.workspaces.flat.flat_workspace import flat_workspace
-from robotics1.workspaces.flat.planar_arm import planar_arm
 from robotics1.workspaces.moving_point import MovingPoint, moving_point
 from robotics1.workspaces.result import Workspace
 from robotics1.workspaces.sampled.sampled_workspace import sampled_workspace

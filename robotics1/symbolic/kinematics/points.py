@@ -10,7 +10,7 @@ import sympy
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import real_number
 from robotics1.orientation.expressions import expressions
-from robotics1.robot.assembly import free_link_name, with_fixed_joint
+from robotics1.robot.assembly import free_link_name, with_tip
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
 from robotics1.robot.parameters import HIGHEST_DEGREE, Monomial, Parameters, Placement, Placements, placement_of
@@ -76,7 +76,7 @@ class RobotWithPoint:
         robot = self.robot.with_parameters(own) if own else self.robot
         numbers = {sympy.Symbol(key, real=True): value for key, value in at.items()}
         x, y, z = (float(coordinate.xreplace(numbers)) for coordinate in self.coordinates)
-        found = with_fixed_joint(robot, Joint(f"{self.name}_joint", "fixed", self.link, self.name, (x, y, z)))
+        found = with_tip(robot, Joint(f"{self.name}_joint", "fixed", self.link, self.name, (x, y, z)))
         return replace(found, parameters=at, source=replace(self, robot=robot, parameters=at))
 
     def placements(self, robot: Robot) -> Placements:

@@ -12,7 +12,7 @@ from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.workspaces.axes import CLOSED
 from robotics1.workspaces.flat.critical_curves import CriticalCurve
-from robotics1.workspaces.flat.planar_arm import PlanarArm
+from robotics1.workspaces.flat.flat_arm import PlanarArm
 from robotics1.workspaces.flat.revolution import HalfPlane, Sector, distance_from, sectors
 from robotics1.workspaces.flat.section import Section
 from robotics1.workspaces.placed_section import PlacedSection, in_section

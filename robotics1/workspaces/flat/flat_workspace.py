@@ -11,8 +11,8 @@ from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import distinct
 from robotics1.workspaces.flat.arrangement import Divider, Loop, area_within, inner_point, outline_of, regions
 from robotics1.workspaces.flat.critical_curves import CriticalCurve
+from robotics1.workspaces.flat.flat_arm import PlanarArm
 from robotics1.workspaces.flat.flat_section import FlatSection
-from robotics1.workspaces.flat.planar_arm import PlanarArm
 from robotics1.workspaces.flat.revolution import ON_AXIS, HalfPlane, angles_of_sides, half_plane, moment_within
 from robotics1.workspaces.flat.section import Section, section_of
 from robotics1.workspaces.result import BoundaryCurve, Workspace, WorkspaceRegion, reason_of

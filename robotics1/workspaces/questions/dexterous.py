@@ -21,9 +21,9 @@ from robotics1.workspaces.axes import STRAIGHT, Axis, axes_to, require_moving, w
 from robotics1.workspaces.find import workspace_of
 from robotics1.workspaces.flat.arrangement import dividers, regions
 from robotics1.workspaces.flat.critical_curves import TOLERANCE, CriticalCurve
+from robotics1.workspaces.flat.flat_arm import PlanarArm, planar_arm
 from robotics1.workspaces.flat.flat_workspace import region_of
 from robotics1.workspaces.flat.pieces import cut, meeting_points
-from robotics1.workspaces.flat.planar_arm import PlanarArm, planar_arm
 from robotics1.workspaces.flat.section import Section, section_of
 from robotics1.workspaces.moving_point import point_moved_by, position_rows
 from robotics1.workspaces.questions.wrist_dexterity import WristDexterity, wrist_of

@@ -18,7 +18,7 @@ from robotics1.symbolic.tasks.formula import formulas
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.task import Task
 from robotics1.workspaces.find import workspace
-from robotics1.workspaces.flat.planar_arm import PlanarArm, planar_arm, plane_beside_axis
+from robotics1.workspaces.flat.flat_arm import PlanarArm, planar_arm, plane_beside_axis
 from robotics1.workspaces.moving_point import moving_point
 from robotics1.workspaces.questions.closed_forms import ClosedForm, PlaneFormulas, closed_form
 from robotics1.workspaces.questions.forms_in_space import TurnedPlane, form_in_space, without_sign
