@@ -246,3 +246,36 @@ def test_the_distance_to_a_fold_is_taken_along_the_singular_set_where_the_other_
     search = SolutionSearch(prepared.problem, task.value(robot, q), points=prepared.exact.points)
     distance = boundary_distance([Root(q, 4e-6, False)], [], search, prepared.exact.points)
     assert distance == pytest.approx(1.2 * 0.8 * bend**2 / (2 * 2.0), abs=1e-13)
+
+
+def changed(T, entry, value):
+    T = T.copy()
+    T[entry] = value
+    return T
+
+
+def test_targets_as_matrices_have_the_solutions_of_the_same_poses():
+    robot = load_robot("ur5")
+    solver, poses = SolutionSolver(robot, POSE), random_targets(robot, POSE, 20)
+    matrices = np.array([T.homogeneous for T in poses])
+    fixed = matrices.copy()
+    fixed.flags.writeable = False
+    wanted = solver.solve_batch(poses)
+    mixed = [T if i % 2 else T.homogeneous.tolist() for i, T in enumerate(poses)]
+    for targets in (matrices, fixed, list(matrices), np.asfortranarray(matrices), mixed):
+        found = solver.solve_batch(targets)
+        for i, (a, b) in enumerate(zip(found, wanted, strict=True)):
+            assert np.array_equal(a.q, b.q)
+            assert np.array_equal(solver(targets[i]).q, b.q)
+
+
+@pytest.mark.parametrize(("entry", "value"), [((3, 0), 1e-3), ((3, 3), 1.1), ((0, 0), 2.0), ((1, 3), np.nan)])
+def test_a_matrix_that_is_no_pose_is_refused_with_its_number(entry, value):
+    robot = load_robot("ur5")
+    solver = SolutionSolver(robot, POSE)
+    matrices = np.array([T.homogeneous for T in random_targets(robot, POSE, 3)])
+    matrices[1] = changed(matrices[1], entry, value)
+    with pytest.raises(InputError, match="target 1 of the batch"):
+        solver.solve_batch(matrices)
+    with pytest.raises(InputError):
+        solver(matrices[1])

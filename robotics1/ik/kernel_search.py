@@ -12,10 +12,11 @@ from numpy import empty, ndarray
 from pinocchio import SE3
 
 from robotics1.caching import cached_property
+from robotics1.ik.goals import goals_of, numbered
 from robotics1.ik.pose_problem import pose_problem
 from robotics1.ik.proof import UnreachableProof
 from robotics1.ik.result import IKResult, IKStatus
-from robotics1.ik.search import SOON, Ends, Found, Search, Table, numbered
+from robotics1.ik.search import SOON, Ends, Found, Search, Table
 from robotics1.inputs import Array
 from robotics1.kernels.chain import Indices
 from robotics1.kernels.compilation import on_all_cores, threads
@@ -74,15 +75,7 @@ class KernelSearch(Search):
         """Return poses (k, 4, 4); of a batch, one that is a pose itself is left for the kernel to check."""
         if first is None:
             return np.array([self.goal(target) for target in targets])
-        goals = np.empty((len(targets), 4, 4))
-        unchecked = pin.SE3 if self.pose_error.takes_poses else None
-        for i, target in enumerate(targets):
-            if type(target) is unchecked:
-                goals[i] = target.homogeneous
-            else:
-                with numbered(first + i):
-                    goals[i] = self.goal(target)
-        return goals
+        return goals_of(self.robot, self.pose_error, targets, first)
 
     def goal(self, target: Any) -> Array:
         """Return the pose (4, 4) of a target, checked."""

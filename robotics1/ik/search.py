@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.errors import InputError, TaskError
+from robotics1.ik.goals import numbered
 from robotics1.ik.result import IKBatch, IKResult, IKStatus
 from robotics1.inputs import Array, dimensions, real_array
 from robotics1.kernels.chain import Indices
@@ -196,12 +196,3 @@ def starts_of_all(robot: Robot, q0: npt.ArrayLike, k: int) -> Array:
     if dimensions("q0", q0) < 2:
         return np.tile(robot.configuration(q0, "q0"), (k, 1))
     return real_array("q0", q0, (k, robot.nq), "one start for each target")
-
-
-@contextmanager
-def numbered(i: int) -> Iterator[None]:
-    """Name the target, of a batch, that an error is about."""
-    try:
-        yield
-    except (InputError, TaskError) as error:
-        raise type(error)(f"target {i} of the batch: {error}") from error

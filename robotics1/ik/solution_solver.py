@@ -8,15 +8,14 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from pinocchio import SE3
 
 from robotics1.errors import InputError
 from robotics1.ik.boundary_distance import BOUNDARY
 from robotics1.ik.compiled_solutions import CompiledSolutions
+from robotics1.ik.goals import goal_of, goals_of, numbered
 from robotics1.ik.joint_samples import LaterSolutions, moves_of_goals
 from robotics1.ik.prepared import Prepared, prepare
 from robotics1.ik.result import IKStatus
-from robotics1.ik.search import numbered
 from robotics1.ik.solution_batch import IKSolutionsBatch
 from robotics1.ik.solution_set import IKSolutions
 from robotics1.ik.solver import list_of_targets
@@ -26,6 +25,7 @@ from robotics1.kernels.every_solution import COUNT, EDGE, ERROR, INSIDE
 from robotics1.other_words import names_what_is_meant
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
+from robotics1.tasks.task import PoseError
 
 
 @names_what_is_meant
@@ -71,13 +71,11 @@ class SolutionSolver:
     def _prepare(self) -> None:
         self._prepared: Prepared = prepare(self.robot, self.task, self._box, self._locked)
         self._compiled: CompiledSolutions | None = self._prepared.compiled
-        self._goal: Callable[[Any], Array] | None = None
+        self._pose_error: PoseError | None = None
         self._moved: tuple[tuple[int, bytes], tuple[Array, Array] | None] | None = None
         exact = self._prepared.exact
         if self._compiled is not None and exact is not None:
-            pose_error = exact.pose_error
-            self._takes_poses = pose_error.takes_poses
-            self._goal = lambda target: pose_error.goal(self.robot, target)
+            self._pose_error = exact.pose_error
             self._compiled.compile()  # so that no target pays for the compilation
 
     def __getstate__(self) -> dict[str, Any]:
@@ -85,7 +83,7 @@ class SolutionSolver:
         return {
             name: value
             for name, value in vars(self).items()
-            if name not in ("_prepared", "_compiled", "_goal", "_takes_poses", "_moved")
+            if name not in ("_prepared", "_compiled", "_pose_error", "_moved")
         }
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -101,8 +99,8 @@ class SolutionSolver:
         Raises:
             InputError: the target has the wrong form, or is not finite.
         """
-        if self._compiled is not None and self._goal is not None:
-            found = self._compiled.solve(self._goal_of(target, self._goal))
+        if self._compiled is not None and self._pose_error is not None:
+            found = self._compiled.solve(goal_of(self.robot, self._pose_error, target))
             if found is not None:
                 return found
         return self._carefully(target)
@@ -117,9 +115,9 @@ class SolutionSolver:
             InputError: there is no target, or one has the wrong form, and the message says which.
         """
         listed = list_of_targets(targets)
-        if self._compiled is None or self._goal is None:
+        if self._compiled is None or self._pose_error is None:
             return self._one_by_one(len(listed), lambda i: self(listed[i]))
-        q, answers = self._compiled.solve_many(self._goals(listed))
+        q, answers = self._compiled.solve_many(goals_of(self.robot, self._pose_error, listed))
         careful: dict[int, IKSolutions] = {}
         for i in np.flatnonzero((answers[:, COUNT] < 0) | (answers[:, EDGE] < BOUNDARY)).tolist():
             found = self._compiled.answer(q[i], *answers[i].tolist())
@@ -153,10 +151,10 @@ class SolutionSolver:
             raise InputError(f"values of {joint!r} must lie in its limits [{lower:g}, {upper:g}]")
         moves = self._moves_of_goals(number, array)
         find = partial(self._solve_locked, target, joint, array)
-        if moves is None or self._compiled is None or self._goal is None:
+        if moves is None or self._compiled is None or self._pose_error is None:
             return self._one_by_one(len(array), find)
         before, behind = moves
-        q, answers = self._compiled.solve_here(before @ self._goal_of(target, self._goal) @ behind)
+        q, answers = self._compiled.solve_here(before @ goal_of(self.robot, self._pose_error, target) @ behind)
         q[:, :, number] = array[:, None]
         inside, counts = answers[:, INSIDE : COUNT + 1].astype(np.int64).T
         error = answers[:, ERROR].copy()
@@ -185,25 +183,6 @@ class SolutionSolver:
 
     def _carefully(self, target: Any) -> IKSolutions:
         return self._prepared.carefully(self.task.target(target), self._starts, self._seed)
-
-    def _goal_of(self, target: Any, goal: Callable[[Any], Array]) -> Array:
-        """Return the pose (4, 4) of a target; one that is a pose itself is left for the kernel to check."""
-        pose = self._takes_poses and type(target) is SE3
-        return np.asarray(target.homogeneous) if pose else goal(target)
-
-    def _goals(self, targets: list[Any]) -> Array:
-        """Return the poses (k, 4, 4) of targets, as `_goal_of` does."""
-        if self._takes_poses and all(type(target) is SE3 for target in targets):
-            return np.concatenate([target.homogeneous for target in targets]).reshape(-1, 4, 4)
-        goals = np.empty((len(targets), 4, 4))
-        unchecked = SE3 if self._takes_poses else None
-        for i, target in enumerate(targets):
-            if type(target) is unchecked:
-                goals[i] = target.homogeneous
-            elif self._goal is not None:
-                with numbered(i):
-                    goals[i] = self._goal(target)
-        return goals
 
     def _one_by_one(self, k: int, find: Callable[[int], IKSolutions]) -> IKSolutionsBatch:
         careful = {}

@@ -15,7 +15,7 @@ import pinocchio as pin
 from robotics1.caching import cached_property
 from robotics1.chunks.workers import check_executor, workers_of
 from robotics1.errors import InputError, TaskError
-from robotics1.ik.search import numbered
+from robotics1.ik.goals import numbered
 from robotics1.ik.solver import list_of_targets
 from robotics1.inputs import Array, dimensions, one_of, real_array, real_number
 from robotics1.notation import count, vector
