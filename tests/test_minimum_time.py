@@ -196,6 +196,14 @@ def test_a_shorter_polynomial_or_bang_bang_violates_a_bound(kind, d, V, A, J, x0
         assert max(ratios(motion_of([0], [d], shorter, v0, v1), V, A, J)) > 1
 
 
+@pytest.mark.parametrize(("limits", "v0", "v1"), [((1.5, 1, 1), 0.75, 0), ((1, 1, 0.5), 0.5, 0.25)])
+def test_a_bound_that_is_met_at_one_duration_alone_asks_for_no_longer_one(limits, v0, v1):
+    """On the way to the least T the jerk at an end is ±J at one T, and inside for longer ones."""
+    T = r1.minimum_time(0, 0.5, r1.MotionLimits(*limits), "quintic", v0=v0, v1=v1).duration
+    J0, J1 = ((60 * 0.5 - 36 * a * T - 24 * b * T) / T**3 for a, b in ((v0, v1), (v1, v0)))
+    assert max(abs(J0), abs(J1)) == pytest.approx(limits[2], rel=1e-9)
+
+
 def test_no_bang_bang_comes_back_at_the_bound_it_went_away_with():
     """From V to V over −Δ: the velocity at the switch is −V − 2Δ/T, beyond −V for any T."""
     with pytest.raises(r1.InputError, match="'trapezoidal' does"):

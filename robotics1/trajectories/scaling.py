@@ -152,10 +152,10 @@ class Excess(NamedTuple):
 def _passed(motion: Motion, limits: MotionLimits, T: float) -> list[Excess]:
     """Return where the motion of duration T passes a bound.
 
-    A derivative that is at its bound B at an end, as q̇ where v0 = V, passes it by the square, or a higher power, of the
-    next one that is not zero there: so small an excess is rounding. That next one must lead back inside.
+    A derivative that is at its bound B at an end for every T, as q̇ where v0 = V, passes it by the square, or a higher
+    power, of the next one that is not zero there: so small an excess is rounding. That next one must lead back inside.
     """
-    curve = as_curve("motion(T)", answer_of("motion", motion, T))
+    curve, slower = (as_curve("motion(T)", answer_of("motion", motion, duration)) for duration in (T, 2 * T))
     bounds = limits.of_joints(curve.dimension)
     found = [
         Excess(ORDERS[use.quantity], int(use.joint or 0), use.time, use.value, use.limit)
@@ -167,7 +167,8 @@ def _passed(motion: Motion, limits: MotionLimits, T: float) -> list[Excess]:
         ends: tuple[tuple[float, int, Side], ...] = ((0.0, 1, "right"), (T, -1, "left"))
         for time, inwards, side in ends:
             values = np.array([curve.derivative(time, r, side=side) for r in range(k, highest + 1)])
-            for j in np.flatnonzero(np.abs(values[0]) >= (1 - SAME_BOUND) * bound):
+            pair = np.abs([values[0], slower.derivative(2 * time, k, side=side)])
+            for j in np.flatnonzero((np.abs(pair / bound - 1) <= SAME_BOUND).all(axis=0)):
                 sizes = values[1:, j] * (inwards * T) ** np.arange(1.0, len(values)) / values[0, j]
                 beyond = np.flatnonzero(np.abs(sizes) > REACHED)
                 if beyond.size and sizes[beyond[0]] > 0:
