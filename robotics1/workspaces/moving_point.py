@@ -55,7 +55,7 @@ def moving_point(robot: Robot, task: Task, box: Mapping[str, tuple[float, float]
 
 
 def point_moved_by(robot: Robot, axes: Sequence[Axis], tip: Array, rows: Array) -> MovingPoint:
-    """Return what moves a tip (3,), of which a task has the rows (m, 3)."""
+    """Return what moves a tip (3,) whose coordinates along the rows (m, 3) are the task."""
     lower, upper = robot.lower.copy(), robot.upper.copy()
     for axis in axes:
         lower[axis.number], upper[axis.number] = axis.lower, axis.upper
