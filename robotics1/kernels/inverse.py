@@ -11,7 +11,7 @@ from robotics1.kernels.descent import copy, descend
 from robotics1.kernels.pose import forward_kinematics, task_parts
 
 NO_POSE, NO_START = -1, -2  # instead of a number of starts: the goal is no pose, the start is not finite
-ORTHONORMAL = 1.001e-6  # |RᵀR − 1| of what is taken for a rotation: 1e-6, as everywhere, and room for rounding
+ORTHONORMAL = 1e-6 + 1e-12  # |RᵀR − 1| of what is taken for a rotation: 1e-6, as everywhere, and room for rounding
 ENDLESS = 1e5  # of a start [rad]: beyond, whole turns are left out, since its last digits are no longer 1e-10
 TURN = 2.0 * math.pi
 
