@@ -1,6 +1,9 @@
 """All solutions of an arm of DH rows by Newton's method from many starts at once; imports nothing of ours."""
 
 import numpy as np
+from scipy.ndimage import label
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 
 def link(kind, a, alpha, d, theta, q):
@@ -64,3 +67,15 @@ def all_solutions(rows, target, which, *, tool=(0, 0, 0), starts=400, seed=0, re
         if all(apart(kinds, p, other) > 1e-5 for other in found):
             found.append(p)
     return np.array(found).reshape(-1, len(rows))
+
+
+def curves_of_equal(first, second):
+    """The number of closed curves first(x) = second(y) on a torus, from values at points all around: a flood fill."""
+    above = first[:, None] > second
+    x_changes, y_changes = above != np.roll(above, 1, 0), above != np.roll(above, 1, 1)
+    crossed = x_changes | y_changes | np.roll(x_changes, 1, 1) | np.roll(y_changes, 1, 0)
+    parts, count = label(crossed, np.ones((3, 3)))
+    seams = [(a, np.roll(b, s)) for a, b in ((parts[0], parts[-1]), (parts[:, 0], parts[:, -1])) for s in (-1, 0, 1)]
+    joined = np.array([(i, j) for a, b in seams for i, j in zip(a, b, strict=True) if i and j]).reshape(-1, 2) - 1
+    graph = coo_array((np.ones(len(joined)), joined.T), shape=(count, count))
+    return connected_components(graph, directed=False)[0]

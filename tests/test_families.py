@@ -1,20 +1,23 @@
 """Curves of solutions at singular targets of six joints: whole, where they cross too, with tangents, cut by limits."""
 
+from collections import Counter
 from functools import cache
 from math import pi
 
 import numpy as np
 import pytest
-from brute_force import all_solutions, apart
+from brute_force import all_solutions, apart, curves_of_equal
+from sweeps import core_first
 from test_all_solutions import ANTHROPOMORPHIC, CYLINDRICAL, POSE, PUMA, STANFORD, UR5, XYZ, H, R, robot_of
 
-from robotics1 import ik_solutions, robot_from_dh
+from robotics1 import forward_kinematics, ik_solutions, robot_from_dh
 from robotics1.ik import IKStatus, SolutionSolver
 from robotics1.ik.families import Families
 from robotics1.ik.prepared import prepare
 from robotics1.ik.solution_search import SolutionSearch
 
 UPPER, FOREARM = 0.5, 0.4
+TURN = np.linspace(0, 2 * pi, 720, endpoint=False)
 ELBOW = [R(0, H, 0.3), R(UPPER, 0, 0), R(0, H, 0), R(0, -H, FOREARM), R(0, H, 0), R(0, 0, 0.1)]
 
 
@@ -91,14 +94,56 @@ def test_both_curves_that_cross_where_a_four_bar_is_flat_have_the_tangents_of_th
         assert all(np.abs(found - ratio).min() < 1e-5 for ratio in expected)
 
 
-@pytest.mark.parametrize("case", ["wrist", "wrist behind a slide"])
-def test_a_family_of_a_spherical_wrist_is_complete(case):
+@pytest.mark.parametrize(
+    "case", ["wrist", "wrist behind a slide", "shoulder", "three parallel axes", "three parallel axes, stretched"]
+)
+def test_families_that_do_not_cross_are_complete(case):
     assert solved(case)[2].complete
 
 
-@pytest.mark.parametrize("case", ["shoulder", "shoulder and wrist", "wrist and elbow", "three parallel axes"])
-def test_other_families_are_not_said_to_be_all(case):
+@pytest.mark.parametrize("case", ["shoulder and wrist", "wrist and elbow"])
+def test_families_that_cross_or_are_double_are_not_said_to_be_all(case):
     assert not solved(case)[2].complete
+
+
+@pytest.mark.parametrize("seed", core_first(range(10), [0, 3]))
+def test_a_wrist_follows_the_shoulder_along_as_many_curves_as_a_spherical_four_bar_has(seed):
+    """Axes 1, 4, 5 and 6 go through one point; cos d = cos a cos b + sin a sin b cos θ for each pair of arcs."""
+    rng = np.random.default_rng(seed)
+    twists = rng.uniform(0.3, 2.8, 2)
+    robot = robot_of([*ELBOW[:3], R(0, -twists[0], FOREARM), R(0, twists[1], 0), R(0, 0, 0.1)])
+    q = over_the_shoulder(rng.uniform(-3, 3), *rng.uniform(-3, 3, 2))
+    z = axes_of(robot, q)[0][[0, 3, 4, 5]]
+    a, b, c, d = np.arccos((z * np.roll(z, -1, axis=0)).sum(axis=1))
+    turns = np.cos(TURN)
+    first, second = (np.cos(s) * np.cos(t) + np.sin(s) * np.sin(t) * turns for s, t in ((b, c), (d, a)))
+    assert_as_many_curves(robot, q, curves_of_equal(first, second), ("q2", "q3"))
+
+
+@pytest.mark.parametrize("seed", core_first(range(10), [0, 1]))
+def test_four_parallel_axes_move_along_as_many_curves_as_a_planar_four_bar_has(seed):
+    """Axes 2, 3, 4 and 6 are parallel; d² = a² + b² + 2 a b cos θ for each pair of links."""
+    rng = np.random.default_rng(seed)
+    l1, l2, l3 = rng.uniform([0.2, 0.2, 0.05], [0.6, 0.6, 0.5])
+    robot = robot_of([R(0, H, 0.1), R(l1, 0, 0), R(l2, 0, 0), R(0, H, 0.1), R(0, -H, l3), R(0, 0, 0.08)])
+    q = np.array([*rng.uniform(-3, 3, 4), rng.choice([0, pi]), rng.uniform(-3, 3)])
+    z, o = axes_of(robot, q)
+    ground = np.linalg.norm(np.cross(o[5] - o[1], z[1]))
+    first, second = (s**2 + t**2 + 2 * s * t * np.cos(TURN) for s, t in ((l1, l2), (l3, ground)))
+    assert_as_many_curves(robot, q, curves_of_equal(first, second), ("q1", "q5"))
+
+
+def axes_of(robot, q):
+    """Directions and points, (n, 3) each, of the joint axes."""
+    frames = [forward_kinematics(robot, q, frame=name) for name in robot.joint_names]
+    return np.array([T.rotation[:, 2] for T in frames]), np.array([T.translation for T in frames])
+
+
+def assert_as_many_curves(robot, q, count, standing):
+    found = ik_solutions(robot, POSE, POSE.value(robot, q))
+    equations = [tuple(text for text in family if text.split(" = ")[0] in standing) for family in found.families]
+    assert (found.status, found.complete) == (IKStatus.INFINITE, True)
+    assert set(Counter(equations).values()) == {count}
 
 
 def test_a_curve_is_cut_where_a_joint_is_at_its_limit():

@@ -10,8 +10,9 @@ from robotics1.caching import cached_property
 from robotics1.errors import TaskError
 from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance, distance_of_meeting
 from robotics1.ik.descent import REACHED
-from robotics1.ik.families import Families, FamilyCurve
+from robotics1.ik.families import Families
 from robotics1.ik.joint_relations import joint_relations
+from robotics1.ik.linkages import are_all
 from robotics1.ik.result import IKStatus
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_search import SAME, SolutionSearch
@@ -206,7 +207,7 @@ class ExactSolver:
             for root, dimension in zip(roots, dimensions, strict=True)
             if not dimension and not (root.singular and families.is_listed(root.q))
         ]
-        if not curves:
+        if not any(len(curve.q) for curve in curves):
             return None
         inside, outside = self._by_limits(alone)
         robot = self.problem.robot
@@ -214,23 +215,11 @@ class ExactSolver:
         for curve in curves:
             found += [(Root(q, 0.0, True), t) for q, t in zip(curve.q, curve.tangents, strict=True)]
         found.sort(key=lambda pair: [round(float(value), 6) for value in pair[0].q])
-        proven = proven and self._is_whole(alone, curves)
+        proven = proven and not any(root.singular for root in alone) and are_all(curves, self.form.chain)
         listed = [root for root, _ in found]
         answer = self._answer(listed, outside, IKStatus.INFINITE, families.search, dimension=1, proven=proven, near=0.0)
-        relations = tuple(joint_relations(curve.q, self.problem) for curve in curves)
+        relations = tuple(joint_relations(curve.q, self.problem) for curve in curves if len(curve.q))
         return replace(answer, families=relations, tangents=np.array([t for _, t in found]))
-
-    def _is_whole(self, alone: list[Root], curves: list[FamilyCurve]) -> bool:
-        """Whether the curves are proven to be all: a spherical wrist alone moves, and nothing else is singular.
-
-        The three other joints then stand where their finitely many solutions are.
-        """
-        loop = self.form.loop
-        if loop is None or loop[0].normal is not None or any(root.singular for root in alone):
-            return False
-        others = [self.form.chain.coordinate[(loop[1] + k) % 6] for k in (3, 4, 5)]
-        stand = all(np.ptp(np.unwrap(curve.q[:, others], axis=0), axis=0).max() < SPLIT for curve in curves)
-        return stand and all(curve.regularity > SINGULAR for curve in curves)
 
     def _miss(
         self,

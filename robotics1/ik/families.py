@@ -2,16 +2,17 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 
 from robotics1.ik.descent import REACHED
+from robotics1.ik.family_curve import FamilyCurve, Sample, samples_inside
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.ik.solution_search import ASIDE, FLAT, SolutionSearch
 from robotics1.inputs import Array
 
-STEP, STEPS = 0.25, 60  # along a curve, to each side
+STEP, STEPS = 0.25, 160  # along a curve, to each side
+SHORTER, STRAIGHT = 4, 0.9  # steps that are tried, each a third of the one before; cos of the angle to the tangent
 LISTED = 0.6 * STEP  # from a sample of a curve, of a solution that is on it
 DIFFERENCE = 1e-4  # in units, of a quotient
 PLACES, AWAY, ENOUGH = 12, 0.8, 3  # near a solution; how far away, in units; how many where J keeps its rank suffice
@@ -20,17 +21,6 @@ MOST = 24  # curves that cross each other
 DIRECTIONS = 24  # in which curves may leave a crossing
 CHANGES = 0.999  # of the second smallest σ, from one sample to the next, where there may be a crossing between
 CROSSING = 1e-3  # σ beside σ₁ of a second direction that may be the tangent of another curve
-PARTS, HALVINGS = 8, 40  # of a step in which a joint may come within its limits and leave them, or cross one
-
-
-class FamilyCurve(NamedTuple):
-    """Solutions along a curve inside the limits, q (k, nq), the unit tangents there, (k, nq), and how regular it is:
-    the least σ, beside σ₁, of the directions across it.
-    """
-
-    q: Array
-    tangents: Array
-    regularity: float
 
 
 @dataclass(eq=False)
@@ -110,7 +100,9 @@ class Families:
         return self.search.relative_error(p) <= REACHED and 0.2 * step < way < 2 * step
 
     def through(self, q: Array) -> list[FamilyCurve]:
-        """Return the curve through a solution, and those that cross it; none if the solution is on one already."""
+        """Return the curve through a solution, and those that cross it, those outside the limits too; none if the
+        solution is on one already.
+        """
         if self.is_listed(q):
             return []
         found: list[FamilyCurve] = []
@@ -121,13 +113,13 @@ class Families:
             start, ahead = waiting.pop()
             if ahead is not None and self.is_listed(ahead):
                 continue
-            samples = self._curve(start, None) if ahead is None else self._curve(ahead, self._way(ahead, start))
+            way = None if ahead is None else self._way(ahead, start)
+            samples, closed = self._curve(start if ahead is None else ahead, way)
             self.seen += [p for p, _ in samples]
-            curve = self._inside(samples)
-            found.append(curve._replace(regularity=min(curve.regularity, self._second(start))))
+            found.append(self._family_curve(samples, closed=closed, regularity=self._second(start)))
             for crossing in self._crossings([p for p, _ in samples]):
                 waiting += [(crossing, p) for p in self._ways_from(crossing)]
-        return [curve for curve in found if len(curve.q)]
+        return found
 
     def is_listed(self, q: Array) -> bool:
         """Return whether a singular solution is on one of the curves so far."""
@@ -154,8 +146,8 @@ class Families:
         """Return the way from q to p in units, of the joints that move the task."""
         return np.asarray(self.problem.shortest_difference(p, q)[self.problem.moving])
 
-    def _curve(self, q: Array, way: Array | None) -> list[tuple[Array, Array]]:
-        """Return the solutions on the curve through q with their tangents, one after the other.
+    def _curve(self, q: Array, way: Array | None) -> tuple[list[Sample], bool]:
+        """Return the solutions on the curve through q with their tangents, one after the other, and whether it closes.
 
         Args:
             q: a solution.
@@ -164,18 +156,18 @@ class Families:
         sigma, Vt = self._spectrum(q)
         tangent = Vt[-1] if way is None else _projected(way, Vt[sigma < FLAT])
         if tangent is None:
-            return [(q, Vt[-1])]
+            return [(q, Vt[-1])], False
         forward, closed = self._along(q, tangent)
         back = [] if closed else [(p, -t) for p, t in self._along(q, -tangent)[0]]
-        return [*back[::-1], (q, tangent), *forward]
+        return [*back[::-1], (q, tangent), *forward], closed
 
-    def _along(self, q: Array, tangent: Array) -> tuple[list[tuple[Array, Array]], bool]:
+    def _along(self, q: Array, tangent: Array) -> tuple[list[Sample], bool]:
         """Return the solutions along the curve to one side, and whether it comes home."""
-        found: list[tuple[Array, Array]] = []
+        found: list[Sample] = []
         p = q
         for _ in range(STEPS):
-            ahead = self._ahead(p, tangent, STEP)
-            if self.search.relative_error(ahead) > REACHED:
+            ahead = self._next(p, tangent)
+            if ahead is None:
                 break
             if len(found) > 2 and np.abs(self.problem.shortest_difference(ahead, q)).max() < 0.5 * STEP:
                 return found, True
@@ -187,6 +179,15 @@ class Families:
             p, tangent = ahead, turned
             found.append((p, tangent))
         return found, False
+
+    def _next(self, q: Array, tangent: Array) -> Array | None:
+        """Return the solution one step on, or less where the curve turns sharply; None if it ends."""
+        for step in STEP / 3.0 ** np.arange(SHORTER):
+            ahead = self._ahead(q, tangent, step)
+            way = self._way(ahead, q)
+            if self.search.relative_error(ahead) <= REACHED and way @ tangent > STRAIGHT * np.linalg.norm(way):
+                return ahead
+        return None
 
     def _crossings(self, curve: list[Array]) -> list[Array]:
         """Return where J loses rank once more along a curve: others may cross it there."""
@@ -254,42 +255,21 @@ class Families:
             found += [0.5 * (middle + side * half) + turn for side in (1, -1) for turn in (0, np.pi)]
         return found
 
-    def _inside(self, curve: list[tuple[Array, Array]]) -> FamilyCurve:
-        """Return what is inside the limits of a curve, with the solutions at which a joint is at its limit."""
-        found, regularity = [], np.inf
-        for (p, tangent), (after, next_tangent) in zip(curve, [*curve[1:], curve[-1]], strict=True):
-            way = self.problem.shortest_difference(after, p) * self.problem.box.unit
-            near = [(p, tangent)]
-            ends = self.within(p) is None, self.within(after) is None
-            if any(ends) and after is not p:
-                near += [(q, tangent if t < 0.5 else next_tangent) for t, q in self._part_inside(p, way, ends)]
-            found += [(q, t) for q, t in ((self.within(q), t) for q, t in near) if q is not None]
-            regularity = min(regularity, self._second(p))
-        n = self.problem.robot.nq
-        tangents = np.zeros((len(found), n))
+    def _family_curve(self, samples: list[Sample], *, closed: bool, regularity: float) -> FamilyCurve:
+        """Return a curve with what is inside the limits, and the solutions at which a joint is at its limit."""
+        found = samples_inside(samples, self.problem, self.within, self._solution_inside)
+        tangents = np.zeros((len(found), self.problem.robot.nq))
         tangents[:, self.problem.moving] = [t for _, t in found] if found else 0.0
         tangents *= self.problem.box.unit
         tangents /= np.maximum(np.linalg.norm(tangents, axis=1, keepdims=True), 1e-300)
-        return FamilyCurve(np.array([q for q, _ in found]).reshape(-1, n), tangents, regularity)
+        q = np.array([q for q, _ in found]).reshape(tangents.shape)
+        regularity = min(regularity, *(self._second(p) for p, _ in samples))
+        return FamilyCurve(q, tangents, np.array([p for p, _ in samples]), closed, regularity)
 
-    def _part_inside(self, p: Array, way: Array, outside: tuple[bool, bool]) -> list[tuple[float, Array]]:
-        """Return the ends of the part of a step that is inside the limits: shares of the step, and solutions."""
-        shares = np.linspace(0, 1, PARTS + 1)
-        inside = [not outside[0], *(self._is_inside(p, way, t) for t in shares[1:-1]), not outside[1]]
-        found = []
-        for k in range(PARTS):
-            if inside[k] == inside[k + 1]:
-                continue
-            low, high = (shares[k], shares[k + 1]) if inside[k] else (shares[k + 1], shares[k])
-            for _ in range(HALVINGS):
-                middle = 0.5 * (low + high)
-                low, high = (middle, high) if self._is_inside(p, way, middle) else (low, middle)
-            found.append((float(low), self.polished(p + low * way)))
-        return found
-
-    def _is_inside(self, p: Array, way: Array, share: float) -> bool:
-        q = self.polished(p + share * way)
-        return self.search.relative_error(q) <= REACHED and self.within(q) is not None
+    def _solution_inside(self, q: Array) -> Array | None:
+        """Return the solution next to a configuration, turned into the limits; None if there is none."""
+        p = self.polished(q)
+        return self.within(p) if self.search.relative_error(p) <= REACHED else None
 
 
 def _projected(way: Array, flat: Array) -> Array | None:

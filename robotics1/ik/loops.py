@@ -12,6 +12,7 @@ import numpy as np
 
 from robotics1.ik.common_roots import ALONE, coefficients, common_roots, samples
 from robotics1.ik.subproblems import (
+    ON_AXIS,
     Z,
     first_coordinate,
     inverse,
@@ -26,6 +27,7 @@ from robotics1.inputs import Array
 
 ROUNDED = 1e-4  # of angles [rad] and of lengths beside the arm's, by which files round
 PARALLEL = 1e-3  # sine of an angle between axes whose common point is not to be trusted
+TURNED = np.pi / 6 * np.arange(12)  # of a joint that may have any angle
 LoopSolve = Callable[[Sequence[Array]], Array | None]
 
 
@@ -108,14 +110,25 @@ def _spherical(A: Sequence[Array], prismatic: Sequence[bool]) -> Array | None:
     rest = point(A[3:5], prismatic[3:], c, t)
     if rest is None:
         return None
+    anywhere = [bool(np.hypot(*p[:2]) < ON_AXIS) and not prismatic[k] for p, k in ((t, 3), (c, 5))]
     found = []
     for x in rest:
-        R = _through(A, prismatic, x)[:3, :3].T
-        turns = orientation([A[0][:3, :3], A[1][:3, :3]], R)
+        reached = _with_turns(A, prismatic, x, TURNED if anywhere[0] else TURNED[:1])
+        if reached is None or (any(anywhere) and not len(reached)):
+            return None  # joint 3 or 5 is arbitrary, and for some of its angles the three may reach
+        found += reached
+    return np.array(found).reshape(-1, 6)
+
+
+def _with_turns(A: Sequence[Array], prismatic: Sequence[bool], x: Array, by: Array) -> list[Array] | None:
+    """Return solutions with joints 3 to 5 at x, joint 3 turned by each of some angles."""
+    found = []
+    for rest in x + np.outer(by, [1.0, 0.0, 0.0]):
+        turns = orientation([A[0][:3, :3], A[1][:3, :3]], _through(A, prismatic, rest)[:3, :3].T)
         if turns is None:
             return None
-        found += [[*turn, *x] for turn in turns]
-    return np.array(found).reshape(-1, 6)
+        found += [np.array([*turn, *rest]) for turn in turns]
+    return found
 
 
 def _through(A: Sequence[Array], prismatic: Sequence[bool], x: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -123,14 +124,17 @@ class IKSolutions(Frozen):
         """Return how many solutions there are, and the nearest miss if there is none, in sentences."""
         if not len(self):
             return f"{self.status.value}; the nearest miss is |e| = {self.error_norm:.3g}"
-        rest = "these are all" if self.complete else "there may be others"
+        rest = (
+            ("no other curve exists" if self.dimension else "these are all") if self.complete else "there may be others"
+        )
         if len(self.hits):
             led = f"{count(int(self.hits.sum()), 'start')} led to these, at least {self.hits.min()} to each"
             rest += f": {led}; the next leads to another with an estimated chance of {self.unseen:.2g}"
-        found = f"{len(self)} found by {self.method}, {rest}"
+        found = f"{len(self)}{' samples' * bool(self.dimension)} found by {self.method}, {rest}"
         free = f"; free joints: {', '.join(self.free_joints)}" if self.free_joints else ""
-        where = "along a curve" if self.dimension == 1 else "on a set with"
-        curves = "".join(f"; {where} {', '.join(equations)}" for equations in self.families if equations)
+        along, noun = ("along", "curve") if self.dimension == 1 else ("on", "set")
+        alike = Counter(filter(None, self.families)).items()
+        curves = "".join(f"; {along} {count(n, noun)} with {', '.join(equations)}" for equations, n in alike)
         kind = {0: "", 1: ", on curves"}.get(self.dimension, f", a set of dimension {self.dimension}")
         edge = f"; a boundary is {self.boundary_distance:.3g} away" if self.boundary_distance < np.inf else ""
         edge = "; J loses rank there" if self.boundary_distance == 0 else edge
