@@ -124,8 +124,9 @@ def angle_of(sine: Any, cosine: Any) -> Any:
         return math.pi if angle == -math.pi else angle
     import sympy
 
-    is_pair = getattr(cosine, "func", None) is sympy.cos and sine == sympy.sin(*cosine.args)
-    return sine.args[0] if is_pair else sympy.atan2(sine, cosine)
+    theta = cosine.args[0] if getattr(cosine, "func", None) is sympy.cos else None
+    signs = {sympy.sin(theta): theta, -sympy.sin(theta): -theta} if theta is not None else {}
+    return signs.get(sine, sympy.atan2(sine, cosine))
 
 
 def wrapped(angle: float) -> float:

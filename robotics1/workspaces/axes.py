@@ -111,6 +111,14 @@ def distance_to(axis: Axis, point: Array) -> float:
     return float(np.linalg.norm(np.cross(axis.direction, point - axis.point)))
 
 
+def nearest_on(axis: Axis, other: Axis) -> Array:
+    """Return the point of an axis that is nearest to another axis; of parallel ones, to the point of the other."""
+    a, b, between = axis.direction, other.direction, other.point - axis.point
+    c = a @ b
+    along = a @ between if 1 - c * c < ALIKE else (a @ between - c * (b @ between)) / (1 - c * c)
+    return np.asarray(axis.point + a * along)
+
+
 def are_planar(axes: Sequence[Axis], normal: Array) -> bool:
     """Return whether revolute axes are along a normal, and prismatic ones across it."""
     along = [abs(float(axis.direction @ normal)) for axis in axes]

@@ -165,6 +165,22 @@ class TrigPolynomial:
                 terms[k] = self.trig_ring.ring.from_dict(kept)
         return TrigPolynomial(self.trig_ring, terms)
 
+    def coefficients(self, symbol: sympy.Symbol) -> dict[int, "TrigPolynomial"]:
+        """Return f as a polynomial in exp(i φ) of an angle φ, or in a generator of the ring: power → coefficient."""
+        F = self.trig_ring
+        j = [*F.angles, *F.ring.symbols].index(symbol)
+        parts: dict[int, dict[Exponents, dict[Exponents, Any]]] = {}
+        for k, c in self.terms.items():
+            for m, a in c.terms():
+                exponents = [*k, *m]
+                power, exponents[j] = exponents[j], 0
+                others = tuple(exponents[: len(k)]), tuple(exponents[len(k) :])
+                parts.setdefault(power, {}).setdefault(others[0], {})[others[1]] = a
+        return {
+            power: TrigPolynomial(F, {k: F.ring.from_dict(c) for k, c in terms.items()})
+            for power, terms in parts.items()
+        }
+
     def derivative(self, symbol: sympy.Symbol) -> "TrigPolynomial":
         """Return ∂f/∂symbol, for an angle or a generator of the ring."""
         if symbol in self.trig_ring.angles:
