@@ -75,7 +75,10 @@ def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
             continue
         beside = [other for other in chain.axes[max(k - 1, 0) : k + 2] if other is not axis and other.revolute]
         points = [nearest_on(axis, other) for other in beside]
-        points += [axis.point + axis.direction * (axis.direction @ (p - axis.point)) for p in _ends(objective)]
+        points += [
+            axis.point + axis.direction * (axis.direction @ (p - axis.point))
+            for p in (objective.measure.centre, chain.tip)
+        ]
         kept: list[Array] = []
         for o in points:
             if all(np.linalg.norm(o - other) > near for other in kept):
@@ -86,10 +89,6 @@ def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
 def _rounding(chain: Chain) -> float:
     """Return a distance that is none, by the arm's size."""
     return ALIKE * max(float(np.linalg.norm(axis.point - chain.tip)) for axis in chain.axes)
-
-
-def _ends(objective: Objective) -> tuple[Array, Array]:
-    return objective.measure.centre, objective.chain.tip
 
 
 def _pivots_at(objective: Objective, k: int, o: Array) -> Iterator[Pivot]:

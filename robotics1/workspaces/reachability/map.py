@@ -16,7 +16,7 @@ from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.reachability.chunk import ChunkOfMap, Description, chunk_of_map, empty_chunk
 from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of, question_of
-from robotics1.workspaces.reachability.poses import Poses, poses_of, task_of_map
+from robotics1.workspaces.reachability.poses import poses_of, task_of_map
 from robotics1.workspaces.reachability.result import ReachabilityMap
 from robotics1.workspaces.reachability.saved import MapFolder, chunk_kept, map_folder
 
@@ -82,7 +82,8 @@ def reachability_map(
         raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
     poses = poses_of(robot, form, error, positions, orientations)
     evaluator = evaluator_of(question.packed())  # before the threads want it
-    description = Description(robot.name, robot.joint_names, asked.row_names, *_fields(poses), counts=evaluator.counts)
+    of_poses = poses.coordinates, poses.positions, poses.orientations, poses.grid
+    description = Description(robot.name, robot.joint_names, asked.row_names, *of_poses, counts=evaluator.counts)
     done = (
         _done_in_memory
         if checkpoint is None
@@ -91,10 +92,6 @@ def reachability_map(
     sendable = evaluator.measurement.sendable
     with workers_of(executor, sendable=sendable) as workers:
         return description.finished(done(question.packed(), description, workers, progress))
-
-
-def _fields(poses: Poses) -> tuple[str, Array, Array, tuple[Array, ...] | None]:
-    return poses.coordinates, poses.positions, poses.orientations, poses.grid
 
 
 def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progress: Progress | None) -> ChunkOfMap:
