@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
+from robotics1.angles import without_turns
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import intervals, refuse_open_range
@@ -170,5 +171,5 @@ def refuse_open_slides(axes: Sequence[Axis]) -> None:
 def distinct(q: Array, turning: Sequence[bool] | npt.NDArray[np.bool_], same: float) -> npt.NDArray[np.intp]:
     """Return the numbers of rows of q (k, n) that are not those of one before; whole turns of some columns are none."""
     d = q[:, None] - q[None]
-    d = np.where(turning, (d + pi) % tau - pi, d)
+    d = np.where(turning, without_turns(d), d)
     return np.flatnonzero(~np.tril(np.abs(d).max(axis=-1, initial=0.0) < same, -1).any(axis=1))
