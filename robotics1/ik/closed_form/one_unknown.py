@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import sympy
 from sympy.polys.domains import QQ_I
 
-from robotics1.ik.closed_form.trig_equation import angles_of, existence
-from robotics1.orientation.expressions import angle_of
+from robotics1.ik.closed_form.trig_equation import existence
+from robotics1.orientation.expressions import angle_of, both_angles
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial
 
 SMALL = 1e-9  # a coefficient that may be rounding
@@ -99,7 +99,7 @@ def solve_one(equation: OneUnknown, write: Any) -> JointFormula:
         if a == 0 or b == 0:
             double = sympy.false if c == 0 else sympy.Eq(sympy.Abs(c / (a + b)), 1)
         free = _vanishes(a, b) if c == 0 or a == 0 or b == 0 else _vanishes(square)
-        return JointFormula(equation.q, tuple(angles_of(a, b, c)), existence(a, b, c), double, free)
+        return JointFormula(equation.q, tuple(both_angles(a, b, c)), existence(a, b, c), double, free)
     C0, C1, C2 = map(write, equation.coefficients)
     if C2 == 0:
         return JointFormula(equation.q, (_quotient(-C0, C1),), sympy.true, sympy.false, _vanishes(C1))
