@@ -1,6 +1,6 @@
 """Trigonometric polynomials, in the form in which sums of angles and cos² + sin² = 1 come by themselves.
 
-A trigonometric polynomial is a TrigPolynomial polynomial in the exponentials zⱼ = exp(i φⱼ) of the angles,
+A trigonometric polynomial is a Laurent polynomial in the exponentials zⱼ = exp(i φⱼ) of the angles,
 
 f = Σₖ cₖ exp(i k·φ),  k ∈ ℤⁿ,
 
@@ -23,7 +23,7 @@ from sympy.polys.rings import PolyElement, PolyRing
 from robotics1.symbolic.polynomials.time_limit import check_time
 
 Exponents = tuple[int, ...]
-Matrix = np.ndarray[Any, Any]  # of TrigPolynomial polynomials
+Matrix = np.ndarray[Any, Any]  # of trigonometric polynomials
 ROOTS = {"√2": 2, "√3": 3}  # generators that stand for square roots
 
 

@@ -20,7 +20,7 @@ from robotics1.symbolic.writing.sums_of_angles import Groups, written
 MOST_PRODUCTS = 1000  # of terms, that are tried
 MOST_TERMS = 64  # of a polynomial that is not left as sum of products
 
-Entry = Any  # a TrigPolynomial polynomial, or a sympy.Expr
+Entry = Any  # a TrigPolynomial, or a sympy.Expr
 
 
 @dataclass(frozen=True, eq=False)
