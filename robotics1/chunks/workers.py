@@ -102,6 +102,16 @@ def check_executor(executor: Any) -> None:
         raise InputError(f"executor must be {EXECUTORS}; it is {executor!r}")
 
 
+def check_progress(progress: Any) -> None:
+    """Refuse what cannot be called with the number done and the number of all.
+
+    Raises:
+        InputError: it is neither None nor a function.
+    """
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
+
+
 @contextmanager
 def workers_of(executor: Any, *, sendable: bool = True) -> Iterator[Workers]:
     """Open the workers that an argument names.

@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from robotics1.chunks.identity import identity
-from robotics1.chunks.workers import Workers, check_executor, workers_of
-from robotics1.errors import InputError
+from robotics1.chunks.workers import Workers, check_executor, check_progress, workers_of
 from robotics1.inputs import Array
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
@@ -78,8 +77,7 @@ def reachability_map(
     asked, form, error = task_of_map(task, orientations)
     question = question_of(robot, asked, starts, seed, tolerance, configurations)
     check_executor(executor)
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
+    check_progress(progress)
     poses = poses_of(robot, form, error, positions, orientations)
     evaluator = evaluator_of(question.packed())  # before the threads want it
     of_poses = poses.coordinates, poses.positions, poses.orientations, poses.grid
