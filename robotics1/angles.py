@@ -32,6 +32,13 @@ def clean_angle(angle: float, tolerance: float = 1e-14) -> float:
     return angle if k is None else k * pi / 12
 
 
+def without_turns(
+    angle: npt.NDArray[Any] | float, period: npt.NDArray[Any] | float = TURN
+) -> npt.NDArray[np.floating[Any]]:
+    """Return angles, or differences of angles, less whole turns, or whole periods: those nearest to zero."""
+    return np.asarray(angle - period * np.round(angle / period))
+
+
 def looks_like_degrees(angle: float) -> bool:
     """Return whether an angle is a whole or half number from 10 to 720: more likely in degrees than in radians."""
     return FEWEST <= abs(angle) <= MOST and 2 * angle == round(2 * angle)

@@ -18,17 +18,13 @@ def printable(text: str, keep: str = "") -> str:
         text: any text.
         keep: characters that stay, as "\n" in a text of several lines.
     """
-    return "".join(c if c.isprintable() or c in keep else _escaped(c) for c in str(text))
+    return "".join(c if c.isprintable() or c in keep else c.encode("unicode_escape").decode() for c in str(text))
 
 
 def file_stem(name: str) -> str:
     """Return a file name without suffix that is made of a name's letters, digits, _ and -: never another folder."""
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
     return re.sub(r"[^A-Za-z0-9_-]+", "_", plain).strip("_-")[:LONGEST_FILE_NAME] or "robot"
-
-
-def _escaped(character: str) -> str:
-    return character.encode("unicode_escape").decode("ascii")
 
 
 def refuse_no_number(where: str, name: str) -> None:

@@ -91,13 +91,17 @@ def test_a_difference_of_the_parsers_makes_a_file_unsound(monkeypatch):
     found = check_robot("prr")
     assert found.fk_difference == 1e-3
     assert not found.sound
+    assert found.explain() == "prr.urdf.xacro: another parser finds other poses, by up to 1.0e-03"
 
 
 def test_ill_formed_xml_is_one_error_with_its_line(tmp_path):
     path = tmp_path / "arm.urdf"
     path.write_text("<robot name='a'>\n<link name='b'>\n</robot>")
-    (error,) = check_robot(path).errors
+    found = check_robot(path)
+    (error,) = found.errors
     assert (error.line, error.message) == (3, "it is not well-formed XML: mismatched tag")
+    assert found.explain() == "arm.urdf is no robot\nerror: line 3: it is not well-formed XML: mismatched tag"
+    assert check_robot("planar_2r").explain() == "planar_2r.urdf.xacro is the robot 'planar_2r'"
 
 
 def test_rounding_of_an_arm_of_a_million_metres_is_no_difference_of_the_parsers(tmp_path):

@@ -10,7 +10,7 @@ from arms import ARMS, arm
 from polynomials import F, a, b, c, equal, poly, q1, q2, q3, q4, random_q, sympy_of, value
 from sympy import cos, sin, sqrt
 
-from robotics1.angles import twelfths_of_pi
+from robotics1.angles import twelfths_of_pi, without_turns
 from robotics1.symbolic.kinematics.chain import chain_to
 from robotics1.symbolic.kinematics.exact import exact_axis, exact_length
 from robotics1.symbolic.polynomials.factoring import factors, in_whole_angles, irreducible_factors
@@ -134,6 +134,26 @@ def test_a_twelfth_of_half_a_turn_is_told_within_1e_5(k):
     turn = F.turn(k)
     assert value(turn, [0, 0, 0, 0]) == pytest.approx(np.exp(1j * angle))
     assert equal(turn * F.turn(-k), F.constant(1))
+
+
+def test_angles_without_turns_are_the_nearest_to_zero_and_keep_the_digits_of_small_ones():
+    angles = np.array([1e-17, 1.5 * np.pi, -7.0, 2 * np.pi + 0.25])
+    assert without_turns(angles) == pytest.approx([1e-17, -np.pi / 2, 2 * np.pi - 7, 0.25], rel=1e-14, abs=0)
+    assert without_turns(np.array([7.0, 9.0]), np.array([2 * np.pi, 4 * np.pi])) == pytest.approx(
+        [7 - 2 * np.pi, 9 - 4 * np.pi]
+    )
+
+
+@pytest.mark.parametrize("name", ["q2", "a"])
+def test_a_polynomial_is_the_sum_of_its_coefficients_times_powers_of_one_symbol(name):
+    """Σ c_k exp(i k φ), or Σ c_k aᵏ."""
+    symbol = {"q2": q2, "a": a}[name]
+    f = poly((2 * cos(q1 + 2 * q2) + a * sin(q2 - q3) - b) * (a**2 * cos(q2) + c))
+    parts = f.coefficients(symbol)
+    assert not any(symbol in part.symbols for part in parts.values())
+    power = F.exponential({symbol: 1}) if name == "q2" else F.constant(F.ring(symbol))
+    total = sum((part * (power if k > 0 else power.conjugate) ** abs(k) for k, part in parts.items()), F.constant(0))
+    assert equal(total, f)
 
 
 @pytest.mark.parametrize(("x", "exact"), [(0.1, "1/10"), (1 / 3, "1/3"), (0.0203, "0.0203"), (-0.39225, "-0.39225")])

@@ -1,4 +1,4 @@
-"""Loops of three joints in a plane, and the kernels of all solutions run by Python itself."""
+"""Arms of three joints in a plane at a pose, and the kernels of all solutions run by Python itself."""
 
 import json
 import subprocess
@@ -7,48 +7,30 @@ import sys
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
-from scipy.spatial.transform import Rotation
 
-from robotics1 import PoseTask, load_robot
+from robotics1 import PlanarPoseTask, PoseTask, ik_solutions, load_robot
 from robotics1.ik import SolutionSolver
-from robotics1.ik.subproblems import inverse, motion, planar_loop
+from robotics1.textbook_robots import planar_arm
+
+LETTERS = ("RRR", "RRP", "RPR", "PRR", "RPP", "PRP", "PPR")
+PLANE = PlanarPoseTask()
 
 
-def drawn_loop(seed):
-    """Return placements, kinds of joints and coordinates that close a loop in the plane across z, some folded."""
-    rng = np.random.default_rng(seed)
-    prismatic = [bool(draw < 0.3) for draw in rng.random(3)]
-    prismatic[int(rng.integers(3))] = False
-    x, stretched = rng.uniform(-2, 2, 3), rng.random() < 0.3
-    if stretched:
-        x[int(rng.integers(3))] = 0.0
-    turns = [0.0 if stretched else rng.uniform(-3, 3) for _ in range(3)]
-    lying = [Rotation.from_euler("x", np.pi / 2) if slides else Rotation.identity() for slides in prismatic]
-    frames = [(Rotation.from_euler("z", turn) * lies).as_matrix() for turn, lies in zip(turns, lying, strict=True)]
-    places = [np.array([rng.uniform(0.2, 1), 0.0 if stretched else rng.uniform(-1, 1), 0.0]) for _ in range(2)]
-    B = []
-    for i in range(2):
-        T = np.eye(4)
-        T[:3, :3], T[:3, 3] = frames[i].T @ frames[i + 1], frames[i].T @ places[i]
-        B.append(T)
-    through = motion(prismatic[0], x[0]) @ B[0] @ motion(prismatic[1], x[1]) @ B[1] @ motion(prismatic[2], x[2])
-    return [*B, inverse(through)], prismatic, x, frames[0].T @ [0.0, 0.0, 1.0]
-
-
-@given(st.integers(0, 100_000))
-def test_the_coordinates_of_a_loop_in_a_plane_close_it_and_the_drawn_ones_are_among_them(seed):
-    B, prismatic, drawn, normal = drawn_loop(seed)
-    found = planar_loop(B, prismatic, normal)
-    if found is None:  # two parallel slides, or a joint above another: not finitely many
-        return
-    for x in found:
-        T = np.eye(4)
-        for placement, slides, value in zip(B, prismatic, x, strict=True):
-            T = T @ motion(slides, value) @ placement
-        across = T[:3, 3] - normal * (normal @ T[:3, 3])
-        assert np.abs(across).max() < 1e-6
-        assert T[:3, :3] == pytest.approx(np.eye(3), abs=1e-6)
-    ways = np.where(prismatic, found - drawn, np.angle(np.exp(1j * (found - drawn))))
+@given(st.sampled_from(LETTERS), st.integers(0, 100_000), st.booleans())
+def test_each_solution_of_an_arm_in_a_plane_has_the_pose_and_the_drawn_one_is_among_them(letters, seed, straight):
+    """Some arms are straight, where two solutions are one; of PRP both slides would be parallel there."""
+    rng, upper = np.random.default_rng(seed), [4.0 if letter == "P" else None for letter in letters]
+    lengths = rng.uniform(0.2, 1.5, letters.count("R")).tolist()
+    robot = planar_arm(letters, lengths, lower=[high and -high for high in upper], upper=upper)
+    drawn = rng.uniform(-3, 3, 3)
+    if straight and letters != "PRP":
+        drawn[1:] = 0.0
+    target = PLANE.value(robot, drawn)
+    found = ik_solutions(robot, PLANE, target)
+    assert found.complete
+    for q in found.q:
+        assert np.abs(PLANE.error(robot, q, target)).max() < 1e-9
+    ways = np.where(robot.revolute, np.angle(np.exp(1j * (found.q - drawn))), found.q - drawn)
     assert np.abs(ways).max(axis=1).min() < 1e-6
 
 

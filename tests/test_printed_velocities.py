@@ -5,11 +5,10 @@ from math import pi
 import numpy as np
 import pytest
 from arms import ARMS, arm, random_q
-from hypothesis import given, strategies as st
+from hypothesis import assume, given, strategies as st
 from scipy.optimize import linprog
 
 import robotics1 as r1
-from robotics1.least_squares import least_distance_in_box
 from robotics1.trajectories import RateStatus
 
 H = pi / 2
@@ -103,9 +102,13 @@ def test_a_velocity_in_the_range_is_realised_whatever_its_digits(name):
     assert rounded.feasible
 
 
-@given(m=st.integers(1, 3), n=st.integers(1, 5), seed=st.integers(0, 999))
-def test_the_least_distance_in_a_box_is_zero_where_a_linear_program_finds_a_point(m, n, seed):
-    rng = np.random.default_rng(seed)
-    M, b = rng.uniform(-1, 1, (m, n)), rng.uniform(-2, 2, m)
-    possible = linprog(np.zeros(n), A_eq=M, b_eq=b, bounds=(-1, 1)).status == 0
-    assert (least_distance_in_box(M, b) <= 1e-9) == possible
+@given(m=st.integers(2, 4), digits=st.integers(3, 6), seed=st.integers(0, 999))
+def test_a_printed_velocity_is_in_the_range_where_a_linear_program_finds_one_that_rounds_to_it(m, digits, seed):
+    """|J x − ṙ| ≤ h in each entry, with h half a unit of the last digit of ṙ."""
+    rng, unit = np.random.default_rng(seed), 10.0**-digits
+    J = rng.uniform(-1, 1, (m, m - 1))
+    asked = np.round(J @ rng.uniform(-1, 1, m - 1) + unit * rng.uniform(-1.5, 1.5, m), digits)
+    assume((np.round(asked, digits - 1) != asked).all())  # every entry has all digits
+    room = np.concatenate([asked / unit + 0.5, 0.5 - asked / unit])
+    program = linprog(np.zeros(m - 1), A_ub=np.vstack([J, -J]), b_ub=room, bounds=(None, None))
+    assert r1.subspaces(J).contains(asked) == (program.status == 0)

@@ -292,6 +292,10 @@ def test_tasks_without_a_position_or_a_frame_are_refused(six):
         r1.reachability_map(six, r1.PositionTask(), np.zeros((1, 3)), 4)
     with pytest.raises(r1.InputError, match="executor must be"):
         r1.reachability_map(six, r1.PositionTask(), np.zeros((1, 3)), executor=4)
+    with pytest.raises(r1.InputError, match="progress must be a function"):
+        r1.reachability_map(six, r1.PositionTask(), np.zeros((1, 3)), progress=4)
+    with pytest.raises(r1.InputError, match="progress must be a function"):
+        r1.workspaces.best_placements(six, r1.PoseTask(), [np.eye(4)], {"x": [0.0]}, progress=4)
 
 
 def test_an_unlimited_prismatic_joint_is_refused():

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,6 @@ from sweeps import some_of
 
 import robotics1 as r1
 from robotics1.workspaces import reachability_map, read_map, save_map
-from robotics1.workspaces.reachability.saved import chunk_kept
 
 pytest.importorskip("zarr")
 
@@ -115,10 +115,13 @@ class Elsewhere(ThreadPoolExecutor):
         self.lost = lost
 
     def submit(self, work, *place):
-        packed, coordinates, orientations, _, token = work.args if len(work.args) == 5 else (*work.args, "", "")
-        found = super().submit(chunk_kept, packed, coordinates, orientations, "/nowhere", token, *place).result()
+        kept = len(work.args) == 5  # in a folder
+        if kept:
+            packed, coordinates, orientations, _, token = work.args
+            work = partial(work.func, packed, coordinates, orientations, "/nowhere", token)
+        found = super().submit(work, *place).result()
         answer = Future()
-        answer.set_result(None if self.lost and len(work.args) == 5 else found)
+        answer.set_result(None if self.lost and kept else found)
         return answer
 
 

@@ -19,7 +19,7 @@ Answer = TypeVar("Answer")
 AHEAD = 2  # chunks for each worker that are handed out before their answers are needed
 JOINED = 8  # answers that a worker of a cluster joins, before one goes to the client
 UNKNOWN = 256  # chunks for an executor that does not tell how many workers it has
-SERVES = "an executor of concurrent.futures, a Dask client, or the address of a Dask scheduler"
+EXECUTORS = "an executor of concurrent.futures, a Dask client, or the address of a Dask scheduler"
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,17 @@ def check_executor(executor: Any) -> None:
     """
     address = isinstance(executor, str) and ":" in executor
     if not (executor is None or address or isinstance(executor, Executor) or _is_dask_client(executor)):
-        raise InputError(f"executor must be {SERVES}; it is {executor!r}")
+        raise InputError(f"executor must be {EXECUTORS}; it is {executor!r}")
+
+
+def check_progress(progress: Any) -> None:
+    """Refuse what cannot be called with the number done and the number of all.
+
+    Raises:
+        InputError: it is neither None nor a function.
+    """
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
 
 
 @contextmanager

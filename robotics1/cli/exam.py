@@ -2,7 +2,6 @@
 
 import importlib
 import sys
-from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
 from typing import Annotated
@@ -28,8 +27,9 @@ def exam(
 ) -> None:
     """Solve an exam and check every published value: that of a file, or that of 13 January 2025."""
     from robotics1.cli.output import PlainConsole, progress_bar, write_json
+    from robotics1.robot.sources import own_folder
 
-    source = example_folder() / "exams" / FIRST if file is None else file
+    source = own_folder("examples") / "exams" / FIRST if file is None else file
     with progress_bar("answering", hidden=json) as show:
         page = out or Path(f"{source.stem}{'' if seed is None else f'-{seed}'}.html")
         worked = example("exams.from_file.worked").work_file(source, page, seed, show)
@@ -40,15 +40,11 @@ def exam(
     raise typer.Exit(0 if worked.all_hold else 1)
 
 
-def example_folder() -> Path:
-    """Return the folder `examples/` of the source tree, which a wheel carries inside the package."""
-    installed = Path(str(files("robotics1"))) / "examples"
-    return installed if installed.is_dir() else installed.parents[1] / "examples"
-
-
 def example(module: str) -> ModuleType:
     """Import a module of the folder of examples."""
-    folder = str(example_folder())
+    from robotics1.robot.sources import own_folder
+
+    folder = str(own_folder("examples"))
     if folder not in sys.path:
         sys.path.append(folder)
     return importlib.import_module(module)

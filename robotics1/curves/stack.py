@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -92,19 +91,25 @@ class StackedCurve(Curve):
         return curve.end < self.end * (1 - SAME_DURATION)
 
 
+@dataclass(frozen=True, eq=False)
 class JointTrajectory(StackedCurve):
-    """q(t) = (s₁(t), ..., sₙ(t)); a joint whose law ends before the last one's stays where it is."""
+    """q(t) = (s₁(t), ..., sₙ(t)); a joint whose law ends before the last one's stays where it is.
 
-    def __init__(self, laws: Sequence[Any]):
-        """Take one law for each joint.
+    Attributes:
+        curves: one timing law for each joint.
+    """
+
+    def __post_init__(self) -> None:
+        """Read the laws.
 
         Raises:
             InputError: they are no laws, or a joint would have to stop at once.
         """
-        listed = tuple(laws) if isinstance(laws, Sequence) else ()
+        listed = tuple(self.curves) if isinstance(self.curves, Sequence) else ()
         if not listed:
-            raise InputError(f"laws must be one timing law for each joint; they are {laws!r}")
-        super().__init__(tuple(as_law("a law", law) for law in listed))
+            raise InputError(f"laws must be one timing law for each joint; they are {self.curves!r}")
+        object.__setattr__(self, "curves", tuple(as_law("a law", law) for law in listed))
+        super().__post_init__()
 
     @property
     def laws(self) -> tuple[Curve, ...]:

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy.typing as npt
 
+from robotics1.chunks.workers import check_progress
 from robotics1.data_sheet.asked import Asked, good_posture
 from robotics1.data_sheet.contents import SECTIONS, WRITTEN, Section
 from robotics1.data_sheet.markup import Part, laid_out, note
 from robotics1.data_sheet.worker import NoAnswer, Worker
-from robotics1.errors import InputError
 from robotics1.files import check_file
 from robotics1.inputs import real_number, text
 from robotics1.notation import vector
@@ -67,8 +67,7 @@ def report(
         asked.check(robot)
     if file is not None:
         check_file(file)
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress must be a function of two numbers, done and all; it is {progress!r}")
+    check_progress(progress)
     limit = real_number("time_limit", time_limit, positive=True)
     name = text("title", title or "") or robot.name
     chosen = default_task(robot) if asked is None else asked

@@ -10,10 +10,11 @@ from unicodedata import normalize
 import numpy as np
 
 from robotics1.angles import WIDE, warn_of_degrees
-from robotics1.errors import InputError, UnknownNameError, shown
+from robotics1.errors import InputError, shown
 from robotics1.inputs import Array, real_number
 from robotics1.names import refuse_no_number
 from robotics1.robot.findings import LARGEST
+from robotics1.robot.parameters import Parameters, with_values
 
 Limits = Sequence[float | None] | Array | None
 
@@ -38,21 +39,18 @@ def number_or_name(where: str, value: Any) -> float | str:
     return sign + name
 
 
-def named_values(of: str, entries: Sequence[float | str], parameters: Mapping[str, float]) -> dict[str, float]:
-    """Return name → value, in the order of the entries.
+def named_values(entries: Sequence[float | str], parameters: Mapping[str, float]) -> Parameters:
+    """Return the values of the names in a DH table, in the order of its entries.
 
     Raises:
         InputError: a name has no value, or one that is no number.
         UnknownNameError: a parameter is not among the names.
     """
-    names = list(dict.fromkeys(entry.removeprefix("-") for entry in entries if isinstance(entry, str)))
+    names = dict.fromkeys(entry.removeprefix("-") for entry in entries if isinstance(entry, str))
     missing = [name for name in names if name not in parameters]
     if missing:
         raise InputError(f"no value for {', '.join(missing)}: give it, as in parameters={{{missing[0]!r}: 0.5}}")
-    for name in parameters:
-        if name not in names:
-            raise UnknownNameError(f"parameter of {of} named", name, names)
-    return {name: real_number(f"parameter {name!r}", parameters[name]) for name in names}
+    return with_values("the DH table", dict.fromkeys(names, math.nan), parameters)
 
 
 def value_of(entry: float | str, parameters: Mapping[str, float]) -> float:

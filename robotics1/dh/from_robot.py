@@ -80,11 +80,7 @@ def urdf_to_dh(
 def _joints_to(robot: Robot, frame: int) -> list[int]:
     """Return the numbers of the joints from the world to a frame."""
     model = robot.own_model
-    joints: list[int] = []
-    joint = int(model.frames[frame].parentJoint)
-    while joint > 0:
-        joints.insert(0, joint)
-        joint = int(model.parents[joint])
+    joints = [*model.supports[model.frames[frame].parentJoint]][1:]  # the first is the world
     for joint in joints:
         if model.nqs[joint] != 1 or model.nvs[joint] != 1:
             raise InputError(

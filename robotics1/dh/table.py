@@ -84,12 +84,8 @@ class DHTable(Frozen):
             rows=rows,
             base_placement=homogeneous("base_placement", self.base_placement),
             tool_placement=homogeneous("tool_placement", self.tool_placement),
-            parameters=Parameters(
-                named_values(
-                    "the DH table",
-                    [x for row in rows for x in row[1:]],
-                    by_name("parameters", self.parameters, "{'l2': 0.5}"),
-                )
+            parameters=named_values(
+                [x for row in rows for x in row[1:]], by_name("parameters", self.parameters, "{'l2': 0.5}")
             ),
             joint_names=tuple(self.joint_names) or tuple(f"q{i}" for i in range(1, len(rows) + 1)),
         )

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import without_turns
 from robotics1.inputs import Array
 
 Complex = npt.NDArray[np.complex128]
@@ -186,4 +187,4 @@ def _values_and_jacobians(both: Complex, x: Array, prismatic: Sequence[bool]) ->
 
 def difference(p: Array | float, q: Array, prismatic: Sequence[bool] | bool) -> Array:
     """Return p − q, angles the short way round."""
-    return np.where(prismatic, p - q, np.angle(np.exp(1j * (p - q))))
+    return np.where(prismatic, p - q, without_turns(p - q))

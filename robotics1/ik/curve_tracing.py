@@ -89,7 +89,8 @@ class CurveTracer:
             after = None if p is None else self.tangent(p)
             if after is not None and after @ tangent < 0:
                 after = -after
-            if p is None or after is None or after @ tangent < TURNED or self._size(p - found[-1]) > 1.5 * h:
+            far = p is not None and np.linalg.norm((p - found[-1]) / unit) > 1.5 * h
+            if p is None or after is None or after @ tangent < TURNED or far:
                 h *= 0.5
                 if h < SMALLEST:
                     return found, False, "a singularity"
@@ -103,9 +104,6 @@ class CurveTracer:
             found.append(p)
             tangent, h = after, min(STEP, 1.5 * h)
         return found, False, "the most steps"
-
-    def _size(self, step: Array) -> float:
-        return float(np.linalg.norm(step / self.problem.box.unit))
 
     def _passes(self, a: Array, b: Array, q: Array, tangent: Array, after: Array) -> bool:
         """Whether the step from a to b passes q in the direction in which the curve began there."""

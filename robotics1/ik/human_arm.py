@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.angles import without_turns
 from robotics1.errors import TaskError
 from robotics1.ik.common_roots import coefficients, real_roots, samples
 from robotics1.ik.descent import REACHED
@@ -120,7 +121,7 @@ class HumanArm:
         """Return q (nq,) after Newton's method on the pose and the arm angle."""
         moving = list(self.chain.coordinate)
         for _ in range(STEPS):
-            turn = np.angle(np.exp(1j * (angle - self.elbow_angle(q))))
+            turn = without_turns(angle - self.elbow_angle(q))
             e = np.append(self.problem.error(q, target), turn)
             if np.abs(e).max() < 1e-14:
                 break
@@ -134,7 +135,7 @@ class HumanArm:
         rates = []
         for j in self.chain.coordinate:
             step = STEP * np.eye(len(q))[j]
-            rates.append(np.angle(np.exp(1j * (self.elbow_angle(q + step) - self.elbow_angle(q - step)))) / (2 * STEP))
+            rates.append(without_turns(self.elbow_angle(q + step) - self.elbow_angle(q - step)) / (2 * STEP))
         return np.array(rates)
 
 

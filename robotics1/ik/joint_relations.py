@@ -6,6 +6,7 @@ from itertools import combinations, product
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import without_turns
 from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
 from robotics1.notation import joint_value
@@ -42,7 +43,7 @@ def joint_relations(q: Array, problem: ScaledTask, same: float = SAME) -> tuple[
 def _from_the_first(values: Array, *, turns: bool) -> Array:
     """Return values − the first of them; of angles without whole turns."""
     d = values - values[0]
-    return np.asarray(np.angle(np.exp(1j * d)) if turns else d)
+    return without_turns(d) if turns else d
 
 
 def _sums(
@@ -60,7 +61,7 @@ def _sums(
 def _equation(q: Array, robot: Robot, joints: tuple[int, ...], signs: tuple[int, ...]) -> str:
     value = float(q[0, list(joints)] @ signs)
     if robot.revolute[joints[0]]:
-        value = float(np.angle(np.exp(1j * value)))
+        value = float(without_turns(value))
     left = robot.joint_names[joints[0]]
     for j, sign in zip(joints[1:], signs[1:], strict=True):
         left += f" {'+' if sign > 0 else '−'} {robot.joint_names[j]}"

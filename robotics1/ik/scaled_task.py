@@ -10,7 +10,7 @@ from typing import Any, TypeVar, cast
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.angles import TURN
+from robotics1.angles import TURN, without_turns
 from robotics1.ik.turns import WholeTurns, is_own_function, unknown_turns, whole_turns
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox, intervals, joint_box, refuse_open_ranges, within_two_turns
@@ -66,7 +66,7 @@ class ScaledTask:
     def shortest_difference(self, p: Array, q: Array) -> Array:
         """Return p − q, (n,), in units, angles the short way round."""
         d = p - q
-        return np.asarray(np.where(self.robot.revolute, np.angle(np.exp(1j * d)), d / self.box.unit))
+        return np.asarray(np.where(self.robot.revolute, without_turns(d), d / self.box.unit))
 
     def error(self, q: Array, target: Any) -> Array:
         """Return r_d − f(q), (m,), without units; ∞ where it is too large for a number."""

@@ -16,9 +16,10 @@ SKEW = 1e-6  # |S + Sᵀ| of a matrix that is taken for skew-symmetric, relative
 
 
 def cross_matrix(v: Array) -> Array:
-    """Return [v]×, (3, 3): [v]× w = v × w."""
+    """Return [v]×, (3, 3): [v]× w = v × w; of numbers, or of whatever adds and subtracts."""
     x, y, z = v
-    return np.array([[0 * x, -z, y], [z, 0 * x, -x], [-y, x, 0 * x]])
+    zero = x - x
+    return np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]])
 
 
 def turn(axis: Array, angle: Any) -> Array:

@@ -124,8 +124,25 @@ def angle_of(sine: Any, cosine: Any) -> Any:
         return math.pi if angle == -math.pi else angle
     import sympy
 
-    is_pair = getattr(cosine, "func", None) is sympy.cos and sine == sympy.sin(*cosine.args)
-    return sine.args[0] if is_pair else sympy.atan2(sine, cosine)
+    theta = cosine.args[0] if getattr(cosine, "func", None) is sympy.cos else None
+    signs = {sympy.sin(theta): theta, -sympy.sin(theta): -theta} if theta is not None else {}
+    return signs.get(sine, sympy.atan2(sine, cosine))
+
+
+def both_angles(a: Any, b: Any, c: Any) -> list[Any]:
+    """Return the two solutions of a sin θ + b cos θ = c, formulas of formulas, in the form that a person writes."""
+    import sympy
+
+    if c == 0:
+        if b == 0:
+            return [sympy.S.Zero, sympy.pi]
+        return sorted((sympy.atan2(-b, a), sympy.atan2(b, -a)), key=lambda angle: str(angle).count("-"))
+    if a == 0:
+        return [sympy.acos(c / b), -sympy.acos(c / b)]
+    if b == 0:
+        return [sympy.asin(c / a), sympy.pi - sympy.asin(c / a)]
+    turn = sympy.acos(c / sympy.sqrt(a**2 + b**2))
+    return [sympy.atan2(a, b) + turn, sympy.atan2(a, b) - turn]
 
 
 def wrapped(angle: float) -> float:

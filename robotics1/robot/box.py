@@ -10,7 +10,7 @@ from math import lcm
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.angles import TURN
+from robotics1.angles import TURN, without_turns
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
 from robotics1.results import Frozen
@@ -64,7 +64,7 @@ class JointBox(Frozen):
     def difference(self, a: Array, b: Array) -> Array:
         """Return a − b in units, the short way round the circles."""
         d = a - b
-        return np.where(self.circular, d - self.period * np.round(d / self.period), d) / self.unit
+        return np.where(self.circular, without_turns(d, self.period), d) / self.unit
 
 
 def joint_box(

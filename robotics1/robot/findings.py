@@ -12,6 +12,7 @@ import pinocchio as pin
 from robotics1.angles import TURN
 from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
+from robotics1.names import printable
 from robotics1.robot.markup import Element, undeclared
 from robotics1.robot.model import Robot
 
@@ -123,6 +124,17 @@ class RobotReport:
     def sound(self) -> bool:
         """Whether the file is a robot, and the independent parser agrees."""
         return self.robot is not None and (self.fk_difference is None or self.fk_difference <= AGREES)
+
+    def explain(self) -> str:
+        """Return whether the file is a robot, and what was found, one a line."""
+        if self.robot is None:
+            verdict = f"{self.path.name} is no robot"
+        elif self.sound:
+            verdict = f"{self.path.name} is the robot {self.robot.name!r}"
+        else:
+            verdict = f"{self.path.name}: another parser finds other poses, by up to {self.fk_difference:.1e}"
+        found = [f"error: {finding}" for finding in self.errors] + [f"warning: {finding}" for finding in self.warnings]
+        return printable("\n".join([verdict, *found]), keep="\n")
 
     def require(self) -> Robot:
         """Return the robot.

@@ -169,7 +169,7 @@ def _form(shape: Any) -> Element | None:
     return None
 
 
-# --- the numbers of a model, which nothing has read before, and of which Pinocchio takes any
+# --- the numbers of a model: Pinocchio takes any, and nothing has read them before
 
 
 def _check_model(model: pin.Model) -> None:

@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from robotics1.inputs import Array
+from robotics1.errors import UnknownNameError
+from robotics1.inputs import Array, real_number
 from robotics1.robot.joints import Joint
 
 HIGHEST_DEGREE = 2
@@ -45,6 +46,19 @@ class Parameters(Mapping[str, float]):
 
     def __repr__(self) -> str:
         return repr(self._values)
+
+
+def with_values(of: str, known: Mapping[str, float], values: Mapping[str, float]) -> Parameters:
+    """Return the known parameters with these values; those that are not named stay.
+
+    Raises:
+        InputError: a value is not a finite number.
+        UnknownNameError: there is no such parameter `of` what has them.
+    """
+    for name in values:
+        if name not in known:
+            raise UnknownNameError(f"parameter of {of} named", name, known)
+    return Parameters({**known, **{name: real_number(f"parameter {name!r}", value) for name, value in values.items()}})
 
 
 class Placement(NamedTuple):

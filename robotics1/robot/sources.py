@@ -23,10 +23,10 @@ OTHER_FILES = {
 EXAMPLES = "cmeel.prefix/share/example-robot-data/robots"
 
 
-def urdf_folder() -> Path:
-    """Return the folder of the named robots: the copy in the installed package, else the checkout's `urdf/`."""
-    installed = Path(str(files("robotics1"))) / "urdf"
-    return installed if installed.is_dir() else installed.parents[1] / "urdf"
+def own_folder(name: str) -> Path:
+    """Return the folder `urdf/` or `examples/`: the copy in the installed package, else the checkout's."""
+    installed = Path(str(files("robotics1"))) / name
+    return installed if installed.is_dir() else installed.parents[1] / name
 
 
 def named_robots() -> dict[str, Path]:
@@ -37,7 +37,7 @@ def named_robots() -> dict[str, Path]:
 
 def own_robots() -> dict[str, Path]:
     """Return name → file of the robots in `urdf/`."""
-    return {path.name.split(".")[0]: path for path in sorted(urdf_folder().glob("*.urdf*"))}
+    return {path.name.split(".")[0]: path for path in sorted(own_folder("urdf").glob("*.urdf*"))}
 
 
 def example_robots() -> dict[str, Path]:

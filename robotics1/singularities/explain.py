@@ -204,7 +204,7 @@ def branch_sentences(first: "SingularBranch", *others: "SingularBranch") -> str:
     places = [place(branch) for branch in family]
     where = " or ".join([places[0], *(other.partition(" = ")[2] for other in places[1:])])
     lines = [
-        f"{where}{_because(first)}{_whatever(first)}: {_rank(first)}",
+        f"{where}{_because(first)}{_whatever(first)}: the rank is {first.rank} instead of {first.generic_rank}.",
         *([f"   {first.note}"] if first.note else []),
     ]
     for branch, at in zip(family, places, strict=True):
@@ -216,10 +216,6 @@ def branch_sentences(first: "SingularBranch", *others: "SingularBranch") -> str:
 def _whatever(branch: "SingularBranch") -> str:
     free = _called(branch.free_joints, branch.robot, symbols=branch.formulas is not None)
     return f", whatever {enumeration(free)}" if free else ""
-
-
-def _rank(branch: "SingularBranch") -> str:
-    return f"the rank is {branch.rank} instead of {branch.generic_rank}."
 
 
 def _body(branch: "SingularBranch", there: str) -> list[str]:

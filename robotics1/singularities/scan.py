@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from robotics1.chunks.identity import identity
 from robotics1.chunks.state import StateFile
-from robotics1.chunks.workers import check_executor, workers_of
+from robotics1.chunks.workers import check_executor, check_progress, workers_of
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import counting_number, one_of, real_number
 from robotics1.robot.box import joint_box
@@ -108,7 +108,8 @@ def scan_singularities(
     one_of("method", method, METHODS)
     seed, refine = counting_number("seed", seed), counting_number("refine", refine)
     length = real_number("length", length, positive=True)
-    _check_callables(executor, progress)
+    check_executor(executor)
+    check_progress(progress)
     task.check(robot)
     where = joint_box(robot, box, turns=turns_of(robot, task))
     points = singular_points(robot, task, where, np.random.default_rng(seed)).require_motion()
@@ -152,12 +153,6 @@ def _measures(measures: Sequence[str]) -> tuple[str, ...]:
     if len(set(chosen)) < len(chosen):
         raise InputError(f"measures must be different ones; it is {measures!r}")
     return chosen
-
-
-def _check_callables(executor: object, progress: object) -> None:
-    check_executor(executor)
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
 
 
 def _moving(points: SingularPoints) -> npt.NDArray[np.bool_]:

@@ -25,7 +25,7 @@ from robotics1.symbolic.singular_sets.pieces import POINTS, largest_pieces
 from robotics1.symbolic.singular_sets.zeros import Zero
 from robotics1.symbolic.tasks.formula import formulas
 from robotics1.symbolic.tasks.task_formulas import Formulas
-from robotics1.tasks.task import FrameTask, Task
+from robotics1.tasks.task import Task
 
 SAMPLES = 50
 BESIDE = 8  # configurations outside of a box from which one inside is looked for
@@ -98,8 +98,8 @@ def _with_exact_jacobian(robot: Robot, task: Task, box: JointBox, rng: np.random
     formula = formulas(robot, task)
     exact, _ = exact_robot(robot)
     points = singular_points(exact, task, box, rng).require_motion()
-    in_world = isinstance(task, FrameTask) and task.reference == "world"
-    rows = _rows(formula, in_world)
+    form = task.frame_map()
+    rows = _rows(formula, in_world=form is not None and form.reference == "world")
     parameters = {sympy.Symbol(name, real=True): value for name, value in robot.parameters.items()}
     _verify(rows, points, parameters, rng)
     turns = np.array(formula.chain.turns, dtype=float)
@@ -111,7 +111,7 @@ def _with_exact_jacobian(robot: Robot, task: Task, box: JointBox, rng: np.random
     return Found(points, jacobian, cleaned=formula.cleaned)
 
 
-def _rows(formula: Formulas, in_world: bool) -> MidChainJacobian:
+def _rows(formula: Formulas, *, in_world: bool) -> MidChainJacobian:
     """Return J as X M, with M seen from the middle of the chain where the task's axes are the world's, and with
     fractions for √2 and √3.
     """

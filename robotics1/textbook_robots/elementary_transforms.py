@@ -13,15 +13,15 @@ import numpy as np
 from robotics1.angles import printed_twelfths_of_pi
 from robotics1.curves.symbolic_path import formula_of
 from robotics1.dh.entries import Limits, joint_limits
-from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import by_name, real_number
+from robotics1.errors import InputError
+from robotics1.inputs import by_name
 from robotics1.notation import joint_value
 from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.findings import LARGEST
 from robotics1.robot.joints import Joint, Triple
 from robotics1.robot.model import Robot
-from robotics1.robot.parameters import HIGHEST_DEGREE, Parameters, Placements, Polynomial, placement_of
+from robotics1.robot.parameters import HIGHEST_DEGREE, Placements, Polynomial, placement_of, with_values
 
 STEP = re.compile(r"([RT])([xyz])\((.*)\)")
 JOINT = re.compile(r"q[1-9]\d*")
@@ -61,15 +61,12 @@ def robot_from_transforms(
     steps, sentences = _steps(transforms)
     names = list(dict.fromkeys(name for step in steps for name in step.names))
     given = by_name("parameters", parameters, "{'l1': 0.5}")
-    for name in given:
-        if name not in names:
-            raise UnknownNameError("parameter of the transforms named", name, names)
-    known = {name: real_number(f"parameter {name!r}", given.get(name, 1.0)) for name in names}
+    known = with_values("the transforms", dict.fromkeys(names, 1.0), given)
     n = _check_order(steps)
     turns = {step.joint: step.turns for step in reversed(steps)}  # of each joint the first step
     low, high = joint_limits(lower, upper, [turns[i] for i in range(1, n + 1)])
     limits = tuple(zip(low.tolist(), high.tolist(), strict=True))
-    return TransformChain(steps, limits, sentences, Parameters(known)).robot()
+    return TransformChain(steps, limits, sentences, known).robot()
 
 
 @dataclass(frozen=True)
@@ -126,16 +123,8 @@ class TransformChain:
         return replace(made, warnings=self.warnings)
 
     def with_parameters(self, values: Mapping[str, float]) -> Robot:
-        """Return the robot with these values of its names; the others stay.
-
-        Raises:
-            UnknownNameError: a name is none of these.
-        """
-        for name in values:
-            if name not in self.parameters:
-                raise UnknownNameError("parameter of the transforms named", name, self.parameters)
-        new = {name: real_number(f"parameter {name!r}", value) for name, value in values.items()}
-        return replace(self, parameters=Parameters({**self.parameters, **new})).robot()
+        """Return the robot with these values of its names; the others stay."""
+        return replace(self, parameters=with_values("the transforms", self.parameters, values)).robot()
 
     def placements(self, robot: Robot) -> Placements:
         """Return the placements of the joints as polynomials in the names."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from robotics1.dh.entries import Limits, joint_limits, named_values, number_or_name, value_of
+from robotics1.dh.entries import Limits, joint_limits, number_or_name, value_of
 from robotics1.dh.joints import named_placement
 from robotics1.errors import InputError
 from robotics1.inputs import by_name, true_or_false
@@ -15,7 +15,7 @@ from robotics1.robot.assembly import robot_of_joints
 from robotics1.robot.findings import LARGEST
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
-from robotics1.robot.parameters import Parameters, Placements, constant_placements
+from robotics1.robot.parameters import Placements, constant_placements, with_values
 from robotics1.textbook_robots.joint_formulas import joint_letters
 
 Entry = float | str
@@ -57,12 +57,12 @@ def planar_arm(
     links = tuple(number_or_name(f"length {i}", length) for i, length in enumerate(lengths, 1))
     given = by_name("parameters", parameters, "{'l1': 0.5}")
     ones = {link.removeprefix("-"): 1.0 for link in links if isinstance(link, str)}
-    known = named_values("the planar arm", links, {**ones, **given})
+    known = with_values("the planar arm", ones, given)
     if any(abs(value_of(link, known)) > LARGEST for link in links):
         raise InputError(f"lengths must be at most {LARGEST:g}; they are {[value_of(link, known) for link in links]}")
     low, high = joint_limits(lower, upper, [letter == "R" for letter in joints])
     limits = tuple(zip(low.tolist(), high.tolist(), strict=True))
-    return PlanarArm(joints, links, true_or_false("absolute", absolute), limits, Parameters(known)).robot()
+    return PlanarArm(joints, links, true_or_false("absolute", absolute), limits, known).robot()
 
 
 @dataclass(frozen=True)
@@ -90,8 +90,7 @@ class PlanarArm:
 
     def with_parameters(self, values: Mapping[str, float]) -> Robot:
         """Return the robot with these values of its names; the others stay."""
-        known = named_values("the planar arm", self.links, {**self.parameters, **values})
-        return replace(self, parameters=Parameters(known)).robot()
+        return replace(self, parameters=with_values("the planar arm", self.parameters, values)).robot()
 
     def placements(self, robot: Robot) -> Placements:
         """Return the placements of the joints, with the names in them."""

@@ -62,7 +62,7 @@ def linear_segments_with_blends(
             f"the blends of joint {j} overlap in the segment from t = {t[k] + start:g} to {t[k + 1] + start:g} by "
             f"{-inside[k, j]:g} s: a larger acceleration, shorter blends or more time for the segment separate them"
         )
-    law = JointTrajectory([_law(q[:, j], steps, blends[:, j], inside[:, j]) for j in range(q.shape[1])])
+    law = JointTrajectory(tuple(_law(q[:, j], steps, blends[:, j], inside[:, j]) for j in range(q.shape[1])))
     return LaterMotion(law, start) if start else law
 
 

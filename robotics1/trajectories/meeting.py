@@ -23,7 +23,7 @@ from robotics1.results import Frozen, require
 from robotics1.robot.box import nearest_turn
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
-from robotics1.singularities.spaces import Subspaces, subspaces_without_units
+from robotics1.singularities.spaces import subspaces_without_units
 from robotics1.tables import Table, table_of
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.tasks.rows import unitless_factors
@@ -210,14 +210,9 @@ def _branch(robot: Robot, task: Task, q: Array, velocity: Array, start: tuple[Ar
     spaces = subspaces_without_units(J, unitless_factors(robot, task))
     qdot = generalized_inverse(J, rank=spaces.rank).solve(velocity)
     trajectory = cubic(q0, q, T, qdot0, qdot)
-    lost = _lost(spaces, velocity)
+    lost = np.zeros_like(velocity) if spaces.contains(velocity) else spaces.unrealisable(velocity)
     singular = spaces.rank < min(J.shape)
     return MeetingBranch(q, qdot, trajectory, singular, lost, limit_violations(robot, trajectory))
-
-
-def _lost(spaces: Subspaces, velocity: Array) -> Array:
-    """Return the part of the velocity outside the range of J, zero where it is only rounding."""
-    return np.zeros_like(velocity) if spaces.contains(velocity) else spaces.unrealisable(velocity)
 
 
 def _status(branches: list[MeetingBranch], solutions: IKStatus) -> MeetingStatus:

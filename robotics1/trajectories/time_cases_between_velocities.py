@@ -198,7 +198,8 @@ def _double_s(symbols: Mapping[str, Any]) -> list[TimeCase]:
                 conditions.append((sympy.Ge if reached else sympy.Lt)((V - v) * J, A**2))
         needed = sum(t * (v + V) / 2 for v, (t, _) in zip((v0, v1), ramps, strict=True))
         name = {2: "both bounds are reached", 0: "the velocity alone is reached"}
-        words = name.get(sum(full), f"both bounds are reached, the acceleration only in the {_ordinal(full)} ramp")
+        ramp = "first" if full[0] else "last"
+        words = name.get(sum(full), f"both bounds are reached, the acceleration only in the {ramp} ramp")
         cases.append(_meeting(words, (*conditions, sympy.Ge(d, needed)), V, ramps, symbols))
     if A is not None:
         for way, words in ((1, ""), (-1, ", past the goal and back")):
@@ -210,10 +211,6 @@ def _double_s(symbols: Mapping[str, Any]) -> list[TimeCase]:
         )
     nan = sympy.nan
     return [*cases, TimeCase("the acceleration is not reached in each ramp", (), nan, (), nan, nan)]
-
-
-def _ordinal(full: tuple[bool, ...]) -> str:
-    return "first" if full[0] else "last"
 
 
 def _ramp(rise: Any, A: Any, J: Any) -> tuple[Any, Any]:

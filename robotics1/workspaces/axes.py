@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
+from robotics1.angles import without_turns
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
 from robotics1.robot.box import intervals, refuse_open_range
@@ -111,6 +112,14 @@ def distance_to(axis: Axis, point: Array) -> float:
     return float(np.linalg.norm(np.cross(axis.direction, point - axis.point)))
 
 
+def nearest_on(axis: Axis, other: Axis) -> Array:
+    """Return the point of an axis that is nearest to another axis; of parallel ones, to the point of the other."""
+    a, b, between = axis.direction, other.direction, other.point - axis.point
+    c = a @ b
+    along = a @ between if 1 - c * c < ALIKE else (a @ between - c * (b @ between)) / (1 - c * c)
+    return np.asarray(axis.point + a * along)
+
+
 def are_planar(axes: Sequence[Axis], normal: Array) -> bool:
     """Return whether revolute axes are along a normal, and prismatic ones across it."""
     along = [abs(float(axis.direction @ normal)) for axis in axes]
@@ -162,5 +171,5 @@ def refuse_open_slides(axes: Sequence[Axis]) -> None:
 def distinct(q: Array, turning: Sequence[bool] | npt.NDArray[np.bool_], same: float) -> npt.NDArray[np.intp]:
     """Return the numbers of rows of q (k, n) that are not those of one before; whole turns of some columns are none."""
     d = q[:, None] - q[None]
-    d = np.where(turning, (d + pi) % tau - pi, d)
+    d = np.where(turning, without_turns(d), d)
     return np.flatnonzero(~np.tril(np.abs(d).max(axis=-1, initial=0.0) < same, -1).any(axis=1))

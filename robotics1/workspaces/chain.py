@@ -14,6 +14,7 @@ import numpy.typing as npt
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.kinematics import forward_kinematics
+from robotics1.orientation.elementary import cross_matrix
 from robotics1.robot.box import intervals, joint_box, refuse_open_range, turns_of_followers
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import ALIKE, Axis, joints_on_the_way, without_joints_at
@@ -101,8 +102,7 @@ class _Motion:
 
     @classmethod
     def of(cls, axis: Axis) -> "_Motion":
-        x, y, z = axis.direction
-        K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+        K = cross_matrix(axis.direction)
         return cls(axis.revolute, axis.direction, axis.point, K.T, (K @ K).T)
 
     def vectors(self, value: Array, v: Array) -> Array:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from robotics1.angles import without_turns
 from robotics1.errors import FormulaError
 from robotics1.ik.closed_form.family import IKFormulas
 from robotics1.inputs import Array
@@ -38,7 +39,6 @@ def verify(formulas: IKFormulas) -> None:
 
 def _compare(formulas: IKFormulas, robot: Robot, q: Array, target: Any, found: Array, columns: list[int]) -> None:
     size = max(1.0, robot.reach)
-    turns = np.where(robot.revolute[columns], 2 * np.pi, np.inf)
     apart = []
     for values in found:
         p = q.copy()
@@ -47,7 +47,6 @@ def _compare(formulas: IKFormulas, robot: Robot, q: Array, target: Any, found: A
         if not error <= AGREES * size:
             raise FormulaError(f"a solution of the formulas misses its target by {error:.1e}")
         d = values - q[columns]
-        d = np.where(np.isfinite(turns), (d + np.pi) % (2 * np.pi) - np.pi, d)
-        apart.append(np.abs(d).max(initial=0.0))
+        apart.append(np.abs(np.where(robot.revolute[columns], without_turns(d), d)).max(initial=0.0))
     if not apart or min(apart) > 1e3 * AGREES * size:
         raise FormulaError("a solution that is known is not among those of the formulas")

@@ -7,8 +7,9 @@ from typing import Any, NamedTuple
 import sympy
 from sympy.polys.domains import QQ_I
 
-from robotics1.ik.closed_form.trig_equation import angles_of, existence
-from robotics1.symbolic.polynomials.trig_polynomial import Exponents, TrigPolynomial
+from robotics1.ik.closed_form.trig_equation import existence
+from robotics1.orientation.expressions import angle_of, both_angles
+from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial
 
 SMALL = 1e-9  # a coefficient that may be rounding
 ROUNDING = 1e-13  # of the largest coefficient
@@ -73,40 +74,19 @@ def read(
             if any(m[place] for place in nothing):
                 return None
             slides.update(place for place in lengths if m[place])
-    parts: dict[Exponents, dict[Exponents, Any]] = {}
-    for k, c in f.terms.items():
-        own = tuple(m if j in angles else 0 for j, m in enumerate(k))
-        rest = tuple(0 if j in angles else m for j, m in enumerate(k))
-        parts.setdefault(own, {})[rest] = c
     F = f.trig_ring
-    moving = [k for k in parts if any(k)]
-    number = sum(len(c) for c in f.terms.values())
-    if len(moving) == 2 and not slides:
-        k = max(moving)
-        (j, *others) = (j for j, m in enumerate(k) if m)
-        if others or not k[j] == F.turns_of(F.angles[j]) == 1 or tuple(-m for m in k) not in parts:
-            return None
-        first, i = TrigPolynomial(F, parts[k]), F.constant(F.ring(QQ_I(0, 1)))
-        A, B = first + first.conjugate, (first - first.conjugate) * i
-        return OneUnknown(F.angles[j], True, (A, B, TrigPolynomial(F, parts.get(F.zero, {}))), number)
-    if not moving and len(slides) == 1:
-        return _of_a_length(f, slides.pop(), number)
-    return None
-
-
-def _of_a_length(f: TrigPolynomial, place: int, number: int) -> OneUnknown | None:
-    ring = f.trig_ring.ring
-    by_degree: list[dict[Exponents, Any]] = [{}, {}, {}]
-    for k, c in f.terms.items():
-        for m, a in c.terms():
-            if m[place] > 2:
-                return None
-            bare = tuple(0 if n == place else e for n, e in enumerate(m))
-            found = by_degree[m[place]].setdefault(k, {})
-            found[bare] = a
-    parts = [{k: ring.from_dict(found) for k, found in terms.items()} for terms in by_degree]
-    coefficients = tuple(TrigPolynomial(f.trig_ring, terms) for terms in parts)
-    return OneUnknown(ring.symbols[place], False, coefficients, number)
+    unknown = [F.angles[j] for j in f.angles if j in angles] + [F.ring.symbols[place] for place in slides]
+    if len(unknown) != 1:
+        return None
+    (q,), zero, number = unknown, F.constant(0), sum(len(c) for c in f.terms.values())
+    parts = f.coefficients(q)
+    if slides:
+        return OneUnknown(q, False, tuple(parts.get(k, zero) for k in range(3)), number) if max(parts) <= 2 else None
+    if F.turns_of(q) != 1 or max(parts) != 1:
+        return None
+    first, i = parts[1], F.constant(F.ring(QQ_I(0, 1)))
+    A, B = first + first.conjugate, (first - first.conjugate) * i
+    return OneUnknown(q, True, (A, B, parts.get(0, zero)), number)
 
 
 def solve_one(equation: OneUnknown, write: Any) -> JointFormula:
@@ -119,7 +99,7 @@ def solve_one(equation: OneUnknown, write: Any) -> JointFormula:
         if a == 0 or b == 0:
             double = sympy.false if c == 0 else sympy.Eq(sympy.Abs(c / (a + b)), 1)
         free = _vanishes(a, b) if c == 0 or a == 0 or b == 0 else _vanishes(square)
-        return JointFormula(equation.q, tuple(angles_of(a, b, c)), existence(a, b, c), double, free)
+        return JointFormula(equation.q, tuple(both_angles(a, b, c)), existence(a, b, c), double, free)
     C0, C1, C2 = map(write, equation.coefficients)
     if C2 == 0:
         return JointFormula(equation.q, (_quotient(-C0, C1),), sympy.true, sympy.false, _vanishes(C1))
@@ -156,16 +136,6 @@ def turned(one: OneUnknown, other: OneUnknown) -> int:
     if not (A2 + B1) and not (B2 - A1):
         return 1
     return -1 if not (A2 - B1) and not (B2 + A1) else 0
-
-
-def angle_of(sine: sympy.Expr, cosine: sympy.Expr) -> sympy.Expr:
-    """Return the angle of a sine and a cosine: θ itself of sin θ and cos θ."""
-    if cosine.func is sympy.cos:
-        [theta] = cosine.args
-        for sign in (1, -1):
-            if sine == sign * sympy.sin(theta):
-                return sign * theta
-    return sympy.atan2(sine, cosine)
 
 
 def _lowest(*values: sympy.Expr) -> list[sympy.Expr]:

@@ -93,8 +93,8 @@ class Peeling:
 
     def _without_unknowns(self) -> set[sympy.Expr]:
         equations = (f.without_rounding(ROUNDING * f.largest) for f in self.part.equations(0, 0))
-        told = (f for f in equations if f and self._is_given(f) and not f.symbols & self.unknown)
-        return {self._defined(self.write(f)) for f in told}
+        of_the_target = (f for f in equations if f and self._is_given(f) and not f.symbols & self.unknown)
+        return {self._defined(self.write(f)) for f in of_the_target}
 
     def write(self, f: TrigPolynomial) -> sympy.Expr:
         """Return a polynomial as an expression, with the symbols of the pose."""
@@ -206,7 +206,7 @@ class Peeling:
             step = links.steps[part.i]
             turned, moved = step.direction_behind(part.R), step.point_behind(part.p)
             if self._known(turned, moved) < self._known(part.R, part.p):
-                break  # less would be left of a point of which not all coordinates are given
+                break  # less would be left of a point if not all of its coordinates are given
             R, p = self._named(turned, moved)
             part = replace(part, i=part.i + 1, R=R, p=p)
         while part.i < part.j and not self._moves_unknown(part.j - 1):

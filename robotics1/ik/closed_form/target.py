@@ -87,7 +87,7 @@ class Target:
 
 
 def is_given(f: TrigPolynomial, definitions: Definitions) -> bool:
-    """Whether no entry of the pose is in f of which nothing is known."""
+    """Whether f holds no entry of the pose that is unknown."""
     return all(definitions.get(symbol, 0) is not None for symbol in f.symbols)
 
 

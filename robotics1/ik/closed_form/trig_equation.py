@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from robotics1.orientation.expressions import expressions, wrapped
+from robotics1.orientation.expressions import both_angles, expressions, wrapped
 from robotics1.results import Frozen
 
 ROUNDING = 1e-12  # of c² beside a² + b², below which a number is at the boundary
@@ -70,25 +70,11 @@ def solve_trig(a: Any, b: Any, c: Any) -> TrigSolutions:
     square = a**2 + b**2
     return TrigSolutions(
         (a, b, c),
-        tuple(angles_of(a, b, c)),
+        tuple(both_angles(a, b, c)),
         existence(a, b, c),
         sympy.And(sympy.Eq(c**2, square), sympy.Ne(square, 0)),
         sympy.And(*(sympy.Eq(entry, 0) for entry in (a, b, c))),
     )
-
-
-def angles_of(a: sympy.Expr, b: sympy.Expr, c: sympy.Expr) -> list[sympy.Expr]:
-    """Return the two solutions of a sin θ + b cos θ = c, in the form that a person writes."""
-    if c == 0:
-        if b == 0:
-            return [sympy.S.Zero, sympy.pi]
-        return sorted((sympy.atan2(-b, a), sympy.atan2(b, -a)), key=lambda angle: str(angle).count("-"))
-    if a == 0:
-        return [sympy.acos(c / b), -sympy.acos(c / b)]
-    if b == 0:
-        return [sympy.asin(c / a), sympy.pi - sympy.asin(c / a)]
-    turn = sympy.acos(c / sympy.sqrt(a**2 + b**2))
-    return [sympy.atan2(a, b) + turn, sympy.atan2(a, b) - turn]
 
 
 def existence(a: sympy.Expr, b: sympy.Expr, c: sympy.Expr) -> Any:

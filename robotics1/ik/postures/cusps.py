@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import without_turns
 from robotics1.ik.joint_chain import FixedChain
 from robotics1.inputs import Array
 
@@ -128,7 +129,7 @@ def _common_zeros(surfaces: tuple[TrigSurface, TrigSurface, TrigSurface]) -> tup
         if level >= 4:
             found = np.asarray(_polished(surfaces, cells))
             if len(found) and half < 0.1 * BESIDE:
-                apart = np.abs(np.angle(np.exp(1j * (cells[:, None] - found)))).max(axis=2).min(axis=1)
+                apart = np.abs(without_turns(cells[:, None] - found)).max(axis=2).min(axis=1)
                 if apart.max() < BESIDE:  # all cells that are left lie at the zeros found
                     return found, True
         half /= 2
@@ -152,7 +153,7 @@ def _polished(surfaces: tuple[TrigSurface, ...], x: Array) -> Array:
     values = np.stack([f(x) for f in surfaces], axis=1) / sizes
     good = x[np.abs(values).max(axis=1) < 1e-13]
     distinct: list[Array] = []
-    for p in np.angle(np.exp(1j * good)):
-        if all(np.abs(np.angle(np.exp(1j * (p - other)))).max() > SAME for other in distinct):
+    for p in without_turns(good):
+        if all(np.abs(without_turns(p - other)).max() > SAME for other in distinct):
             distinct.append(p)
     return np.array(distinct).reshape(-1, 2)

@@ -13,7 +13,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components, dijkstra
 from scipy.spatial import cKDTree
 
-from robotics1.angles import TURN
+from robotics1.angles import TURN, without_turns
 from robotics1.ik.postures.determinant import Determinant
 from robotics1.inputs import Array
 
@@ -58,7 +58,7 @@ class Region:
     def step(self, a: Array, b: Array) -> Array:
         """Return b − a, (..., nq), the short way round."""
         d = b - a
-        return np.where(self.circular, d - TURN * np.round(d / TURN), d)
+        return np.where(self.circular, without_turns(d), d)
 
     def are_clear(self, q: Array, step: Array) -> npt.NDArray[np.bool_]:
         """Return whether det J keeps its sign, away from zero, at configurations on segments q + t step: (k,)."""

@@ -14,11 +14,12 @@ import numpy as np
 import sympy
 
 from robotics1.inputs import Array
+from robotics1.orientation.elementary import cross_matrix
 from robotics1.robot.joints import Joint
 from robotics1.symbolic.kinematics.chain import Chain, Pose
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial
-from robotics1.symbolic.writing.term_budget import TermBudget, skew
+from robotics1.symbolic.writing.term_budget import TermBudget
 
 Joints = tuple[Joint, ...]
 TWIST = ("x", "y", "z", "ωx", "ωy", "ωz")
@@ -86,7 +87,7 @@ def mid_chain_jacobian(chain: Chain, row_names: tuple[str, ...], J: Matrix, budg
     M = _jacobian_at_the_middle(chain, links, exact)
     R, p = links[0][0].T, links[-1][1]
     if row_names == TWIST:
-        zero, moment = R - R, -R @ skew(p)  # v of the point is R (v + ω × p)
+        zero, moment = R - R, -R @ cross_matrix(p)  # v of the point is R (v + ω × p)
         return MidChainJacobian(M, np.block([[R, moment], [zero, R]]), np.block([[R, zero], [moment, R]]))
     return MidChainJacobian(exact.sum(M[:3], exact.cross(M[3:], p)) if row_names == TWIST[:3] else M[3:], R, R)
 

@@ -7,13 +7,20 @@ from typing import Any
 
 import sympy
 
-from robotics1.errors import InputError, UnknownNameError
-from robotics1.inputs import real_number
+from robotics1.errors import InputError
 from robotics1.orientation.expressions import expressions
 from robotics1.robot.assembly import free_link_name, with_tip
 from robotics1.robot.joints import Joint
 from robotics1.robot.model import Robot
-from robotics1.robot.parameters import HIGHEST_DEGREE, Monomial, Parameters, Placement, Placements, placement_of
+from robotics1.robot.parameters import (
+    HIGHEST_DEGREE,
+    Monomial,
+    Parameters,
+    Placement,
+    Placements,
+    placement_of,
+    with_values,
+)
 
 UNVALUED = 1.0  # the length that a name without a value stands for [m]
 
@@ -61,18 +68,9 @@ class RobotWithPoint:
     parameters: Mapping[str, float]
 
     def with_parameters(self, values: Mapping[str, float]) -> Robot:
-        """Return the robot with the point, at these values; the others stay.
-
-        Raises:
-            UnknownNameError: neither the robot nor the point has such a parameter.
-            InputError: a value is not a finite number.
-        """
-        for key in values:
-            if key not in self.parameters:
-                raise UnknownNameError(f"parameter of robot {self.robot.name!r} named", key, self.parameters)
-        new = {key: real_number(f"parameter {key!r}", value) for key, value in values.items()}
-        at = Parameters({**self.parameters, **new})
-        own = {key: value for key, value in new.items() if key in self.robot.parameters}
+        """Return the robot with the point, at these values; the others stay."""
+        at = with_values(f"robot {self.robot.name!r}", self.parameters, values)
+        own = {key: value for key, value in values.items() if key in self.robot.parameters}
         robot = self.robot.with_parameters(own) if own else self.robot
         numbers = {sympy.Symbol(key, real=True): value for key, value in at.items()}
         x, y, z = (float(coordinate.xreplace(numbers)) for coordinate in self.coordinates)

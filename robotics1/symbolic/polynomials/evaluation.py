@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy
 
+from robotics1.angles import without_turns
 from robotics1.caching import cached_property
 from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
@@ -169,7 +170,7 @@ def _candidates(c: Array, turns: bool, unit: float) -> Iterator[tuple[float, flo
         within = max(VANISHES ** (1 / order), 1e-6)
         for z in np.roots(np.polynomial.polynomial.polyder(c, order - 1)[::-1]):
             if turns and abs(abs(z) - 1) < 1e-6:
-                yield float(np.angle(np.exp(1j * float(np.angle(z)) / unit))), within  # up to whole turns
+                yield float(without_turns(np.angle(z) / unit)), within
             elif not turns and abs(z.imag) < 1e-6 * max(1.0, abs(z)):
                 yield float(z.real), within
 

@@ -9,7 +9,7 @@ tⱼ = ∞, which is φⱼ = π. N is what can be divided and factored. A factor
 N(t) / Πⱼ (1 + tⱼ²)^(eⱼ/2), a polynomial in the half angles φⱼ/2, and in the angles themselves when all eⱼ are even.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache, lru_cache
 from typing import Any
 
@@ -27,6 +27,13 @@ _, Y = ring("y", QQ_I)
 def highest_multiples(f: TrigPolynomial) -> Degrees:
     """Return dⱼ, the highest multiple of each angle."""
     return tuple(max((abs(k[j]) for k in f.terms), default=0) for j in range(len(f.trig_ring.angles)))
+
+
+def highest_powers(F: TrigRing, row: Sequence[fmpq_mpoly]) -> Degrees:
+    """Return the highest power of each tⱼ among numerators; () where all are zero."""
+    lengths = len(F.ring.symbols)
+    powers = [map(int, N.degrees()[lengths:]) for N in row if not N.is_zero()]
+    return tuple(map(max, zip(*powers, strict=True)))
 
 
 @lru_cache(maxsize=4096)

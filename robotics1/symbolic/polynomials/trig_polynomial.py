@@ -1,6 +1,6 @@
 """Trigonometric polynomials, in the form in which sums of angles and cos² + sin² = 1 come by themselves.
 
-A trigonometric polynomial is a TrigPolynomial polynomial in the exponentials zⱼ = exp(i φⱼ) of the angles,
+A trigonometric polynomial is a Laurent polynomial in the exponentials zⱼ = exp(i φⱼ) of the angles,
 
 f = Σₖ cₖ exp(i k·φ),  k ∈ ℤⁿ,
 
@@ -23,7 +23,7 @@ from sympy.polys.rings import PolyElement, PolyRing
 from robotics1.symbolic.polynomials.time_limit import check_time
 
 Exponents = tuple[int, ...]
-Matrix = np.ndarray[Any, Any]  # of TrigPolynomial polynomials
+Matrix = np.ndarray[Any, Any]  # of trigonometric polynomials
 ROOTS = {"√2": 2, "√3": 3}  # generators that stand for square roots
 
 
@@ -164,6 +164,22 @@ class TrigPolynomial:
             if kept:
                 terms[k] = self.trig_ring.ring.from_dict(kept)
         return TrigPolynomial(self.trig_ring, terms)
+
+    def coefficients(self, symbol: sympy.Symbol) -> dict[int, "TrigPolynomial"]:
+        """Return f as a polynomial in exp(i φ) of an angle φ, or in a generator of the ring: power → coefficient."""
+        F = self.trig_ring
+        j = [*F.angles, *F.ring.symbols].index(symbol)
+        parts: dict[int, dict[Exponents, dict[Exponents, Any]]] = {}
+        for k, c in self.terms.items():
+            for m, a in c.terms():
+                exponents = [*k, *m]
+                power, exponents[j] = exponents[j], 0
+                others = tuple(exponents[: len(k)]), tuple(exponents[len(k) :])
+                parts.setdefault(power, {}).setdefault(others[0], {})[others[1]] = a
+        return {
+            power: TrigPolynomial(F, {k: F.ring.from_dict(c) for k, c in terms.items()})
+            for power, terms in parts.items()
+        }
 
     def derivative(self, symbol: sympy.Symbol) -> "TrigPolynomial":
         """Return ∂f/∂symbol, for an angle or a generator of the ring."""

@@ -18,13 +18,13 @@ from robotics1.inputs import Array
 from robotics1.symbolic.polynomials.determinants import minors_of_order
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor
-from robotics1.symbolic.polynomials.half_tangents import Degrees, in_half_angles
+from robotics1.symbolic.polynomials.half_tangents import Degrees, highest_powers, in_half_angles
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial, TrigRing
 from robotics1.symbolic.singular_sets.elimination import Row, primitive_row
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.locus_sampler import special_configurations
-from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written
+from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written_in_halves
 
 POINTS = 60  # special configurations of a piece, and half as many random ones
 INDEPENDENT = 1e-6  # σ_min of unit vectors that are independent
@@ -48,9 +48,7 @@ class BasisVector:
     @cached_property
     def degrees(self) -> Degrees:
         """The highest power of each tⱼ among the entries."""
-        lengths = len(self.trig_ring.ring.symbols)
-        degrees = [[int(e) for e in entry.degrees()[lengths:]] for entry in self.row if not entry.is_zero()]
-        return tuple(map(max, zip(*degrees, strict=True))) if degrees else ()
+        return highest_powers(self.trig_ring, self.row)
 
     @property
     def has_half_angles(self) -> bool:
@@ -64,8 +62,7 @@ class BasisVector:
 
     def written_in_halves(self, groups: Groups) -> list[sympy.Expr]:
         """Return the entries in SymPy, in half angles."""
-        halves = {angle: angle / 2 for angle in self.trig_ring.angles}
-        return [written(entry, groups).subs(halves, simultaneous=True) for entry in self.entries]
+        return [written_in_halves(entry, groups) for entry in self.entries]
 
 
 @dataclass(frozen=True, eq=False)

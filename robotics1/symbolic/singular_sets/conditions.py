@@ -6,12 +6,13 @@ import numpy as np
 import sympy
 
 from robotics1.angles import twelfths_of_pi
+from robotics1.orientation.expressions import both_angles
 from robotics1.symbolic.polynomials.evaluation import Evaluated
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, factors
 from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, polynomial
 from robotics1.symbolic.singular_sets.locus import Locus, Piece
 from robotics1.symbolic.singular_sets.zeros import Substitution
-from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written, written_product
+from robotics1.symbolic.writing.sums_of_angles import Groups, recognised, written, written_in_halves, written_product
 
 ROUNDING = 1e-13  # of an angle [rad]
 
@@ -59,8 +60,7 @@ def _expression(part: IrreducibleFactor, groups: Groups) -> sympy.Expr:
     """Return the part in SymPy, in half angles where it has some."""
     if not any(part.parity):
         return written_product(factors(part.in_angles), groups)
-    halves = {angle: angle / 2 for angle in part.trig_ring.angles}
-    return written(part.in_half_angles, groups).subs(halves, simultaneous=True)
+    return written_in_halves(part.in_half_angles, groups)
 
 
 def _angle_of_turn(turn: TrigPolynomial) -> sympy.Expr:
@@ -100,8 +100,7 @@ def _root_of(
     A, B = sympy.expand(2 * polynomial(c)).as_real_imag()
     B = -B
     C = polynomial(g.terms[F.zero]) if F.zero in g.terms else sympy.S.Zero
-    solutions = _solutions(*recognised([A, B, C]))
-    return _nearest(solutions, value, parameters)
+    return _nearest(both_angles(*recognised([B, A, -C])), value, parameters)
 
 
 def _from_half_angle(half: TrigPolynomial) -> sympy.Expr | None:
@@ -130,15 +129,3 @@ def _nearest(solutions: list[sympy.Expr], value: float, parameters: Mapping[symp
     """Return the solution that is the angle, up to whole turns."""
     numbers = [complex(x.subs(parameters)) for x in solutions]
     return solutions[int(np.argmin([abs(np.exp(1j * x) - np.exp(1j * value)) for x in numbers]))]
-
-
-def _solutions(A: sympy.Expr, B: sympy.Expr, C: sympy.Expr) -> list[sympy.Expr]:
-    """Return the solutions of A cos φ + B sin φ + C = 0."""
-    if B == 0:
-        return [sympy.acos(-C / A), -sympy.acos(-C / A)]
-    if A == 0:
-        return [sympy.asin(-C / B), sympy.pi - sympy.asin(-C / B)]
-    if C == 0:
-        return [sympy.atan2(-A, B), sympy.atan2(A, -B)]
-    turn = sympy.acos(-C / sympy.sqrt(A**2 + B**2))
-    return [sympy.atan2(B, A) + turn, sympy.atan2(B, A) - turn]

@@ -16,6 +16,7 @@ from robotics1.symbolic.polynomials.half_tangents import (
     context,
     from_numerator,
     highest_multiples,
+    highest_powers,
     is_multiple,
     numerator,
     without_squares,
@@ -137,9 +138,7 @@ def _remainder(entry: fmpq_mpoly, equation: fmpq_mpoly) -> fmpq_mpoly:
 
 def in_whole_angles(F: TrigRing, row: Row) -> Matrix:
     """Return numerators over the least powers of 1 + tⱼ² that make all of them polynomials of whole angles."""
-    lengths = len(F.ring.symbols)
-    degrees = [[int(e) for e in entry.degrees()[lengths:]] for entry in row if not entry.is_zero()]
-    halves = tuple((max(column) + 1) // 2 for column in zip(*degrees, strict=True))
+    halves = tuple((power + 1) // 2 for power in highest_powers(F, row))
     return np.array([from_numerator(F, entry, halves) for entry in row], dtype=object)
 
 

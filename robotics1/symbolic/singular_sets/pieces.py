@@ -12,6 +12,7 @@ from itertools import product
 
 import numpy as np
 
+from robotics1.angles import without_turns
 from robotics1.inputs import Array
 from robotics1.robot.box import JointBox
 from robotics1.symbolic.polynomials.determinants import minors_of_order
@@ -151,7 +152,7 @@ def _at_single_values(sampler: LocusSampler, cases: CommonZeros, rng: np.random.
     drawn = [q for q in map(sampler.nearest, box.random(rng, DRAWN)) if q is not None]
     for q in drawn:
         apart = q[joints] - values
-        apart = np.where(piece.angles[joints], np.angle(np.exp(1j * apart)), apart / box.unit[joints])
+        apart = np.where(piece.angles[joints], without_turns(apart), apart / box.unit[joints])
         if np.abs(apart).max(axis=1).min() > BESIDE:
             return []
     known = np.zeros((len(values), len(piece.angles)))

@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy
@@ -12,7 +11,7 @@ from robotics1.angles import twelfths_of_pi
 from robotics1.caching import cached_property
 from robotics1.symbolic.polynomials.evaluation import Evaluated, evaluated_factor
 from robotics1.symbolic.polynomials.factoring import IrreducibleFactor, irreducible_factors
-from robotics1.symbolic.polynomials.trig_polynomial import Exponents, TrigPolynomial, TrigRing
+from robotics1.symbolic.polynomials.trig_polynomial import TrigPolynomial, TrigRing
 
 ZERO = 1e-12  # of a polynomial in the lengths, beside the sum of its terms
 ROUNDED = 1e-15  # of the same, where √2 and √3 are fractions to 1e-16: sin(q3) + 1 is that, and has a double zero
@@ -39,20 +38,9 @@ class Substitution:
         """Return f with the symbol replaced."""
         if self.symbol not in f.symbols:
             return f
-        F, powers_of = f.trig_ring, (self.value.conjugate, self.value)
-        j = [*F.angles, *F.ring.symbols].index(self.symbol)
-        pieces: dict[int, dict[Exponents, dict[Exponents, Any]]] = {}
-        for k, c in f.terms.items():
-            for m, a in c.terms():
-                exponents = [*k, *m]
-                power, exponents[j] = exponents[j], 0
-                others = tuple(exponents[: len(k)]), tuple(exponents[len(k) :])
-                pieces.setdefault(power, {}).setdefault(others[0], {})[others[1]] = a
-        total = F.constant(0)
-        for power, terms in pieces.items():
-            piece = TrigPolynomial(F, {k: F.ring.from_dict(c) for k, c in terms.items()})
-            total = total + piece * powers_of[power > 0] ** abs(power)
-        return total
+        values = self.value.conjugate, self.value
+        terms = (c * values[power > 0] ** abs(power) for power, c in f.coefficients(self.symbol).items())
+        return sum(terms, start=f.trig_ring.constant(0))
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import sympy
 
+from robotics1.angles import without_turns
 from robotics1.caching import cached_property
 from robotics1.differentiation import Estimate
 from robotics1.errors import FormulaError, TaskError
@@ -238,7 +239,7 @@ class Formulas(Frozen):
         difference = ours - theirs
         if self.symbolic_task.task.wraps and difference.shape == (len(self.row_names), 1):
             angles = [self.task.row_units[i] == "rad" for i in self._numbers.places]
-            difference[angles] = np.angle(np.exp(1j * difference[angles]))
+            difference[angles] = without_turns(difference[angles])
         return difference
 
     def python(self, name: str = "jacobian") -> str:

@@ -32,6 +32,12 @@ class Wave(NamedTuple):
     sine: bool
 
 
+def written_in_halves(f: TrigPolynomial, groups: Groups) -> sympy.Expr:
+    """Return a real polynomial with multiples of φ/2 as exponents in SymPy."""
+    halves = {angle: angle / 2 for angle in f.trig_ring.angles}
+    return written(f, groups).subs(halves, simultaneous=True)
+
+
 def written(f: TrigPolynomial, groups: Groups) -> sympy.Expr:
     """Return a real trigonometric polynomial in SymPy, angles added up within the groups."""
     terms = _in_waves(f, groups)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import sympy
 
+from robotics1.orientation.elementary import cross_matrix
 from robotics1.symbolic.polynomials.time_limit import check_time
 from robotics1.symbolic.polynomials.trig_polynomial import Matrix, TrigPolynomial, TrigRing
 from robotics1.symbolic.writing.sums_of_angles import Groups, written
@@ -19,7 +20,7 @@ from robotics1.symbolic.writing.sums_of_angles import Groups, written
 MOST_PRODUCTS = 1000  # of terms, that are tried
 MOST_TERMS = 64  # of a polynomial that is not left as sum of products
 
-Entry = Any  # a TrigPolynomial polynomial, or a sympy.Expr
+Entry = Any  # a TrigPolynomial, or a sympy.Expr
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,11 +75,4 @@ class TermBudget:
 
     def cross(self, A: Matrix, p: Matrix) -> Matrix:
         """Return a × p for the columns a of A, (3, n)."""
-        return self.product(skew(-p), A)
-
-
-def skew(p: Matrix) -> Matrix:
-    """Return [p]×, (3, 3): [p]× a = p × a."""
-    x, y, z = p
-    zero = x - x
-    return np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]], dtype=object)
+        return self.product(cross_matrix(-p), A)

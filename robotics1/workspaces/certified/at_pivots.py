@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from robotics1.inputs import Array
-from robotics1.workspaces.axes import ALIKE, Axis, without_joints_at
+from robotics1.workspaces.axes import ALIKE, nearest_on, without_joints_at
 from robotics1.workspaces.certified.extremes import Measure, extremes_of
 from robotics1.workspaces.certified.objective import Objective
 from robotics1.workspaces.chain import Chain
@@ -74,8 +74,11 @@ def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
         if not axis.revolute:
             continue
         beside = [other for other in chain.axes[max(k - 1, 0) : k + 2] if other is not axis and other.revolute]
-        points = [_nearest_to(axis, other) for other in beside]
-        points += [axis.point + axis.direction * (axis.direction @ (p - axis.point)) for p in _ends(objective)]
+        points = [nearest_on(axis, other) for other in beside]
+        points += [
+            axis.point + axis.direction * (axis.direction @ (p - axis.point))
+            for p in (objective.measure.centre, chain.tip)
+        ]
         kept: list[Array] = []
         for o in points:
             if all(np.linalg.norm(o - other) > near for other in kept):
@@ -86,19 +89,6 @@ def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
 def _rounding(chain: Chain) -> float:
     """Return a distance that is none, by the arm's size."""
     return ALIKE * max(float(np.linalg.norm(axis.point - chain.tip)) for axis in chain.axes)
-
-
-def _ends(objective: Objective) -> tuple[Array, Array]:
-    return objective.measure.centre, objective.chain.tip
-
-
-def _nearest_to(axis: Axis, other: Axis) -> Array:
-    """Return the point of an axis that is nearest to another axis; of parallel ones, to the point of the other."""
-    a, b, between = axis.direction, other.direction, other.point - axis.point
-    c = a @ b
-    if 1 - c * c < ALIKE:
-        return np.asarray(axis.point + a * (a @ between))
-    return np.asarray(axis.point + a * ((a @ between - c * (b @ between)) / (1 - c * c)))
 
 
 def _pivots_at(objective: Objective, k: int, o: Array) -> Iterator[Pivot]:

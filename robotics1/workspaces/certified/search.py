@@ -74,7 +74,8 @@ class Search:
         found = enclosed(objective, free, q, self.enough, self.left / 2 if everywhere or pivots else self.left)
         bounds = {"boxes": found.bound}
         if found.bound > self.enough(found.value):
-            tried = [self._at_pivot(pivot) for pivot in self._better(pivots, found.bound)]
+            better = [pivot for pivot in pivots if self.objective.wanted(pivot.hoped) < found.bound]
+            tried = [self._at_pivot(pivot) for pivot in better]
             boxes += sum(more for _, more in tried)
             bounds["pivots"] = min((bound for bound, _ in tried), default=np.inf)
         if everywhere and min(bounds.values()) > self.enough(found.value):
@@ -90,10 +91,6 @@ class Search:
         if measure.direction is not None:
             return sign * np.inf
         return _longest(self.objective.chain, measure.centre) if sign > 0 else 0.0
-
-    def _better(self, pivots: list[Pivot], bound: float) -> list[Pivot]:
-        """Return the pivots that may have less than a bound."""
-        return [pivot for pivot in pivots if self.objective.wanted(pivot.hoped) < bound]
 
     def _at_pivot(self, pivot: Pivot) -> tuple[float, int]:
         """Return what the objective is at most, by the extremes of both parts of the arm, and the boxes looked at."""

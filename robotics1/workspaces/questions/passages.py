@@ -46,16 +46,12 @@ class Passages(Frozen):
         """Return the crossings in sentences."""
         if not len(self.intervals):
             return "The point is never inside."
-        lines = [f"The point is inside {_from_to(a, b)}." for a, b in self.intervals]
+        lines = [f"The point is inside from t = {a:.6g} to t = {b:.6g}." for a, b in self.intervals]
         for t, p, comes in zip(self.times, self.points, self.entering, strict=True):
             where = ", ".join(f"{x:.6g}" for x in p)
             lines.append(f"It {'enters' if comes else 'leaves'} at t = {t:.6g}, at ({where}) m.")
         lines.append(f"An excursion of less than {self.resolution:.1g} m across the boundary may be missed.")
         return "\n".join(lines)
-
-
-def _from_to(a: float, b: float) -> str:
-    return f"from t = {a:.6g} to t = {b:.6g}"
 
 
 def crossings(ws: Workspace, motion: Any, start: float = 0.0, end: float = 1.0) -> Passages:

@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, real_array
+from robotics1.notation import count
 from robotics1.results import Frozen
 from robotics1.workspaces.axes import across
 from robotics1.workspaces.curved.level_lines import Function, level_lines
@@ -64,14 +65,10 @@ class PlaneSection(Frozen):
         where = ", ".join(f"{x:.6g}" for x in self.point)
         lines += [f"It is the ring from {a:.9g} m to {b:.9g} m about ({where}) m." for a, b in self.radii]
         if not len(self.radii):
-            lines.append(f"Its boundary is {_counted(len(self.outlines), 'closed curve')}.")
+            lines.append(f"Its boundary is {count(len(self.outlines), 'closed curve')}.")
         if self.resolution:
             lines.append(f"What is smaller than {self.resolution:.2g} m may be missed.")
         return "\n".join(lines)
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}{'s' * (count != 1)}"
 
 
 def plane_section(ws: Workspace, point: npt.ArrayLike, normal: npt.ArrayLike) -> PlaneSection:

@@ -18,7 +18,7 @@ from robotics1.errors import TaskError
 from robotics1.inputs import Array, real_array
 from robotics1.results import Frozen
 from robotics1.robot.model import Robot
-from robotics1.workspaces.axes import CLOSED, STRAIGHT, Axis
+from robotics1.workspaces.axes import CLOSED, STRAIGHT, Axis, nearest_on
 from robotics1.workspaces.result import Workspace
 
 
@@ -79,7 +79,7 @@ def wrist_of(axes: Sequence[Axis], tip: Array, robot: Robot) -> tuple[Array, flo
     if len(axes) < 5 or not all(axis.revolute for axis in last):
         raise TaskError(_NO_WRIST.format(robot.name))
     four, five, six = last
-    centre = _meeting(four, five)
+    centre = nearest_on(five, four)
     far = np.cross(six.direction, centre - six.point)
     square = max(abs(four.direction @ five.direction), abs(five.direction @ six.direction))
     if np.linalg.norm(np.cross(four.direction, centre - four.point)) > near or np.linalg.norm(far) > near:
@@ -98,12 +98,3 @@ _NO_WRIST = (
     "robot {0!r} has no spherical wrist (three last revolute axes through one point); where it reaches every "
     "orientation is not known"
 )
-
-
-def _meeting(a: Axis, b: Axis) -> Array:
-    """Return the point of axis b that is nearest to axis a."""
-    n = np.cross(a.direction, b.direction)
-    if np.linalg.norm(n) < STRAIGHT:
-        return b.point
-    t = np.cross(a.point - b.point, a.direction) @ np.cross(b.direction, a.direction) / (n @ n)
-    return np.asarray(b.point + t * b.direction)

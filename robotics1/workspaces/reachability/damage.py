@@ -7,7 +7,7 @@ from typing import Any
 
 from robotics1.errors import InputError
 
-TOLD = 5  # files that a message names
+SHOWN = 5  # files that a message names
 
 
 @contextmanager
@@ -33,9 +33,9 @@ def whole_parts(folder: Path, arrays: Mapping[str, Any], parts: Sequence[slice])
         damaged = _damaged(folder, arrays, parts)
         if not damaged:
             raise
-        more = f" and {len(damaged) - TOLD} more" if len(damaged) > TOLD else ""
+        more = f" and {len(damaged) - SHOWN} more" if len(damaged) > SHOWN else ""
         raise InputError(
-            f"{str(folder)!r} is damaged in {', '.join(damaged[:TOLD])}{more}; delete these files, and the call of "
+            f"{str(folder)!r} is damaged in {', '.join(damaged[:SHOWN])}{more}; delete these files, and the call of "
             f"reachability_map that made the map does their part again and keeps the rest"
         ) from error
 

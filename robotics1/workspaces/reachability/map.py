@@ -9,14 +9,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from robotics1.chunks.identity import identity
-from robotics1.chunks.workers import Workers, check_executor, workers_of
-from robotics1.errors import InputError
+from robotics1.chunks.workers import Workers, check_executor, check_progress, workers_of
 from robotics1.inputs import Array
 from robotics1.robot.given import RobotLike
 from robotics1.tasks.given import TaskLike, robot_and_task
 from robotics1.workspaces.reachability.chunk import ChunkOfMap, Description, chunk_of_map, empty_chunk
 from robotics1.workspaces.reachability.evaluation import PoseQuestion, evaluator_of, question_of
-from robotics1.workspaces.reachability.poses import Poses, poses_of, task_of_map
+from robotics1.workspaces.reachability.poses import poses_of, task_of_map
 from robotics1.workspaces.reachability.result import ReachabilityMap
 from robotics1.workspaces.reachability.saved import MapFolder, chunk_kept, map_folder
 
@@ -78,11 +77,11 @@ def reachability_map(
     asked, form, error = task_of_map(task, orientations)
     question = question_of(robot, asked, starts, seed, tolerance, configurations)
     check_executor(executor)
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress must be a function of the number done and the number of all, not {progress!r}")
+    check_progress(progress)
     poses = poses_of(robot, form, error, positions, orientations)
     evaluator = evaluator_of(question.packed())  # before the threads want it
-    description = Description(robot.name, robot.joint_names, asked.row_names, *_fields(poses), counts=evaluator.counts)
+    of_poses = poses.coordinates, poses.positions, poses.orientations, poses.grid
+    description = Description(robot.name, robot.joint_names, asked.row_names, *of_poses, counts=evaluator.counts)
     done = (
         _done_in_memory
         if checkpoint is None
@@ -91,10 +90,6 @@ def reachability_map(
     sendable = evaluator.measurement.sendable
     with workers_of(executor, sendable=sendable) as workers:
         return description.finished(done(question.packed(), description, workers, progress))
-
-
-def _fields(poses: Poses) -> tuple[str, Array, Array, tuple[Array, ...] | None]:
-    return poses.coordinates, poses.positions, poses.orientations, poses.grid
 
 
 def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progress: Progress | None) -> ChunkOfMap:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.caching import cached_property
-from robotics1.chunks.workers import check_executor, workers_of
+from robotics1.chunks.workers import check_executor, check_progress, workers_of
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.goals import numbered
 from robotics1.ik.solver import list_of_targets
@@ -154,6 +154,7 @@ def best_placements(
         raise TaskError("places are tried with a task on the pose of one frame in the world, such as PoseTask()")
     one_of("moves", moves, MOVES)
     check_executor(executor)
+    check_progress(progress)
     goals = _goals(robot, form.pose_error, poses)
     X = _places(places)
     moved = np.linalg.inv(X) if moves == "base" else X
