@@ -118,10 +118,9 @@ def scan_singularities(
 
     alone = executor is None and checkpoint is None
     measurement = measurement_of(robot, task, points.rank, length, count if alone else None)
-    keep = max(KEPT, refine)
+    keep, grid = max(KEPT, refine), np.asarray(samples) if method == "grid" else None
     asked: dict[str, Any] = {"measures": chosen, "method": method, "samples": count, "seed": seed, "worst": keep}
-    asked |= {"length": length, "box": [where.lower, where.upper]}
-    asked |= {"grid": np.asarray(samples) if method == "grid" else None}
+    asked |= {"length": length, "box": [where.lower, where.upper], "grid": grid}
     file = None if checkpoint is None else StateFile(checkpoint, identity("a scan", robot, task, asked))
     begun = _begun(file, chosen)
     work = partial(reduced_together, measurement, chosen, keep)
