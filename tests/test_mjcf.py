@@ -4,10 +4,11 @@ from math import pi, radians
 
 import numpy as np
 import pytest
+from command import run
 from hypothesis import given, settings, strategies as st
 from scipy.spatial.transform import Rotation
 
-from robotics1 import RobotFileError, RobotWarning, forward_kinematics, load_robot
+from robotics1 import InputError, RobotFileError, RobotWarning, check_robot, forward_kinematics, load_robot
 
 SIZES = st.floats(-2, 2).map(lambda value: round(value, 3))
 TRIPLES = st.tuples(SIZES, SIZES, SIZES)
@@ -203,3 +204,33 @@ def test_a_floating_base_at_zero_is_where_the_file_draws_it():
     </mujoco>"""
     robot = load_robot(text, trusted=True)
     assert forward_kinematics(robot, [0, 0, 0, 0, 0, 0, 1], frame="pelvis").translation == pytest.approx([0, 0, 0.8])
+
+
+ARM = '<mujoco><worldbody><body name="a"><joint name="q"/><site name="tip" pos="1 0 0"/></body></worldbody></mujoco>'
+
+
+@pytest.mark.parametrize("choice", [{"locked": {"q": 0}}, {"base": "a"}, {"parameters": {"l": 1}}])
+@pytest.mark.parametrize("ask", [load_robot, check_robot])
+def test_what_mjcf_cannot_choose_is_not_passed_over(ask, choice):
+    with pytest.raises(InputError, match="MJCF has no parameters, base or locked joints"):
+        ask(ARM, trusted=True, **choice)
+
+
+def test_the_report_on_mjcf_has_the_robot_and_what_is_odd():
+    tied = ARM.replace("</mujoco>", '<equality><weld body1="a"/></equality></mujoco>')
+    for text, number in ((ARM, 0), (tied, 1)):
+        report = check_robot(text, trusted=True)
+        assert report.require().joint_names == ("q",)
+        assert len(report.warnings) == number
+    (error,) = check_robot(ARM.replace('"q"', '"q" type="ball"'), trusted=True).errors
+    assert "joint 'q' is of the type 'ball'" in error.message
+
+
+def test_the_command_reads_mjcf_that_is_trusted(tmp_path):
+    file = tmp_path / "arm.xml"
+    file.write_text(ARM)
+    refused = run("fk", file, "--q", "pi/2")
+    assert (refused.code, "--trusted" in refused.stderr) == (2, True)
+    read = run("fk", file, "--q", "pi/2", "--trusted")
+    assert (read.code, "p = (0, 1, 0) m" in read.stdout) == (0, True)
+    assert run("check", file, "--trusted").code == 0

@@ -44,7 +44,7 @@ def robot_of_mjcf(text: str, path: Path, tool: str | None, *, trusted: bool) -> 
     if not trusted:
         raise InputError(
             f"{'the text' if path is TEXT else path} is MJCF, which may include any files of this computer; if you "
-            "trust it, say trusted=True, or give its URDF"
+            "trust it, say trusted=True or --trusted, or give its URDF"
         )
     file = Path("robot.xml") if path is TEXT else path  # what a text includes is looked for in the working folder
     meaning = Meaning(path, with_included(parse_xml(text, path), file))
