@@ -110,6 +110,22 @@ def test_a_table_is_a_robot_with_its_convention_placements_and_limits(rows, conv
     assert (again.lower.tolist(), again.upper.tolist()) == (robot.lower.tolist(), robot.upper.tolist())
 
 
+@given(st.sampled_from(["1.5708", "1.57", "1.570796", "-0.7854"]), st.floats(-2, 2))
+@settings(max_examples=20)
+def test_a_table_of_rounded_angles_is_the_robot_of_its_file(angle, q):
+    """T of the table is T of the file to 1e-12, and not that of the multiple of π/12 that the file rounds."""
+    text = f"""<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
+    <joint name="q1" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+    <joint name="q2" type="continuous"><parent link="b"/><child link="c"/><origin xyz="1 0 0" rpy="{angle} 0 0"/>
+    <axis xyz="0 0 1"/></joint></robot>"""
+    robot = r1.load_robot(text)
+    table = r1.dh.urdf_to_dh(robot)
+    again = r1.robot_from_dh(table)
+    found = r1.forward_kinematics(again, [0.3, q]).homogeneous
+    for T in (table.pose([0.3, q]), r1.forward_kinematics(robot, [0.3, q])):
+        assert found == pytest.approx(T.homogeneous, abs=1e-12)
+
+
 @pytest.mark.parametrize("option", [{"convention": "modified"}, {"lower": [0]}, {"tool_placement": np.eye(4)}])
 def test_a_table_holds_its_options(option):
     with pytest.raises(r1.InputError, match="a DHTable holds its options"):

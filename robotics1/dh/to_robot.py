@@ -44,7 +44,7 @@ def robot_from_dh(
     Args:
         rows: one (type, a, alpha, d, theta) a joint, type "R" or "P", a and d [m], alpha and theta [rad]; in the
             modified convention row i holds a_{i−1} and α_{i−1}. An entry may be a name, "l2", or a negated name, "-l2".
-            Also a `DHTable`, as `urdf_to_dh` returns it, which holds all other arguments.
+            Also a `DHTable`, as `urdf_to_dh` returns it: it holds all other arguments, and its angles stay as they are.
         parameters: the values of the names, which the robot keeps as `robot.parameters`.
         convention: "standard" or "modified" (Craig's).
         base_placement: T_base, a `pin.SE3` or (4, 4), of frame 0 in the world; by default the identity.
@@ -68,9 +68,8 @@ def robot_from_dh(
             or any(option is not None for option in (base_placement, tool_placement, lower, upper))
         ):
             raise InputError("a DHTable holds its options; change one by dataclasses.replace(table, tool_placement=T)")
-        table = rows
-    else:
-        table = DHTable(rows, convention, base_placement, tool_placement, lower, upper, parameters or {})  # type: ignore[arg-type]
+        return robot_of(rows)
+    table = DHTable(rows, convention, base_placement, tool_placement, lower, upper, parameters or {})  # type: ignore[arg-type]
     meant, sentences = _printed_angles(table)
     return robot_of(meant, sentences)
 
