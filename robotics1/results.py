@@ -94,7 +94,8 @@ class Shown:
 class Frozen(Shown):
     """A base of frozen dataclasses whose arrays are read-only, also in copies and after unpickling.
 
-    Their `repr` has one line: what it is, short values, and how many there are of the others.
+    Their `repr` has one line: what it is, short values, and how many there are of the others. `str` of one that does
+    not explain itself has a line for each value that is not short.
     """
 
     def __init_subclass__(cls, **options: Any) -> None:
@@ -107,6 +108,13 @@ class Frozen(Shown):
         shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
         return f"{type(self).__name__}({', '.join(f'{name}={_short(getattr(self, name))}' for name in shown)})"
 
+    def _sentences(self) -> str:
+        line = super()._sentences()
+        if "<" not in line or hasattr(self, "explain") or type(self)._tables is not Shown._tables:
+            return line
+        shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
+        return "\n".join([type(self).__name__, *(f"  {name}:{_whole(getattr(self, name))}" for name in shown)])
+
     def __post_init__(self) -> None:
         """Make the arrays read-only."""
         read_only(vars(self).values())
@@ -117,7 +125,24 @@ class Frozen(Shown):
 
 
 FEW = 6  # numbers, or entries, that are written out
+MANY = 100  # numbers of an array that are written out on lines of their own
 LONG = 60  # characters of a text, or of what has a repr of its own
+
+
+def _whole(value: Any) -> str:
+    """Return " value", or below it what it holds, where that is few lines."""
+    short = _short(value)
+    if "<" not in short:
+        return f" {short}"
+    if isinstance(value, np.ndarray) and value.size <= MANY:
+        lines = np.array2string(value, precision=6, suppress_small=True, separator=", ").splitlines()
+    elif isinstance(value, tuple) and len(value) <= FEW:
+        lines = [" ".join(repr(part).split()) for part in value]
+    elif isinstance(value, Shown):
+        lines = [repr(value)]
+    else:
+        lines = [short]
+    return "".join(f"\n    {line}" for line in lines)
 
 
 def _short(value: Any) -> str:

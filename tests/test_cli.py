@@ -175,3 +175,22 @@ def test_every_command_prints_for_people(words, tmp_path, monkeypatch):
 )
 def test_misuse_is_one_line_on_stderr_and_exit_code_2(words, sentence):
     assert sentence in run(*words).refusal
+
+
+@pytest.mark.parametrize("speed", [0, 1e-3, 2])
+def test_a_file_whose_velocity_limits_are_zero_has_a_manipulability_without_a_largest_speed(tmp_path, speed):
+    """w = l1 l2 |sin q2| of a planar 2R; a limit of 0 says nothing of how fast the joint is."""
+    joint = (
+        '<joint name="q{0}" type="revolute"><parent link="{0}"/><child link="{1}"/><origin xyz="{2} 0 0"/>'
+        '<axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="{3}"/></joint>'
+    )
+    file = tmp_path / "arm.urdf"
+    file.write_text(
+        '<robot name="arm"><link name="1"/><link name="2"/><link name="3"/><link name="tool"/>'
+        + joint.format(1, 2, 0, speed)
+        + joint.format(2, 3, 0.5, speed)
+        + '<joint name="t" type="fixed"><parent link="3"/><child link="tool"/><origin xyz="0.4 0 0"/></joint></robot>'
+    )
+    found = answer("manipulability", file, "--q", "0.3,pi/2", "--json")
+    assert found["measure"] == pytest.approx(0.2)
+    assert (found["largest_speed"] is None) == (speed == 0)

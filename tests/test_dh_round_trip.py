@@ -95,3 +95,38 @@ def test_a_tool_turned_by_a_half_turn_in_a_file_of_other_frames_is_reached_by_th
     table = r1.dh.urdf_to_dh(r1.load_robot(text))
     assert matrix(table.tool_placement) == pytest.approx(np.eye(4), abs=1e-14)
     assert table.residual < 1e-14
+
+
+@given(st.lists(ROW, min_size=1, max_size=5), CONVENTIONS, PLACEMENTS, st.floats(0.1, 3))
+@settings(max_examples=30)
+def test_a_table_is_a_robot_with_its_convention_placements_and_limits(rows, convention, tool, reach):
+    robot = r1.robot_from_dh(
+        rows, convention=convention, tool_placement=tool, lower=[-reach] * len(rows), upper=[reach] * len(rows)
+    )
+    again = r1.robot_from_dh(r1.dh.urdf_to_dh(robot, convention=convention))
+    q = np.linspace(-0.1, 0.1, len(rows))
+    T = r1.forward_kinematics(robot, q).homogeneous
+    assert r1.forward_kinematics(again, q).homogeneous == pytest.approx(T, abs=1e-9)
+    assert (again.lower.tolist(), again.upper.tolist()) == (robot.lower.tolist(), robot.upper.tolist())
+
+
+@given(st.sampled_from(["1.5708", "1.57", "1.570796", "-0.7854"]), st.floats(-2, 2))
+@settings(max_examples=20)
+def test_a_table_of_rounded_angles_is_the_robot_of_its_file(angle, q):
+    """T of the table is T of the file to 1e-12, and not that of the multiple of π/12 that the file rounds."""
+    text = f"""<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
+    <joint name="q1" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>
+    <joint name="q2" type="continuous"><parent link="b"/><child link="c"/><origin xyz="1 0 0" rpy="{angle} 0 0"/>
+    <axis xyz="0 0 1"/></joint></robot>"""
+    robot = r1.load_robot(text)
+    table = r1.dh.urdf_to_dh(robot)
+    again = r1.robot_from_dh(table)
+    found = r1.forward_kinematics(again, [0.3, q]).homogeneous
+    for T in (table.pose([0.3, q]), r1.forward_kinematics(robot, [0.3, q])):
+        assert found == pytest.approx(T.homogeneous, abs=1e-12)
+
+
+@pytest.mark.parametrize("option", [{"convention": "modified"}, {"lower": [0]}, {"tool_placement": np.eye(4)}])
+def test_a_table_holds_its_options(option):
+    with pytest.raises(r1.InputError, match="a DHTable holds its options"):
+        r1.robot_from_dh(r1.dh.DHTable([("R", 1, 0, 0, 0)]), **option)

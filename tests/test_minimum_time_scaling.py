@@ -310,3 +310,9 @@ def test_a_motion_that_is_noise_is_an_input_error():
         r1.trajectories.scale_to_limits(Noise(), r1.trajectories.NormLimits(acceleration=2))
     with pytest.raises(r1.InputError, match="oscillates too quickly"):
         r1.trajectories.scale_to_limits(Noise(), r1.MotionLimits(acceleration=2))
+
+
+@pytest.mark.parametrize("motion", [r1.cubic([0.0], [2.0], 1.0), r1.curves.line_path([0, 0], [1, 1])])
+def test_a_motion_in_the_place_of_a_function_of_its_duration_is_told_apart(motion):
+    with pytest.raises(r1.InputError, match=r"and it is a motion; .* scale_to_limits"):
+        r1.trajectories.minimum_duration(motion, r1.MotionLimits(velocity=1.0))

@@ -108,7 +108,7 @@ MJCF = """<mujoco model="m"><worldbody><body name="a"><joint name="j1" type="hin
     ("limits", "kind", "sentence"),
     [
         ('range="90 -90" limited="true"', "hinge", "must have lower ≤ upper"),
-        ("", "ball", "joint 'j2' of the model is a JointModelSpherical"),
+        ("", "ball", "joint 'j2' is of the type 'ball'"),
     ],
 )
 def test_a_wrong_mjcf_text_is_a_wrong_file(limits, kind, sentence):

@@ -30,6 +30,25 @@ def test_a_robot_is_a_table_of_its_joints_and_limits():
     assert re.search(r"q2 +revolute about z +−π +π ", text)
 
 
+@pytest.mark.parametrize("number", [1, 2, 5])
+def test_meshes_that_were_not_found_are_one_line(number):
+    links = "".join(
+        f'<link name="{i}"><visual><geometry><mesh filename="{i}.stl"/></geometry></visual></link>'
+        for i in range(number)
+    )
+    joints = "".join(
+        f'<joint name="q{i}" type="continuous"><parent link="{i - 1}"/><child link="{i}"/></joint>'
+        for i in range(1, number)
+    )
+    robot = r1.load_robot(f'<robot name="arm">{links}{joints}</robot>')
+    assert sum("was not found" in sentence for sentence in robot.warnings) == number
+    shown = [line for line in str(robot).splitlines() if "mesh" in line]
+    assert shown == [
+        "warning: mesh '0.stl' was not found"
+        + (f"; and {number - 1} more about meshes, in robot.warnings" if number > 1 else "")
+    ]
+
+
 def test_solutions_are_a_table_with_postures_and_iterate():
     found = r1.ik_solutions("planar_2r", "position:xy", [1.2, 0.8])
     rows = str(found).splitlines()[2:]
@@ -122,6 +141,21 @@ def test_every_public_object_has_a_repr_of_one_line_and_whole_html(name):
 
 
 # --- numbers
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(2, 4), (3, 3), (5, 2), (101, 1)])
+def test_a_result_without_sentences_prints_its_arrays_of_up_to_a_hundred_numbers(rows, columns):
+    values = np.arange(rows * columns, dtype=float).reshape(rows, columns) / 8
+    shown = str(r1.orientation.UnitQuaternions(values, 0.0))
+    numbers = [float(word) for word in re.findall(r"[0-9]+\.[0-9]*", shown)]
+    assert numbers == (values.ravel().tolist() if values.size <= 100 else [])
+    assert ("array>" in shown) == (values.size > 100)
+
+
+def test_a_least_time_prints_which_limits_are_reached():
+    found = r1.minimum_time([0, 0], [1, 3], r1.MotionLimits(velocity=[1, 2], acceleration=[1, 2]))
+    assert "duration: 2.5\n" in str(found)
+    assert str(found).count("LimitUse(") == len(found.active)
 
 
 def test_coefficients_are_lengths_of_the_arm_the_largest_first():

@@ -34,7 +34,6 @@ def check(
     arm: RobotOfFormulas,
     dh: Annotated[Path | None, typer.Option("--dh", help="A CSV file type,a,alpha,d,theta to compare with.")] = None,
     convention: Annotated[str, typer.Option(help="Of the DH table: standard or modified.")] = "standard",
-    trusted: Annotated[bool, typer.Option("--trusted", help="Let a xacro read YAML and the environment.")] = False,
     json: AsJson = False,
 ) -> None:
     """The verdict on a robot file, and what was understood of it."""
@@ -43,7 +42,7 @@ def check(
     from robotics1.robot.findings import AGREES
     from robotics1.robot.loading import check_robot
 
-    found = check_robot(arm.source, trusted=trusted, **arm.loading)
+    found = check_robot(arm.source, **arm.loading)
     difference = None
     if dh is not None and found.robot is not None:
         difference = _difference_from(found.robot, robot_from_dh(read_dh_table(dh), convention=cast(Any, convention)))

@@ -41,7 +41,8 @@ def manipulability(
     what = arm.task(task or ("position:xy" if is_planar(robot) else "position"), frame)
     found = at_configuration(robot, what, values)
     passed = None if along is None else found.transmission(parse_vector(along))
-    bounded = 0 < robot.nv <= MOST and np.isfinite(robot.max_velocity).all()
+    limits = robot.max_velocity
+    bounded = 0 < robot.nv <= MOST and bool((np.isfinite(limits) & (limits > 0)).all())
     fastest = velocity_polytope(robot, what, values).largest if bounded else None
     if figure is not None:
         from robotics1.plots.ellipses import plot_ellipses

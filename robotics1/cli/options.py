@@ -42,7 +42,7 @@ RobotName = Annotated[
     str,
     typer.Argument(
         metavar="robot",
-        help="A robot's name (prr, cylindrical, planar_2r; `robotics1 robots` lists more) or a URDF or xacro file.",
+        help="A robot's name (prr, cylindrical, planar_2r; `robotics1 robots` lists more) or a URDF, xacro or MJCF.",
         autocompletion=complete_robot,
     ),
 ]
@@ -57,6 +57,9 @@ Locked = Annotated[
 ]
 Packages = Annotated[
     list[Path] | None, typer.Option("--packages", help="A folder in which package:// looks for meshes and files.")
+]
+Trusted = Annotated[
+    bool, typer.Option("--trusted", help="Let the robot's file name any files of this computer; MJCF needs it.")
 ]
 Tool = Annotated[str | None, typer.Option(help="The link that is the tool.")]
 Degrees = Annotated[
@@ -92,6 +95,7 @@ class TypedRobot:
     tool: Tool = None
     packages: Packages = None
     lock: Locked = None
+    trusted: Trusted = False
     degrees: Degrees = False
 
     @property
@@ -114,9 +118,10 @@ class TypedRobot:
         """
         from robotics1.robot.loading import load_robot
 
-        given = {"parameters": parse_parameters(self.param), "packages": self.packages or (), "tool": self.tool}
+        given: dict[str, Any] = {"parameters": parse_parameters(self.param), "packages": self.packages or ()}
+        given |= {"tool": self.tool, "trusted": self.trusted}
         locked = dict(named_texts(self.lock, "no locked joint", "q1=0.2"))
-        turning = _turning(load_robot(self.source, **given)) if self.degrees and locked else ()  # type: ignore[arg-type]
+        turning = _turning(load_robot(self.source, **given)) if self.degrees and locked else ()
         return given | {"locked": {name: self._value(value, name in turning) for name, value in locked.items()}}
 
     def configuration(self, text: str | None) -> Array:

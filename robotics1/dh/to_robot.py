@@ -15,6 +15,7 @@ from robotics1.dh.entries import Limits
 from robotics1.dh.joints import joints_of, links_of, placements_of
 from robotics1.dh.table import Convention, DHTable
 from robotics1.dh.to_urdf import dh_text
+from robotics1.errors import InputError
 from robotics1.notation import joint_value
 from robotics1.robot.building import build_model
 from robotics1.robot.model import Robot
@@ -22,7 +23,7 @@ from robotics1.robot.parameters import Placements
 
 
 def robot_from_dh(
-    rows: Sequence[Sequence[Any]],
+    rows: Sequence[Sequence[Any]] | DHTable,
     *,
     parameters: Mapping[str, float] | None = None,
     convention: Convention = "standard",
@@ -43,6 +44,7 @@ def robot_from_dh(
     Args:
         rows: one (type, a, alpha, d, theta) a joint, type "R" or "P", a and d [m], alpha and theta [rad]; in the
             modified convention row i holds a_{i−1} and α_{i−1}. An entry may be a name, "l2", or a negated name, "-l2".
+            Also a `DHTable`, as `urdf_to_dh` returns it: it holds all other arguments, and its angles stay as they are.
         parameters: the values of the names, which the robot keeps as `robot.parameters`.
         convention: "standard" or "modified" (Craig's).
         base_placement: T_base, a `pin.SE3` or (4, 4), of frame 0 in the world; by default the identity.
@@ -59,6 +61,14 @@ def robot_from_dh(
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; Craig, Introduction to Robotics,
     2005, section 3.6.
     """
+    if isinstance(rows, DHTable):
+        if (
+            parameters
+            or convention != "standard"
+            or any(option is not None for option in (base_placement, tool_placement, lower, upper))
+        ):
+            raise InputError("a DHTable holds its options; change one by dataclasses.replace(table, tool_placement=T)")
+        return robot_of(rows)
     table = DHTable(rows, convention, base_placement, tool_placement, lower, upper, parameters or {})  # type: ignore[arg-type]
     meant, sentences = _printed_angles(table)
     return robot_of(meant, sentences)

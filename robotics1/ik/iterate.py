@@ -195,7 +195,8 @@ def _step(
         raise TaskError(f"robot {robot.name!r} has joints with several degrees of freedom, so q + Δq is not defined")
     if method == "newton" and task.rows != robot.nv:
         raise TaskError(
-            f"newton needs as many task rows as joints; here there are {task.rows} rows and {robot.nv} joints: "
+            f"newton needs as many task rows as joints; here there are {count(task.rows, 'row')} and "
+            f"{count(robot.nv, 'joint')}: "
             f"use method='pseudoinverse'"
         )
     alpha = None if gain is None else real_number("gain", gain, positive=True)

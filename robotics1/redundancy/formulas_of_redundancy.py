@@ -11,6 +11,7 @@ import sympy
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError, TaskError
 from robotics1.inputs import Array
+from robotics1.notation import count
 from robotics1.redundancy.weighted import (
     null_vectors,
     pivot_columns,
@@ -150,6 +151,7 @@ def redundancy_formulas(robot: RobotLike, task: TaskLike, *, weights: Any = None
     found = formulas(robot, task)
     if len(found.row_names) > len(found.q):
         raise TaskError(
-            f"the task has {len(found.row_names)} rows and the arm {len(found.q)} joints: nothing is redundant"
+            f"the task has {count(len(found.row_names), 'row')} and the arm {count(len(found.q), 'joint')}: "
+            "nothing is redundant"
         )
     return RedundancyFormulas(found, weights)

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from robotics1.errors import InputError, TaskError
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.least_squares import rank_of
+from robotics1.notation import count
 from robotics1.redundancy.objectives import Objective
 from robotics1.redundancy.weighted import null_vectors, pivot_columns
 from robotics1.results import Frozen, require
@@ -196,7 +197,8 @@ def extended_task(robot: RobotLike, task: TaskLike, objective: Objective) -> Sta
         raise TaskError(f"robot {robot.name!r} has no joint: nothing is redundant")
     free = robot.nv - task.rows
     if free <= 0:
-        raise TaskError(f"the task has {task.rows} rows and the robot {robot.nv} joints: nothing is redundant")
+        rows, joints = count(task.rows, "row"), count(robot.nv, "joint")
+        raise TaskError(f"the task has {rows} and the robot {joints}: nothing is redundant")
     q = np.random.default_rng(0).uniform(-1, 1, robot.nq)
     gradient_of(objective, q, robot.nv)
     pivots = pivot_columns(task.jacobian(robot, q))

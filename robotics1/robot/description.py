@@ -34,7 +34,11 @@ class DescribedRobot(Shown):
         ]
         if robot.parameters:
             lines.append("lengths: " + ", ".join(f"{name} = {value:g} m" for name, value in robot.parameters.items()))
-        lines += [f"warning: {text}" for text in robot.warnings]
+        meshes = [text for text in robot.warnings if text.startswith("mesh ")]
+        lines += [f"warning: {text}" for text in robot.warnings if text not in meshes]
+        if meshes:
+            more = f"; and {len(meshes) - 1} more about meshes, in robot.warnings" if meshes[1:] else ""
+            lines.append(f"warning: {meshes[0]}{more}")
         return printable("\n".join(lines), keep="\n")
 
     def _tables(self) -> tuple[Table, ...]:

@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, cast
+from warnings import catch_warnings, simplefilter
 
 import pinocchio as pin
 
@@ -15,6 +16,7 @@ from robotics1.errors import (
     MissingExtraError,
     RobotFileError,
     Robotics1Error,
+    RobotWarning,
     warn,
 )
 from robotics1.inputs import by_name
@@ -81,12 +83,12 @@ def load_robot(
     """
     model, shapes = source if isinstance(source, tuple) and len(source) == 2 else (source, None)
     if isinstance(model, pin.Model):
-        if parameters or base is not None or locked:
-            raise InputError("a pin.Model has no parameters, base or locked joints to choose; write a URDF for that")
+        _refuse_choices("a pin.Model", parameters, base, locked)
         return robot_of_model(model, shapes, tool)
     path = robot_file(source)
     text = robot_text(source, path)
     if is_mjcf(text, path):
+        _refuse_choices("MJCF", parameters, base, locked)
         return robot_of_mjcf(text, path, tool, trusted=trusted is True)
     report = RobotText(text, path, parameters, base, tool, locked, packages, trusted).read()
     robot = report.require()
@@ -120,6 +122,9 @@ def check_robot(
     path = robot_file(source)
     try:
         text = robot_text(source, path)
+        if is_mjcf(text, path):
+            _refuse_choices("MJCF", parameters, base, locked)
+            return _report_of_mjcf(text, path, tool, trusted)
         report = RobotText(text, path, parameters, base, tool, locked, packages, trusted).read()
     except RobotFileError as error:
         return RobotReport(path, (Finding(True, error.message, error.line, error.element),))
@@ -245,3 +250,16 @@ def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
         return tuple(Path(folder).resolve() for folder in listed)
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
+
+
+def _refuse_choices(what: str, parameters: Any, base: str | None, locked: Any) -> None:
+    if parameters or base is not None or locked:
+        raise InputError(f"{what} has no parameters, base or locked joints to choose; write a URDF for that")
+
+
+def _report_of_mjcf(text: str, path: Path, tool: str | None, trusted: bool) -> RobotReport:
+    """Return the report on MJCF, which no other parser is asked to read."""
+    with catch_warnings():
+        simplefilter("ignore", RobotWarning)  # they are in the report
+        robot = robot_of_mjcf(text, path, tool, trusted=trusted is True)
+    return RobotReport(path, (), tuple(Finding(False, sentence) for sentence in robot.warnings), robot)

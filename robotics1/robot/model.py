@@ -254,7 +254,7 @@ class Robot(DescribedRobot):
             frame = self.tool
             if frame is None:
                 raise InputError(
-                    f"robot {self.name!r} has several tips: name the tool, as in load_robot(..., tool='...'); "
+                    f"robot {self.name!r} has several tips: name the tool, as in load_robot(..., tool='...'), --tool; "
                     f"the tips are {', '.join(map(repr, tips(self.frame_names, self.joints)))}"
                 )
         number = frame_number(self.own_model, frame)

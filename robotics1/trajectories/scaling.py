@@ -106,8 +106,7 @@ def minimum_duration(motion: Motion, limits: MotionLimits, *, at_least: float = 
     Raises:
         InputError: no duration keeps the bounds, or arbitrarily short ones do, or the motion is not of that form.
     """
-    if not callable(motion):
-        raise InputError("motion must be a function of the duration, such as lambda T: cubic(q0, q1, T)")
+    _check_function_of_duration(motion)
     if not isinstance(limits, MotionLimits):
         raise InputError(f"limits must be MotionLimits(velocity=..., acceleration=...); it is {limits!r}")
     if limits.deceleration is not None:
@@ -175,6 +174,16 @@ def _passed(motion: Motion, limits: MotionLimits, T: float) -> list[Excess]:
                     r = int(beyond[0]) + 1
                     found.append(Excess(k + r, int(j), time, float(values[r, j]), 0.0))
     return found
+
+
+def _check_function_of_duration(motion: Any) -> None:
+    if not callable(motion):
+        raise InputError("motion must be a function of the duration, such as lambda T: cubic(q0, q1, T)")
+    if isinstance(motion, Curve):
+        raise InputError(
+            "motion must be a function of the duration, such as lambda T: cubic(q0, q1, T), and it is a motion; one "
+            "that is only to be slower or faster is stretched by scale_to_limits(motion, limits)"
+        )
 
 
 def _of_joints(unit: Any) -> Curve:

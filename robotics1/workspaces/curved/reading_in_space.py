@@ -6,6 +6,7 @@ import numpy as np
 
 from robotics1.errors import TaskError
 from robotics1.inputs import Array
+from robotics1.notation import count
 from robotics1.robot.model import Robot
 from robotics1.workspaces.axes import Axis, length_of
 from robotics1.workspaces.curved.domain import Domain
@@ -55,7 +56,8 @@ def read_in_space(robot: Robot, point: MovingPoint) -> SpatialArm:
     if len(axes) < len(rows):
         held = f", as {', '.join(point.held)} has no room to move" if point.held else ""
         raise TaskError(
-            f"{len(axes)} joints of robot {robot.name!r} move the point{held}, too few for {len(rows)} coordinates: "
+            f"{count(len(axes), 'joint')} of robot {robot.name!r} can move the point{held}, too few for "
+            f"{len(rows)} coordinates: "
             "of an arm in a plane ask two, as PositionTask('xy')"
         )
     base = axes[0] if len(rows) == 3 else None
