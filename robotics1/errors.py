@@ -11,7 +11,7 @@
     ├── NotConverged (RuntimeError)     an answer was insisted upon: .result
     └── MissingExtraError (ImportError) an optional package is not installed
 
-    RobotWarning (UserWarning)          something in a file, or an angle, is probably not meant
+    RobotWarning (UserWarning)          something in a file, an angle, or work of hours is probably not meant
 
 Misuse raises. An unreachable target is not misuse: it is an outcome, reported in the result's status.
 """
@@ -150,7 +150,7 @@ class MissingExtraError(Robotics1Error, ImportError):
 
 
 class RobotWarning(UserWarning):
-    """Something in a robot's file, or an angle that a caller hands in, is probably not meant."""
+    """Something in a robot's file, an angle that a caller hands in, or work of hours is probably not meant."""
 
 
 def warn(sentence: str) -> None:

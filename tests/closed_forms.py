@@ -240,3 +240,25 @@ def planar_3r_inner_radius(l1, l2, l3):
 
 def spherical_shell_volume(inner, outer):
     return 4 / 3 * pi * (outer**3 - inner**3)
+
+
+def volume_beside_the_axis(inner, outer, beside, turn):
+    """The volume that a plane annulus about a point of the axis sweeps, at a distance from the axis, by a turn S < π.
+
+    At (u, h) in the plane the point is at ρ² = u² + d², at the angle atan2(d, u) from the plane, and at (−u, h) at π
+    less that. So the two ranges begin 2 atan(u/d) apart, and V = ∫∫ u (S + min(S, 2 atan(u/d))) du dh over u > 0.
+    """
+    kink = beside * np.tan(turn / 2)
+
+    def along(u):
+        heights = 2 * (np.sqrt(outer**2 - u**2) - np.sqrt(np.maximum(inner**2 - u**2, 0)))
+        return u * (turn + np.minimum(turn, 2 * np.arctan(u / beside))) * heights
+
+    ends = sorted({0.0, inner, outer, *([kink] if kink < outer else [])})
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    total = 0.0
+    for a, b in pairwise(ends):
+        angle = pi / 4 * (1 + nodes)  # u = a + (b − a) sin² is smooth where the heights are like roots
+        u = a + (b - a) * np.sin(angle) ** 2
+        total += float((weights * along(u) * (b - a) * np.sin(2 * angle)).sum() * pi / 4)
+    return total

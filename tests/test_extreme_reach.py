@@ -106,6 +106,32 @@ def test_the_reach_of_a_panda_is_that_of_its_shoulder_and_of_what_is_after_it():
     assert np.linalg.norm(np.array(drawn) - [0, 0, 0.333], axis=1).max() < D.value < D.bound < D.value + 2e-6
 
 
+def test_the_reach_of_an_xarm7_is_that_of_its_shoulder_and_of_what_is_after_it():
+    """Axes 1 to 3 meet 0.267 above the base, to 1e-6 m as the file's angles are rounded; elbow and wrist are bent."""
+    arm = r1.load_robot("xarm7")
+    D = extreme_reach(arm, XYZ, origin=[0, 0, 0.267], time_limit=60)
+    found = extreme_reach(arm, XYZ, time_limit=60)
+    assert found.proven
+    assert D.proven
+    assert found.value == pytest.approx(0.267 + D.value, abs=1e-6)
+    assert found.bounded_by == "pivots"
+    drawn = np.random.default_rng(2).uniform(np.maximum(arm.lower, -pi), np.minimum(arm.upper, pi), (3000, arm.nq))
+    assert np.linalg.norm(r1.forward_kinematics(arm, drawn)[:, :3, 3], axis=1).max() < found.value
+
+
+@pytest.mark.parametrize("smallest", [False, True])
+@pytest.mark.parametrize("direction", [None, [0, 0, 1]])
+def test_almost_no_time_is_enough_for_a_value_and_a_bound(direction, smallest):
+    arm = r1.load_robot("ur5")
+    found = extreme_reach(arm, XYZ, direction=direction, smallest=smallest, time_limit=1e-9)
+    assert found.starts == 1
+    assert np.allclose(XYZ.value(arm, found.q), found.point, atol=1e-12)
+    drawn = r1.forward_kinematics(arm, np.random.default_rng(3).uniform(-pi, pi, (3000, 6)))[:, :3, 3]
+    values = np.linalg.norm(drawn, axis=1) if direction is None else drawn[:, 2]
+    assert (values >= found.bound).all() if smallest else (values <= found.bound).all()
+    assert (found.bound <= found.value) if smallest else (found.value <= found.bound)
+
+
 @pytest.mark.parametrize("wrist", [0.0, 0.05])
 def test_a_tool_beyond_a_wrist_reaches_by_its_length_farther(wrist):
     """A shoulder 0.4 above the base, 0.5 and 0.3 to the wrist, a tool of 0.2: 0.5 + 0.3 + 0.2 from the shoulder."""

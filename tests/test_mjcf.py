@@ -153,7 +153,7 @@ def test_an_included_file_stands_where_it_is_named(tmp_path):
     with pytest.raises(RobotFileError, match=r"includes 'arm\.xml' twice"):
         load_robot(scene, trusted=True)
     (tmp_path / "arm.xml").unlink()
-    with pytest.raises(RobotFileError, match=r"the file 'arm\.xml', which it includes, cannot be read"):
+    with pytest.raises(RobotFileError, match=r"includes 'arm\.xml', and there is no such file"):
         load_robot(scene, trusted=True)
 
 

@@ -7,6 +7,7 @@ from math import hypot, pi
 import numpy as np
 import pinocchio as pin
 import pytest
+from closed_forms import volume_beside_the_axis
 from hypothesis import assume, given, settings, strategies as st
 from planar_chains import XYZ
 from spatial_arms import drawn_arm
@@ -174,7 +175,35 @@ def test_a_volume_with_limits_is_that_of_points_in_a_box(seed):
     share = np.mean([ws.contains(p) for p in points])
     box = np.prod(high - low + 2 * room)
     assert ws.volume / box == pytest.approx(share, abs=0.2)  # four standard deviations
-    assert ws.volume_error < 0.02 * ws.volume
+    assert ws.volume_error < 0.005 * ws.volume
+
+
+@pytest.mark.parametrize("turn", [0.3, 1.0, 2.5])
+def test_a_plane_beside_the_axis_has_the_volume_of_two_ranges_that_overlap(turn):
+    """V = ∫∫ u (S + min(S, 2 atan(u/d))) du dh over the half annulus |l2 − l3| < r < l2 + l3, with the offset d."""
+    rows = [("R", 0, pi / 2, 0.4, 0), ("R", 0.9, 0, 0.3, 0), ("R", 0.5, 0, 0, 0)]
+    lower, upper = np.array([[-0.2, -pi, -pi], [turn - 0.2, pi, pi]])
+    ws = workspace(r1.robot_from_dh(rows, lower=lower, upper=upper), XYZ)
+    assert ws.volume == pytest.approx(volume_beside_the_axis(0.4, 1.4, 0.3, turn), rel=2e-6)
+    assert ws.volume_error < 1e-4 * ws.volume
+
+
+@pytest.mark.parametrize(("kinds", "seed"), [("RRP", 2), ("PRR", 6), ("RRR", 6)])
+def test_a_range_that_grows_to_a_turn_sweeps_what_is_reached_and_never_more_than_each_solution_alone(kinds, seed):
+    """V(s) is concave, V(s)/s falls, and it is at most ∫ |det J| dq: what all solutions sweep one by one."""
+    arm = drawn_arm(seed, kinds)
+    low, high = arm.lower[0], arm.upper[0]
+    shares = (0.25, 0.5, 1.0)
+    found = [workspace(arm, XYZ, box={"q1": (low, low + share * (high - low))}) for share in shares]
+    V = np.array([ws.volume for ws in found])
+    room = 3 * sum(ws.volume_error for ws in found) + 1e-9
+    assert (np.diff(V) > 0).all()
+    assert (np.diff(V / shares) < room / min(shares)).all()
+    assert (V[2] - V[1]) / 0.5 < (V[1] - V[0]) / 0.25 + room / 0.25
+    share = (np.arange(60) + 0.5)[:, None] / 60
+    x, y = (arm.lower + share * (arm.upper - arm.lower))[:, 1:].T
+    alone = np.mean([abs(np.linalg.det(XYZ.jacobian(arm, [low, a, b]))) for a in x for b in y])
+    assert V[0] < 1.02 * alone * np.prod(arm.upper - arm.lower) * shares[0]
 
 
 # --- the boundary

@@ -6,9 +6,7 @@ Heavy libraries are imported where they are used: `--help` needs none of them.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import wraps
 from inspect import Parameter, signature
@@ -80,10 +78,6 @@ TaskName = Annotated[
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Figure = Annotated[Path | None, typer.Option("--figure", help="A file for the picture: .svg, .pdf or .png.")]
 OpenPage = Annotated[bool, typer.Option("--open", help="Open the page in the browser.")]
-Workers = Annotated[int | None, typer.Option(help="In how many threads; by default on all cores.")]
-Scheduler = Annotated[
-    str | None, typer.Option(help="The address of a Dask scheduler that works, as tcp://10.0.0.1:8786.")
-]
 
 
 @dataclass(frozen=True)
@@ -224,21 +218,3 @@ def robot_command(command: Callable[..., None]) -> Callable[..., None]:
     listed = [option.replace(kind=Parameter.KEYWORD_ONLY) for option in options]
     run.__dict__.update(__signature__=signature(command).replace(parameters=listed))
     return run
-
-
-@contextmanager
-def opened_executor(workers: int | None, scheduler: str | None) -> Iterator[Any]:
-    """Open the executor that --workers or --scheduler names; None for all cores of this machine.
-
-    Raises:
-        InputError: both are given, or the number is none.
-    """
-    if scheduler is not None and workers is not None:
-        raise InputError("--workers are threads of this machine, --scheduler has its own workers: give one of them")
-    if workers is None:
-        yield scheduler
-        return
-    from robotics1.inputs import counting_number
-
-    with ThreadPoolExecutor(counting_number("--workers", workers, least=1)) as executor:
-        yield executor

@@ -10,17 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from robotics1.cli.arguments import named_texts, parse_number
-from robotics1.cli.options import (
-    AsJson,
-    Figure,
-    Frame,
-    Scheduler,
-    TaskName,
-    TypedRobot,
-    Workers,
-    opened_executor,
-    robot_command,
-)
+from robotics1.cli.options import AsJson, Figure, Frame, TaskName, TypedRobot, robot_command
+from robotics1.cli.work import Scheduler, Workers, opened_work
 from robotics1.errors import InputError
 
 if TYPE_CHECKING:
@@ -55,12 +46,12 @@ def reach(
     json: AsJson = False,
 ) -> None:
     """What an arm reaches of many positions, with which share of the orientations, and how well."""
-    from robotics1.cli.output import PlainConsole, progress_bar, write_json
+    from robotics1.cli.output import PlainConsole, write_json
     from robotics1.workspaces.reachability.map import reachability_map
 
     robot, asked = arm.robot, arm.task(task, frame)
     turns = orientations if any(unit == "rad" for unit in asked.row_units) else 0
-    with progress_bar("trying poses") as progress, opened_executor(workers, scheduler) as executor:
+    with opened_work("trying poses", workers, scheduler) as (progress, executor):
         known = reachability_map(
             robot,
             asked,

@@ -8,17 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 import typer
 
 from robotics1.cli.arguments import parse_number
-from robotics1.cli.options import (
-    AsJson,
-    Frame,
-    Scheduler,
-    TaskName,
-    TypedRobot,
-    Workers,
-    opened_executor,
-    robot_command,
-)
+from robotics1.cli.options import AsJson, Frame, TaskName, TypedRobot, robot_command
 from robotics1.cli.uncompiled import run_without_compiler
+from robotics1.cli.work import Scheduler, Workers, opened_work
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -56,11 +48,11 @@ def scan(
     number = parse_number(samples)
     if number <= FEW and refine == 0:
         run_without_compiler()
-    from robotics1.cli.output import progress_bar, write_json
+    from robotics1.cli.output import write_json
     from robotics1.singularities.scan import scan_singularities
 
     robot = arm.robot
-    with progress_bar("scanning", "summing up") as progress, opened_executor(workers, scheduler) as executor:
+    with opened_work("scanning", workers, scheduler, "summing up") as (progress, executor):
         done = scan_singularities(
             robot,
             arm.task(task, frame),

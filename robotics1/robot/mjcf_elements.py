@@ -39,6 +39,8 @@ def with_included(root: Element, path: Path) -> Element:
             if file.resolve() in seen:
                 raise RobotFileError(f"it includes {file.name!r} twice", path=path, line=part.line)
             seen.add(file.resolve())
+            if not file.is_file():
+                raise RobotFileError(f"it includes {file.name!r}, and there is no such file", path=path, line=part.line)
             try:
                 text = decoded(file.read_bytes(), file)
             except OSError as error:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from functools import partial
 from itertools import islice
@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from robotics1.chunks.identity import identity
+from robotics1.chunks.pace import ADVICE, Pace, Progress
 from robotics1.chunks.state import StateFile
 from robotics1.chunks.workers import check_executor, check_progress, workers_of
 from robotics1.errors import InputError, TaskError
@@ -39,7 +40,6 @@ KEPT = 10  # worst configurations, or as many as are refined
 TOGETHER = 256  # chunks at most that a worker joins before it answers: some seconds of work
 AT_LEAST = 64  # answers, so that all workers have something to do and the progress is seen
 OF_SOBOL = 32  # chunks of Sobol's sequence handed out at a time: they are made here, 30 MB for seven joints
-Progress = Callable[[int, int], None]
 
 
 def scan_singularities(
@@ -70,7 +70,8 @@ def scan_singularities(
     by L and columns of prismatic joints multiplied by it; with `length=robot.reach` J has no units.
 
     The configurations are gone through in chunks: the memory needed does not grow with their number. The answer
-    depends on the arguments only, not on the executor or its number of workers.
+    depends on the arguments only, not on the executor or its number of workers. If the pace of the first chunks says
+    that the others will take longer than an hour, a warning says how long.
 
     Args:
         robot: an arm of revolute and prismatic joints.
@@ -100,6 +101,9 @@ def scan_singularities(
         UnknownNameError: no such joint in the box, or no such frame.
         TaskError: the task does not fit the robot, or no joint moves it.
 
+    Warns:
+        RobotWarning: it will take longer than an hour.
+
     Source: Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4, 1985; Siciliano, Sciavicco,
     Villani, Oriolo, Robotics, 2009, section 3.9.
     """
@@ -128,7 +132,7 @@ def scan_singularities(
     with workers_of(executor, sendable=measurement.sendable) as workers:
         join, most = partial(joined_together, keep), OF_SOBOL if method == "sobol" else workers.ahead
         answers = workers.joined_in_order(work, join, groups, most)
-        total = _joined(begun, answers, keep, count, file, progress)
+        total = _joined(begun, answers, keep, count, file, Pace("configurations", f"fewer samples, {ADVICE}", progress))
     return SingularityScan(
         robot,
         task,
@@ -187,15 +191,14 @@ def _joined(
     keep: int,
     count: int,
     file: StateFile | None,
-    progress: Progress | None,
+    progress: Progress,
 ) -> Reduction:
     """Return what is kept of all chunks, those before included, and write it down now and then, and at the end."""
     for answer in answers:
         total = answer if total is None else total.joined(answer, keep)
         if file is not None:
             file.write_now_and_then(total.as_arrays())
-        if progress is not None:
-            progress(total.count, count)
+        progress(total.count, count)
     if total is None or total.undefined == total.count:
         raise TaskError("the task has no Jacobian at any of the configurations")
     if file is not None:

@@ -100,8 +100,8 @@ class Workspace(Frozen):
             with cusps changes its posture without a singularity. Arcs and segments have none.
         nodes: (k, 2) points inside [m] in which curves cross on which the joints are singular.
         coordinates: the names of the section's two coordinates.
-        volume_error: about how wrong the volume may be [m³]; 0 where it is exact. It is sampled where the first joint
-            has limits and several solutions reach a point.
+        volume_error: about how wrong the volume may be [m³]; 0 where it is exact to rounding. It is integrated
+            numerically where the first joint has limits and several solutions reach a point.
         resolution: the side of the cells [m] where the workspace is sampled; 0 where it is exact. A cell is reached if
             a configuration was found that reaches its middle; that there is none is not proven. Then `boundary` is
             empty, and `nearest` and `farthest` are one configuration each, found by optimization; see `r_bounds`.
@@ -191,7 +191,8 @@ class Workspace(Frozen):
                 "reaches its middle; that the others have none is not proven."
             )
         if self.volume_error:
-            lines.append(f"The volume is sampled, to about {self.volume_error:.1g} m³.")
+            how = "sampled" if self.resolution else "integrated numerically"
+            lines.append(f"The volume is {how}, to about {self.volume_error:.1g} m³.")
         lines.append(
             f"Its distances from the first joint's axis, or from the world's origin if that joint slides, go from "
             f"{self.r_min:.9g} m to {self.r_max:.9g} m."

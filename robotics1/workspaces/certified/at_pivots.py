@@ -15,7 +15,7 @@ import numpy as np
 
 from robotics1.inputs import Array
 from robotics1.workspaces.axes import ALIKE, nearest_on, without_joints_at
-from robotics1.workspaces.certified.extremes import Measure, extremes_of
+from robotics1.workspaces.certified.extremes import Measure, ends_of, starts_of
 from robotics1.workspaces.certified.objective import Objective
 from robotics1.workspaces.chain import Chain
 
@@ -26,11 +26,24 @@ Bound = Callable[[Objective, float, Array], float]  # of an objective, with a go
 
 
 class _Part(NamedTuple):
-    """An objective over some of the joints, its best value found, and where; of no joints, its value alone."""
+    """An objective over some of the joints, its best value found, and where; of no joints, its value alone.
+
+    From the starts a climb finds better values.
+    """
 
     objective: Objective | None
     value: float
     q: Array
+    starts: Array
+
+    def climbed(self) -> "_Part":
+        """Return the part with the best value that climbs find."""
+        if self.objective is None:
+            return self
+        largest = self.objective.sign > 0
+        values, q = ends_of(self.objective.chain, self.objective.measure, self.starts, largest=largest)
+        best = int(np.argmax(values) if largest else np.argmin(values))
+        return self._replace(value=float(values[best]), q=q[best])
 
     def bound(self, prove: Bound) -> float:
         """Return what is proven of it."""
@@ -54,16 +67,39 @@ class Pivot:
         """What the bound is if the values found are the extremes."""
         return sum(sign * part.value for sign, part in zip(self.signs, self.parts, strict=True))
 
+    def climbed(self) -> "Pivot":
+        """Return the pivot with the extremes that climbs find."""
+        return replace(self, parts=(self.parts[0].climbed(), self.parts[1].climbed()))
+
     def bound(self, prove: Bound) -> float:
         """Return the bound."""
         return sum(sign * part.bound(prove) for sign, part in zip(self.signs, self.parts, strict=True))
 
 
-def best_pivots(objective: Objective, end: float) -> list[Pivot]:
-    """Return some pivots, the one with the best bound first, of those found before `end` of the monotonic clock."""
+def best_pivots(objective: Objective, enough: float, end: float) -> list[Pivot]:
+    """Return some pivots, the one with the best bound first, of those found before `end` of the monotonic clock.
+
+    What the parts of a pivot have at random configurations is no more than their extremes: with these the pivot cannot
+    be better. So those that promise most are climbed first, until the others cannot be better, or one is good enough.
+
+    Args:
+        objective: what is bounded.
+        enough: the bound that is good enough [m].
+        end: when the search ends.
+    """
+
+    def order(pivot: Pivot) -> float:
+        return objective.sign * pivot.hoped
+
     in_time = takewhile(lambda _: monotonic() < end, _points(objective))
-    found = [pivot for k, o in in_time for pivot in _pivots_at(objective, k, o)]
-    return sorted(found, key=lambda pivot: objective.sign * pivot.hoped)[:TRIED]
+    promising = sorted((pivot for k, o in in_time for pivot in _pivots_at(objective, k, o)), key=order)
+    found: list[Pivot] = []
+    for pivot in promising:
+        no_better = len(found) == TRIED and order(pivot) >= order(found[-1])
+        if monotonic() > end or no_better or (found and order(found[0]) <= objective.sign * enough):
+            break
+        found = sorted([*found, pivot.climbed()], key=order)[:TRIED]
+    return found
 
 
 def _points(objective: Objective) -> Iterator[tuple[int, Array]]:
@@ -124,7 +160,7 @@ def _some_joints(chain: Chain, some: slice, tip: Array) -> Chain:
 
 def _part(chain: Chain, measure: Measure, sign: float) -> _Part:
     if not chain.axes:
-        return _Part(None, float(measure.value(chain.tip[None])[0]), np.zeros(0))
-    values, q = extremes_of(chain, measure, STARTS, largest=sign > 0)
-    best = int(np.argmax(sign * values))
-    return _Part(Objective(chain, measure, sign), float(values[best]), q[best])
+        return _Part(None, float(measure.value(chain.tip[None])[0]), np.zeros(0), np.zeros((0, 0)))
+    starts = starts_of(chain, measure, STARTS, largest=sign > 0)
+    value = float(measure.value(chain.point(starts[:1]))[0])
+    return _Part(Objective(chain, measure, sign), value, starts[0], starts)

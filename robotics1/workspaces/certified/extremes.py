@@ -1,6 +1,8 @@
 """A distance of the point that a chain moves: where it is extreme, and the coordinates that it depends on."""
 
 from dataclasses import dataclass
+from math import inf
+from time import monotonic
 
 import numpy as np
 import numpy.typing as npt
@@ -36,17 +38,28 @@ class Measure:
         return self.direction if self.direction is not None else self.P @ (p - self.centre)
 
 
-def extremes_of(chain: Chain, measure: Measure, starts: int, *, largest: bool, seed: int = 0) -> tuple[Array, Array]:
-    """Return the values (k,) and configurations (k, n) at which the search ends from k starts."""
-    rng = np.random.default_rng(seed)
-    drawn = chain.drawn(rng, SAMPLES)
+def extremes_of(
+    chain: Chain, measure: Measure, starts: int, *, largest: bool, seed: int = 0, end: float = inf
+) -> tuple[Array, Array]:
+    """Return the values (k,) and configurations (k, n) at which the search ends from k starts; see `ends_of`."""
+    return ends_of(
+        chain, measure, starts_of(chain, measure, starts, largest=largest, seed=seed), largest=largest, end=end
+    )
+
+
+def starts_of(chain: Chain, measure: Measure, count: int, *, largest: bool, seed: int = 0) -> Array:
+    """Return starts (count, n) of a search: the best of many random configurations, the very best first, and others."""
+    drawn = chain.drawn(np.random.default_rng(seed), SAMPLES)
     order = np.argsort(measure.value(chain.point(drawn)))
-    best = drawn[order[::-1] if largest else order][: starts // 2]
-    return ends_of(chain, measure, np.vstack([best, drawn[: starts - len(best)]]), largest=largest)
+    best = drawn[order[::-1] if largest else order][: count // 2]
+    return np.vstack([best, drawn[: count - len(best)]])
 
 
-def ends_of(chain: Chain, measure: Measure, starts: Array, *, largest: bool) -> tuple[Array, Array]:
-    """Return the values (k,) and configurations (k, n) to which L-BFGS-B climbs, or descends, from starts (k, n)."""
+def ends_of(chain: Chain, measure: Measure, starts: Array, *, largest: bool, end: float = inf) -> tuple[Array, Array]:
+    """Return the values (k,) and configurations (k, n) to which L-BFGS-B climbs, or descends, from starts (k, n).
+
+    After `end` of the monotonic clock no more starts are followed than the first.
+    """
     from scipy.optimize import minimize
 
     sign = -1.0 if largest else 1.0
@@ -60,7 +73,12 @@ def ends_of(chain: Chain, measure: Measure, starts: Array, *, largest: bool) -> 
         return sign * float(value), sign * (J[0].T @ measure.gradient(p[0]))
 
     options = {"ftol": 1e-15, "gtol": 1e-10}
-    ends = np.array([minimize(cost, q, jac=True, method="L-BFGS-B", bounds=bounds, options=options).x for q in starts])
+    found: list[Array] = []
+    for q in starts:
+        if found and monotonic() > end:
+            break
+        found.append(minimize(cost, q, jac=True, method="L-BFGS-B", bounds=bounds, options=options).x)
+    ends = np.array(found)
     ends = np.where(circular, lower + (ends - lower) % np.where(circular, upper - lower, 1.0), ends)
     return measure.value(chain.point(ends)), ends
 

@@ -60,9 +60,9 @@ class Search:
         if abs(limit - value) <= self.tolerance:
             return Enclosure(objective.wanted(limit), own, q, 0), "lengths"
         free = free_coordinates(objective.chain, objective.measure)
-        pivots = (
-            best_pivots(objective, monotonic() + self.left / 2) if self.depth and np.count_nonzero(free) > FEW else []
-        )
+        divided = bool(self.depth) and np.count_nonzero(free) > FEW
+        near = value + objective.sign * self.tolerance / 2
+        pivots = best_pivots(objective, near, monotonic() + self.left / 2) if divided else []
         boxes = 0
         for pivot in pivots:
             if abs(pivot.hoped - value) <= self.tolerance / 2:

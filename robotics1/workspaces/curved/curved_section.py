@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from math import tau
 
 import numpy as np
 import numpy.typing as npt
@@ -88,12 +86,12 @@ class CurvedSection(PlacedSection):
         mapped, domain = self.arm.mapped, self.arm.domain
         q, left = q.copy(), np.arange(len(q))
         for _ in range(STEPS):
-            e = z[left] - mapped.image(q[left])
+            image, J = mapped.image_and_jacobian(q[left])
+            e = z[left] - image
             off = np.abs(e).max(axis=1) > SOLVED
-            left, at, e = left[off], q[left[off]], e[off]
+            left, at, e, J = left[off], q[left[off]], e[off], J[off]
             if not len(left):
                 break
-            J = np.stack([mapped.velocity(at, np.broadcast_to(d, at.shape)) for d in np.eye(2)], axis=2)
             H = J.transpose(0, 2, 1) @ J + 1e-14 * np.eye(2)
             step = np.clip(np.linalg.solve(H, J.transpose(0, 2, 1) @ e[..., None])[..., 0], -0.4, 0.4)
             q[left] = np.where(domain.circular, at + step, np.clip(at + step, domain.lower, domain.upper))
@@ -185,10 +183,6 @@ class CurvedSection(PlacedSection):
         """Return the distance of a point (2,) of the section from its boundary."""
         return min((part.distance(z) for part in self.boundary), default=np.inf)
 
-    def reached_shares(self, z: Array, expected: int) -> Array:
-        """Return how far [rad, or sizes] the base leads the solutions at points (k, 2) of the section: (k,)."""
-        return np.array([self._share(q) for q in self.solutions_each(z, np.full(len(z), expected))])
-
     def solutions_each(
         self, z: Array, expected: npt.NDArray[np.intp], nearest: tuple[int, ...] = NEAREST
     ) -> list[Array]:
@@ -217,27 +211,3 @@ class CurvedSection(PlacedSection):
                 solved[i] = self._at(found, z[i])
             left = np.array([i for i in left if len(solved[i]) < expected[i]], dtype=int)
         return solved
-
-    def _share(self, q: Array) -> float:
-        """Return the length of the union of what the base reaches with solutions (n, 2)."""
-        base = self.place.base
-        if base is None:
-            return 1.0
-        span, p = base.upper - base.lower, self.arm.mapped.point(q)
-        if base.revolute:
-            return _union_on_circle(np.arctan2(p[:, 1], p[:, 0]), span)
-        return _union(p[:, 2], span / self.arm.size)
-
-
-def _union(starts: Sequence[float] | Array, span: float) -> float:
-    """Return the length of the union of intervals of one length."""
-    gaps = np.diff(np.sort(starts))
-    return float(np.minimum(gaps, span).sum() + span) if len(starts) else 0.0
-
-
-def _union_on_circle(starts: Array, span: float) -> float:
-    if not len(starts):
-        return 0.0
-    around = np.sort(starts % tau)
-    gaps = np.diff(np.append(around, around[0] + tau))
-    return float(np.minimum(gaps, span).sum())

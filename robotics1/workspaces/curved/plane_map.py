@@ -32,7 +32,10 @@ class PlaneMap:
 
     def point(self, q: Array, order: tuple[int, int] = (0, 0)) -> Array:
         """Return the point, or its derivative of an order in x and y, at q (k, 2): (k, 3)."""
-        b, c = (_basis(q[:, i], self.revolute[i], order[i]) for i in range(2))
+        return self._product(*(_basis(q[:, i], self.revolute[i], order[i]) for i in range(2)))
+
+    def _product(self, b: Array, c: Array) -> Array:
+        """Return Σ W_ij b_i c_j, (k, 3), of values (k, 3) of both bases."""
         return np.asarray((b[:, :, None] * c[:, None, :]).reshape(-1, 9) @ self.W.reshape(3, 9).T)
 
     def image(self, q: Array) -> Array:
@@ -48,6 +51,18 @@ class PlaneMap:
         rho = np.hypot(p[:, 0], p[:, 1])
         radial = (p[:, 0] * v[:, 0] + p[:, 1] * v[:, 1]) / np.where(rho > ON_AXIS, rho, 1.0)
         return np.column_stack([np.where(rho > ON_AXIS, radial, 0.0), v[:, 2]])
+
+    def image_and_jacobian(self, q: Array) -> tuple[Array, Array]:
+        """Return the section's coordinates (k, 2) and their derivatives by x and y (k, 2, 2)."""
+        b, c = ([_basis(q[:, i], self.revolute[i], order) for order in (0, 1)] for i in range(2))
+        p, px, py = (self._product(b[i], c[j]) for i, j in ((0, 0), (1, 0), (0, 1)))
+        columns = np.stack([px, py], axis=2)
+        if not self.about_axis:
+            return p[:, :2], columns[:, :2]
+        z = in_section(p, True)
+        rho = np.where(z[:, :1] > ON_AXIS, z[:, :1], np.inf)
+        radial = (p[:, :1] * columns[:, 0] + p[:, 1:2] * columns[:, 1]) / rho
+        return z, np.stack([radial, columns[:, 2]], axis=1)
 
     def determinant(self, q: Array) -> Array:
         """Return det ∂(p₁, p₂)/∂(x, y), or ½ det ∂(ρ², h)/∂(x, y), which is smooth on the axis too: (k,)."""

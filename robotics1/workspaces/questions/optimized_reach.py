@@ -22,7 +22,8 @@ from robotics1.workspaces.certified.search import Search
 from robotics1.workspaces.chain import driven_chain
 from robotics1.workspaces.moving_point import position_rows
 
-STARTS = 32
+STARTS = 32  # at most, as far as a share of the time is enough
+SHARE = 0.25
 HOW = {
     "lengths": "the lengths of the links",
     "boxes": "bounds in boxes of configurations",
@@ -44,7 +45,7 @@ class ExtremeReach(Frozen):
         bound: what no configuration exceeds; of a smallest value, what none is below [m].
         proven: whether value and bound are no farther apart than the tolerance.
         smallest: whether it is the smallest value, or else the largest.
-        starts: the number of configurations from which it was sought.
+        starts: the number of configurations from which it was sought, 32 where the time was enough.
         agreeing: the number of these that ended at this value.
         bounded_by: whence the bound is: the "lengths" of the links, "pivots" (the triangle inequality at points of
             axes), "boxes" of configurations, or the "support function" of what is reached.
@@ -139,13 +140,14 @@ def extreme_reach(
     centre = real_array("origin", origin, (3,), "a point in world axes [m]")
     n = _unit(direction)
     tolerance = real_number("tolerance", tolerance, positive=True)
-    end = monotonic() + real_number("time_limit", time_limit, positive=True)
+    begun, time_limit = monotonic(), real_number("time_limit", time_limit, positive=True)
     chain = driven_chain(robot, frame, box)
     require_moving(chain.axes, robot)
     objective = Objective(chain, Measure(rows.T @ rows, centre, n), -1.0 if smallest else 1.0)
-    values, found = extremes_of(chain, objective.measure, STARTS, largest=not smallest)
+    for_starts = begun + time_limit * SHARE
+    values, found = extremes_of(chain, objective.measure, STARTS, largest=not smallest, end=for_starts)
     best = int(np.argmin(values) if smallest else np.argmax(values))
-    search = Search(objective, tolerance, end)
+    search = Search(objective, tolerance, begun + time_limit)
     sure, bounded_by = search.run(float(values[best]), found[best])
     q = np.clip(np.zeros(robot.nq), robot.lower, robot.upper)
     q[chain.numbers] = sure.q
@@ -160,7 +162,7 @@ def extreme_reach(
         bound=bound,
         proven=bool(abs(value - bound) <= tolerance + outwards),
         smallest=bool(smallest),
-        starts=STARTS,
+        starts=len(values),
         agreeing=int((np.abs(values - value) < SAME * (robot.reach or 1.0)).sum()),
         bounded_by=bounded_by,
         boxes=sure.boxes,

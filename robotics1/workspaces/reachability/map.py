@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from robotics1.chunks.identity import identity
+from robotics1.chunks.pace import ADVICE, Pace, Progress
 from robotics1.chunks.workers import Workers, check_executor, check_progress, workers_of
 from robotics1.inputs import Array
 from robotics1.robot.given import RobotLike
@@ -19,7 +20,6 @@ from robotics1.workspaces.reachability.poses import poses_of, task_of_map
 from robotics1.workspaces.reachability.result import ReachabilityMap
 from robotics1.workspaces.reachability.saved import MapFolder, chunk_kept, map_folder
 
-Progress = Callable[[int, int], None]
 Answer = TypeVar("Answer")
 
 
@@ -44,7 +44,8 @@ def reachability_map(
     pose is reached when a descent from one of a number of starts arrives; else it is proven to be out of reach by the
     lengths of the arm, or it is not found. What is reached is verified by forward kinematics: |e| ≤ tolerance.
 
-    The answer depends on the arguments only: not on the clock, the executor, or its number of workers.
+    The answer depends on the arguments only: not on the clock, the executor, or its number of workers. If the pace of
+    the first chunks says that the others will take longer than an hour, a warning says how long.
 
     Args:
         robot: an arm of revolute and prismatic joints.
@@ -70,6 +71,9 @@ def reachability_map(
             moves the task has no limits; or the checkpoint is of another question, damaged, or cannot be written.
         TaskError: the task does not fit the robot, has no position, or is none of one frame's pose.
 
+    Warns:
+        RobotWarning: it will take longer than an hour.
+
     Source: Zacharias, Borst, Hirzinger, Capturing robot workspace structure: representing robot capabilities, IROS
     2007; Vahrenkamp, Asfour, Dillmann, Robot placement based on reachability inversion, ICRA 2013.
     """
@@ -88,11 +92,12 @@ def reachability_map(
         else partial(_done_in_a_folder, _folder(checkpoint, question, description))
     )
     sendable = evaluator.measurement.sendable
+    pace = Pace("poses", f"a coarser grid or fewer orientations, {ADVICE}", progress)
     with workers_of(executor, sendable=sendable) as workers:
-        return description.finished(done(question.packed(), description, workers, progress))
+        return description.finished(done(question.packed(), description, workers, pace))
 
 
-def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progress: Progress | None) -> ChunkOfMap:
+def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progress: Progress) -> ChunkOfMap:
     """Return what is known of all positions."""
     found = empty_chunk(len(asked.positions), len(asked.orientations), len(asked.joint_names))
     work = partial(chunk_of_map, packed, asked.coordinates, asked.orientations)
@@ -103,7 +108,7 @@ def _done_in_memory(packed: bytes, asked: Description, workers: Workers, progres
 
 
 def _done_in_a_folder(
-    folder: MapFolder, packed: bytes, asked: Description, workers: Workers, progress: Progress | None
+    folder: MapFolder, packed: bytes, asked: Description, workers: Workers, progress: Progress
 ) -> ChunkOfMap:
     """Return the same, after what is missing in a folder has been written to it: by the workers, if they see it."""
     work = partial(chunk_of_map, packed, asked.coordinates, asked.orientations)
@@ -122,7 +127,7 @@ def _answers(
     asked: Description,
     parts: list[slice],
     workers: Workers,
-    progress: Progress | None,
+    progress: Progress,
 ) -> Iterator[tuple[slice, Answer]]:
     """Yield parts of the positions, and the answers of the work to them, in their order."""
     o, k = len(asked.orientations), len(asked.positions)
@@ -131,8 +136,7 @@ def _answers(
     for part, answer in zip(parts, answers, strict=True):
         yield part, answer
         done += part.stop - part.start
-        if progress is not None:
-            progress(done * o, k * o)
+        progress(done * o, k * o)
 
 
 def _folder(path: str | Path, question: PoseQuestion, asked: Description) -> MapFolder:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from functools import partial
@@ -13,6 +13,7 @@ import numpy.typing as npt
 import pinocchio as pin
 
 from robotics1.caching import cached_property
+from robotics1.chunks.pace import Pace, Progress
 from robotics1.chunks.workers import check_executor, check_progress, workers_of
 from robotics1.errors import InputError, TaskError
 from robotics1.ik.goals import numbered
@@ -122,7 +123,7 @@ def best_placements(
     tolerance: float = 1e-6,
     configurations: int = 1,
     executor: Executor | Any | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Placements:
     """Try every place for the base of an arm, or for a list of poses, and return how well each suits all of them.
 
@@ -171,17 +172,17 @@ def tried(packed: bytes, goals: Array, moved: Array) -> PoseAnswers:
 
 
 def _tried(
-    question: PoseQuestion, goals: Array, moved: Array, executor: Any, progress: Callable[[int, int], None] | None
+    question: PoseQuestion, goals: Array, moved: Array, executor: Any, progress: Progress | None
 ) -> list[PoseAnswers]:
     size, found = positions_in_a_chunk(len(moved), len(goals)), []
+    pace = Pace("poses", "fewer places, or give it to a cluster (executor=)", progress)
     packed = question.packed()
     sendable = evaluator_of(packed).measurement.sendable
     with workers_of(executor, sendable=sendable) as workers:
         parts = (moved[i : i + size] for i in range(0, len(moved), size))
         for answer in workers.in_order(partial(tried, packed, goals), parts):
             found.append(answer)
-            if progress is not None:
-                progress(sum(len(part.status) for part in found), len(moved) * len(goals))
+            pace(sum(len(part.status) for part in found), len(moved) * len(goals))
     return found
 
 
