@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.curves.curve import Curve
 from robotics1.curves.given import Motion
 from robotics1.errors import InputError
 from robotics1.ik.solution_set import IKSolutions
@@ -132,6 +133,10 @@ def view(
         RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
     robot = robot_from(robot)
+    if isinstance(q, Curve):
+        raise InputError("a motion is shown by animate(robot, motion); here a motion stands in the place of q")
+    if isinstance(q, IKSolutions):
+        raise InputError("solutions are shown by view(robot, solutions=...); here they stand in the place of q")
     states = _labelled(robot, solutions)
     start = robot.configuration(q) if q is not None else states[0][1] if states else robot.postures["zero"]
     shapes = Shapes()
