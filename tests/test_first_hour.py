@@ -301,6 +301,16 @@ MISTAKES = {
         r"did you mean branches\?",
     ),
     "a column of a table": (lambda: r1.dh.urdf_to_dh("planar_2r")["alpha"], INPUT, "they have numbers"),
+    "a motion in degrees": (
+        lambda: r1.animate("planar_2r", r1.cubic([0, 0], [90, 45], 2)),
+        r1.RobotWarning,
+        r"the motion has the angle 90.*write radians\(90\)",
+    ),
+    "formulas at degrees": (
+        lambda: r1.formulas("planar_2r", "position:xy").at(q2=90),
+        r1.RobotWarning,
+        r"q2 has the angle 90.*write radians\(90\)",
+    ),
     # rendez-vous and control
     "a condition for an event": (
         lambda: r1.rendezvous("planar_2r", "position:xy", TARGET, q0=[0, 0], meet=lambda t, p: p[0] > 0),

@@ -12,8 +12,11 @@ import pinocchio as pin
 from robotics1.angles import TURN
 from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
+from robotics1.results import Shown
+from robotics1.robot.description import joint_table
 from robotics1.robot.markup import Element, undeclared
 from robotics1.robot.model import Robot
+from robotics1.tables import Table
 
 LARGEST = 1e18  # of lengths, angles and factors: sums and products of a few of them stay finite
 CONFIGURATIONS = 10  # at which forward kinematics is compared
@@ -100,7 +103,7 @@ class Findings:
 
 
 @dataclass(frozen=True, eq=False)
-class RobotReport:
+class RobotReport(Shown):
     """What a robot file is found to be.
 
     Attributes:
@@ -123,6 +126,16 @@ class RobotReport:
     def sound(self) -> bool:
         """Whether the file is a robot, and the independent parser agrees."""
         return self.robot is not None and (self.fk_difference is None or self.fk_difference <= AGREES)
+
+    def explain(self) -> str:
+        """Return whether the file is a robot, and what is wrong or odd about it, in sentences."""
+        found = [f"error, {finding}" for finding in self.errors] + [f"warning, {finding}" for finding in self.warnings]
+        if not (self.sound or self.robot is None):
+            found.append(f"another parser finds frames that are {self.fk_difference:.3g} apart")
+        return "\n".join([f"{self.path.name} is {'no' if self.robot is None else 'a'} robot", *found])
+
+    def _tables(self) -> tuple[Table, ...]:
+        return () if self.robot is None else (joint_table(self.robot),)
 
     def require(self) -> Robot:
         """Return the robot.

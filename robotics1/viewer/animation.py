@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import warn_of_degrees
 from robotics1.curves.curve import Curve
 from robotics1.curves.given import Motion
 from robotics1.errors import InputError
@@ -72,7 +73,7 @@ def animate(
             the file cannot be written there.
 
     Warns:
-        RobotWarning: a mesh was not found or cannot be read, and is not drawn.
+        RobotWarning: angles of a motion look like degrees; a mesh was not found or cannot be read, and is not drawn.
     """
     robots, motions = _pairs(robot, motion, recorded_values=times is not None or q is not None)
     labels = names_of("names", names, [one.name for one in robots])
@@ -82,6 +83,7 @@ def animate(
     for i, (one, moved, label) in enumerate(zip(robots, motions, labels, strict=True)):
         across += (1 + APART) * one.reach  # from the edge of the robot before
         samples = samples_of(moved, one) if moved is not None else recorded(times, q, one)
+        warn_of_degrees("the motion", samples.q[[0, -1]], one.revolute, one.lower, one.upper)
         arms.append(_arm(one, samples.q[0], task, shapes, label))
         actors.append(
             {
