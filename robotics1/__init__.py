@@ -8,7 +8,8 @@ namespace is found at the top too: `robotics1.solve_trig` is `robotics1.ik.solve
 """
 
 import sys
-from typing import Any
+from types import ModuleType
+from typing import Any, NoReturn
 
 import lazy_loader
 
@@ -30,7 +31,7 @@ from robotics1 import (  # noqa: E402
     trajectories,
     workspaces,
 )
-from robotics1.other_words import CALLS, FUNCTIONS  # noqa: E402
+from robotics1.other_words import ALMOST, CALLS, FUNCTIONS  # noqa: E402
 from robotics1.tables import MORE  # noqa: E402
 
 SPACES = (
@@ -73,19 +74,42 @@ def __getattr__(name: str) -> Any:
         for space in SPACES:
             if name in space.__all__:
                 return getattr(space, name)
-        known = [*__all__, *(other for space in SPACES for other in space.__all__)]
-        if name.startswith("_") or name in known:
+        if name.startswith("_") or name in __all__:
             raise
-        raise AttributeError(f"robotics1 has no {name!r}{_meant(name, known)}", name=name) from None
+        raise AttributeError(f"robotics1 has no {name!r}{_meant(name)}", name=name) from None
 
 
-def _meant(name: str, known: list[str]) -> str:
-    """Return which names may be meant."""
+class _Namespace(ModuleType):
+    """A namespace whose unknown names, and calls of it as of a function, get a sentence that says what is meant."""
+
+    def __getattr__(self, name: str) -> NoReturn:  # asked after the namespace's own `__getattr__`
+        raise AttributeError(f"{self.__name__} has no {name!r}{_meant(name)}", name=name)
+
+    def __call__(self, *given: Any, **named: Any) -> NoReturn:
+        from .errors import InputError
+
+        usual = FUNCTIONS.get(self.__name__.rpartition(".")[2])
+        functions = ", ".join([name for name in self.__all__ if name.islower()][:4])
+        raise InputError(f"{self.__name__} is a namespace; call a function, such as {usual or functions}")
+
+
+for _space in SPACES:
+    _space.__class__ = _Namespace
+
+
+def _meant(name: str) -> str:
+    """Return which public names may be meant."""
     from .errors import nearest_names
 
-    usual = FUNCTIONS.get(name.lower().replace("_", ""))
+    spaces = [space.__name__.rpartition(".")[2] for space in SPACES]
+    known = [other for other in (*__all__, *(n for space in SPACES for n in space.__all__)) if other not in spaces]
+    word = name.lower().replace("_", "")
+    bare = {other.lower().replace("_", ""): other for other in known}
+    meant = FUNCTIONS.get(word) or bare.get(word)
     longer = [other for other in known if other.startswith(f"{name}_")]
     close = list(dict.fromkeys(longer + nearest_names(name, known))) or [other for other in known if name in other]
-    if usual is None and not close:
+    if meant is None and not longer:
+        meant = next((FUNCTIONS[other] for other in nearest_names(word, FUNCTIONS, ALMOST)), None)
+    if meant is None and not close:
         return "; dir(robotics1) lists what there is"
-    return f"; did you mean {usual or ' or '.join(close[:3])}?"
+    return f"; did you mean {meant or ' or '.join(close[:3])}?"

@@ -3,11 +3,21 @@
 import os
 import secrets
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from robotics1.errors import InputError
+from robotics1.errors import InputError, shown
+
+
+def check_suffix(what: str, file: str | Path, suffixes: Iterable[str]) -> None:
+    """Refuse a file whose suffix is another than these; none at all is right.
+
+    Raises:
+        InputError: the message says which are right.
+    """
+    if Path(str(file)).suffix.lower() not in ("", *suffixes):
+        raise InputError(f"{what} is written as {', '.join(suffixes)}; the file is {shown(str(file))}")
 
 
 def write_file(path: str | Path, content: str | bytes) -> Path:

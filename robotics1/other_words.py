@@ -1,26 +1,30 @@
 """What a reader of another package writes, and what it is called here: an unknown attribute names what is meant."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import wraps
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from robotics1.errors import InputError, nearest_names
 
 Kind = TypeVar("Kind", bound=type)
 MOST = 12  # attributes that are listed
 ALIKE = 0.7  # the least similarity of a name that is meant
+ALMOST = 0.85  # that of a word of another package with a slip
 
 FUNCTIONS = {  # lower case, without _: what others call a function
     "fk": "forward_kinematics", "fkine": "forward_kinematics", "forward": "forward_kinematics",
     "directkinematics": "forward_kinematics", "getpose": "forward_kinematics", "pose": "forward_kinematics",
-    "ik": "solve_ik", "ikine": "solve_ik", "inverse": "solve_ik", "inversekinematics": "solve_ik or ik_solutions",
+    "ik": "solve_ik or ik_solutions", "ikine": "solve_ik", "inverse": "solve_ik",
+    "inversekinematics": "solve_ik or ik_solutions",
     "allsolutions": "ik_solutions", "jacobian": "frame_jacobian, or the method jacobian of a task",
     "jacob0": "frame_jacobian", "jacobe": "frame_jacobian", "loadurdf": "load_robot", "fromurdf": "load_robot",
     "load": "load_robot", "urdf": "load_robot", "dh": "robot_from_dh", "dhtable": "urdf_to_dh",
     "dhparameters": "urdf_to_dh", "spline": "cubic_spline", "plot": "view, animate or plots", "teach": "view",
     "singularities": "find_singularities", "isreachable": "is_reached", "symbolic": "formulas", "sheet": "report",
     "datasheet": "report", "maniplty": "manipulability", "det": "formulas", "determinant": "formulas",
-    "formula": "formulas",
+    "formula": "formulas", "dhrobot": "robot_from_dh", "seriallink": "robot_from_dh", "revolutedh": "robot_from_dh",
+    "erobot": "load_robot", "rigidbodytree": "load_robot", "importrobot": "load_robot", "models": "load_robot",
+    "plt": "plots", "show": "view, animate or plots", "fromdh": "robot_from_dh",
 }  # fmt: skip
 OF_OBJECTS = {"dh": "urdf_to_dh", "urdf": "dh_to_urdf"}  # words that mean another function where an object is asked
 PLOTS = {  # class → the function that draws its objects
@@ -29,7 +33,8 @@ PLOTS = {  # class → the function that draws its objects
 }  # fmt: skip
 DRAW = ("plot", "show", "display", "draw")
 ATTRIBUTES = {  # the same of attributes: the first that the object has is meant
-    "solutions": "q", "solution": "q", "configurations": "q branches", "best": "q", "q": "joint_names __call__",
+    "solutions": "q", "solution": "q", "configurations": "q branches", "best": "q",
+    "q": "joint_names __call__ branches",
     "tolist": "q", "numpy": "python", "simplify": "readable", "joints": "q", "first": "q", "all": "q",
     "success": "status", "converged": "status", "ok": "status", "found": "status", "error": "error_norm",
     "residual": "error_norm", "solve": "__call__", "ik": "__call__", "evaluate": "__call__ at", "eval": "__call__ at",
@@ -41,7 +46,10 @@ ATTRIBUTES = {  # the same of attributes: the first that the object has is meant
     "dof": "nv", "n": "nq", "ndof": "nv", "numjoints": "nq", "limits": "lower upper", "qlim": "lower upper",
     "jointlimits": "lower upper", "lowerlimits": "lower", "upperlimits": "upper", "velocitylimits": "max_velocity",
     "links": "frame_names", "frames": "frame_names", "linknames": "frame_names", "tools": "frame_names",
-    "names": "joint_names", "coordinates": "row_names", "points": "branches",
+    "names": "joint_names", "coordinates": "row_names", "points": "branches", "singularities": "branches",
+    "sets": "branches", "configuration": "q branches", "tocsv": "csv sample", "csv": "sample", "topandas": "sample",
+    "jointtrajectory": "sample", "todict": "joint_trajectory", "open": "save", "show": "save", "write": "save",
+    "radius": "r_max", "reach": "r_max",
 }  # fmt: skip
 
 CALLS: list[Callable[[str], str | None]] = []  # the name of a function → how it is called; the top adds this
@@ -74,18 +82,27 @@ def made_by(calls: str) -> Callable[[Kind], Kind]:
     return decorated
 
 
+class ClassOfWords(type):
+    """The metaclass of a class whose unknown attributes, as in `Robot.from_urdf`, name the function that is meant."""
+
+    if not TYPE_CHECKING:  # a type checker goes on knowing each attribute
+
+        def __getattr__(cls, name: str) -> Any:
+            raise UnknownAttributeError(cls, name, FUNCTIONS)
+
+
 class UnknownAttributeError(AttributeError):
     """Its sentence is made where it is read: `hasattr` asks often."""
 
-    def __init__(self, kind: type, name: str):
+    def __init__(self, kind: type, name: str, functions: Mapping[str, str] = OF_OBJECTS):
         super().__init__(kind, name, name=name)
-        self.kind = kind
+        self.kind, self.functions = kind, functions
 
     def __str__(self) -> str:
-        return f"{self.kind.__name__} has no {self.name!r}{_meant(self.kind, str(self.name))}"
+        return f"{self.kind.__name__} has no {self.name!r}{_meant(self.kind, str(self.name), self.functions)}"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.kind, self.name)
+        return type(self), (self.kind, self.name, self.functions)
 
 
 def _unknown(self: Any, name: str) -> Any:
@@ -94,7 +111,7 @@ def _unknown(self: Any, name: str) -> Any:
     raise UnknownAttributeError(type(self), name)
 
 
-def _meant(kind: type, name: str) -> str:
+def _meant(kind: type, name: str, functions: Mapping[str, str]) -> str:
     """Return what is meant: an attribute, a call of the object, a function that takes it, or what there is."""
     word = name.lower().replace("_", "")
     fields = getattr(kind, "__dataclass_fields__", {})
@@ -103,7 +120,7 @@ def _meant(kind: type, name: str) -> str:
     meant = [other for other in wanted if other in known]
     if not meant and "__call__" in wanted and any("__call__" in vars(base) for base in kind.__mro__):
         return "; call the object itself, which is a function"
-    if not meant and (written := _call(kind, name, word)):
+    if not meant and (written := _call(kind, name, word, functions)):
         return f"; write {written}"
     meant = meant or nearest_names(name, known, ALIKE)
     if meant:
@@ -111,8 +128,8 @@ def _meant(kind: type, name: str) -> str:
     return f"; it has {', '.join(known[:MOST])}{', ...' if len(known) > MOST else ''}"
 
 
-def _call(kind: type, name: str, word: str) -> str | None:
+def _call(kind: type, name: str, word: str, functions: Mapping[str, str]) -> str | None:
     drawn = [PLOTS[base.__name__] for base in kind.__mro__ if base.__name__ in PLOTS]
-    known = {**FUNCTIONS, **OF_OBJECTS, **(dict.fromkeys(DRAW, drawn[0]) if drawn else {})}
+    known = {**FUNCTIONS, **functions, **(dict.fromkeys(DRAW, drawn[0]) if drawn else {})}
     function = known.get(word, name)
     return next(filter(None, (call(function.split()[0].rstrip(",")) for call in CALLS)), None)

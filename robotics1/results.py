@@ -1,13 +1,13 @@
 """What results have in common: they cannot be changed, they explain themselves, and they can be insisted on."""
 
-from collections.abc import Callable, Iterable, Sequence, Sized
+from collections.abc import Callable, Iterable, Iterator, Sequence, Sized
 from dataclasses import fields
 from enum import Enum
-from typing import Any, Protocol, TypeVar
+from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
 import numpy as np
 
-from robotics1.errors import NotConverged
+from robotics1.errors import InputError, NotConverged, shown
 from robotics1.other_words import names_what_is_meant
 from robotics1.tables import Table, in_html, in_text
 
@@ -21,6 +21,7 @@ class Explained(Protocol):
 
 Outcome = TypeVar("Outcome", bound=Explained)
 Kind = TypeVar("Kind", bound=type)
+Entry = TypeVar("Entry")
 
 
 def require(result: Outcome, success: bool) -> Outcome:
@@ -122,6 +123,28 @@ class Frozen(Shown):
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
         read_only(state.values())
+
+
+class Listed(Frozen, Generic[Entry]):
+    """A base of results that hold several of one kind, which have numbers: they can be counted and iterated."""
+
+    entries_in: ClassVar[str]  # the attribute that holds them
+
+    def __len__(self) -> int:
+        return len(getattr(self, self.entries_in))
+
+    def __iter__(self) -> Iterator[Entry]:
+        return iter(getattr(self, self.entries_in))
+
+    def __getitem__(self, i: int) -> Entry:
+        last = f"the last of {type(self).__name__} is {len(self) - 1}" if len(self) else "it is empty"
+        if not isinstance(i, int | slice | np.integer):
+            raise InputError(f"there is no entry {shown(i)}: they have numbers, and {last}")
+        try:
+            found: Entry = getattr(self, self.entries_in)[i]
+        except IndexError:
+            raise IndexError(f"there is no entry {i}: {last}") from None
+        return found
 
 
 FEW = 6  # numbers, or entries, that are written out

@@ -210,8 +210,8 @@ def test_every_command_that_reads_angles_reads_them_in_degrees():
 
 
 def test_a_warning_is_said_once():
-    assert run("fk", "planar_2r", "--q", "0,90").stderr.count("radians(90)") == 1
-    assert run("ik", "prr", "--target", "0.5,0.5,90").stderr.count("radians(90)") == 1
+    assert run("fk", "planar_2r", "--q", "0,90").stderr.count("add --degrees") == 1
+    assert run("ik", "prr", "--target", "0.5,0.5,90").stderr.count("add --degrees") == 1
 
 
 def test_sentences_are_broken_between_words_on_a_terminal_only():
@@ -316,3 +316,10 @@ def test_numbers_with_blanks_behind_an_option_are_answered_with_a_comma():
 def test_a_configuration_that_is_not_typed_is_told(command):
     assert "at q = (0, 0), since --q is not given" in run(*command).stdout
     assert "since --q is not given" not in run(*command, "--q", "0.1,0.2").stdout
+
+
+@pytest.mark.parametrize("words", [("-target", "1,1"), ("-target=1,1",)])
+def test_an_option_with_one_dash_is_written_with_two(words):
+    ended = run("ik", "planar_2r", *words)
+    assert ended.code == 2
+    assert f"write -{words[0]}" in ended.stderr

@@ -97,11 +97,13 @@ def test_each_kind_of_question_has_an_answer(tmp_path):
 
 
 BAD = {
-    "no TOML": ("[[exercise]\n", ": it is no TOML"),
+    "no TOML": ("[[exercise]\n", ":1: it is no TOML"),
+    "a formula without quotes": (QUESTION + "q = [0, pi/2]\n", ":8: it is no TOML: Invalid value: q = "),
+    "one pair of brackets": (QUESTION.replace("[[exercise]]", "[exercise]"), ":1: one pair of brackets is too few"),
     "nothing": ("", ":1: there is no [[exercise]] here"),
     "no question": ('[[exercise]]\nrobot = "prr"\n', ":1: there is no [[exercise.question]] here"),
-    "another key": ('titel = "x"\n' + QUESTION, ":1: the exam has 'titel'; known are title, exercise"),
-    "a key of an exercise": (QUESTION.replace("lengths", "length"), ":3: exercise 1 has 'length'; known are title"),
+    "another key": ('titel = "x"\n' + QUESTION, ":1: the exam has 'titel'; did you mean 'title'"),
+    "a key of an exercise": (QUESTION.replace("lengths", "length"), ":3: exercise 1 has 'length'; did you mean"),
     "a key of a question": (QUESTION + "goal = 1\n", ":8: question 1.1 has 'goal'; known are name"),
     "a robot that is not there": (QUESTION.replace("planar_2r", "puma"), ":2: "),
     "a length that it has not": (QUESTION.replace("l1", "l7"), ":2: "),
@@ -109,7 +111,7 @@ BAD = {
     "a wrong table": (QUESTION.replace('robot = "planar_2r"', "dh = [[1, 2]]"), ":2: "),
     "no robot": (QUESTION.replace('robot = "planar_2r"\n', ""), ":4: question 1.1 (jacobian) needs a robot"),
     "no kind": (QUESTION.replace('ask = "jacobian"\n', ""), ":5: question 1.1 needs a kind"),
-    "another kind": (QUESTION.replace('"jacobian"', '"jakobian"'), ":6: question 1.1 asks 'jakobian'; known are"),
+    "another kind": (QUESTION.replace('"jacobian"', '"jakobian"'), ":6: question 1.1 asks 'jakobian'; did you m"),
     "no task": (QUESTION.replace('task = "position:xy"\n', ""), ":5: question 1.1 needs a task"),
     "another task": (QUESTION.replace("position:xy", "position:uv"), ":7: question 1.1, task: "),
     "no list": (QUESTION + "q = 3\n", ":8: question 1.1, q: a list of numbers is wanted"),

@@ -12,6 +12,7 @@ import robotics1 as r1
 
 Q, J = [0.1, 0.2], np.eye(2)
 MOTION = r1.cubic([0], [1], 2)
+TARGET = r1.LinearMotion([-2, 1], [1.449, 0.388])
 
 
 def two():
@@ -270,6 +271,107 @@ MISTAKES = {
         r"did you mean determinant\?",
     ),
     "a task that is asked": (lambda: r1.PositionTask("xy").J, AttributeError, r"did you mean jacobian\?"),
+    # classes, namespaces and collections
+    "a class method of another package": (
+        lambda: r1.Robot.from_urdf("arm.urdf"),
+        AttributeError,
+        r"Robot has no 'from_urdf'; write robotics1.load_robot\(source\)$",
+    ),
+    "a class of another package": (lambda: r1.DHRobot, AttributeError, r"did you mean robot_from_dh\?"),
+    "a word with a slip": (lambda: r1.jacobain, AttributeError, "did you mean frame_jacobian"),
+    "a namespace called": (
+        lambda: r1.ik("planar_2r", [1, 1]),
+        INPUT,
+        "is a namespace; call a function, such as solv",
+    ),
+    "a slip in a namespace": (lambda: r1.trajectories.trapezodal, AttributeError, r"did you mean trapezoidal\?"),
+    "a joint of the solutions": (
+        lambda: r1.ik_solutions("planar_2r", "position:xy", [1, 1])["q1"],
+        INPUT,
+        "no entry 'q1': they have numbers, and the last of IKSolutions is 1",
+    ),
+    "one branch too many": (
+        lambda: r1.find_singularities("planar_2r", "position:xy")[9],
+        IndexError,
+        "no entry 9: the last of SingularSet is 1",
+    ),
+    "q of a singular set": (
+        lambda: r1.find_singularities("planar_2r", "position:xy").q,
+        AttributeError,
+        r"did you mean branches\?",
+    ),
+    "a column of a table": (lambda: r1.dh.urdf_to_dh("planar_2r")["alpha"], INPUT, "they have numbers"),
+    "a motion in degrees": (
+        lambda: r1.animate("planar_2r", r1.cubic([0, 0], [90, 45], 2)),
+        r1.RobotWarning,
+        r"the motion has the angle 90.*write radians\(90\)",
+    ),
+    "formulas at degrees": (
+        lambda: r1.formulas("planar_2r", "position:xy").at(q2=90),
+        r1.RobotWarning,
+        r"q2 has the angle 90.*write radians\(90\)",
+    ),
+    # rendez-vous and control
+    "a condition for an event": (
+        lambda: r1.rendezvous("planar_2r", "position:xy", TARGET, q0=[0, 0], meet=lambda t, p: p[0] > 0),
+        INPUT,
+        r"a number that is zero at the meeting, as in meet=lambda t, p: p\[0\]",
+    ),
+    "an event of p alone": (
+        lambda: r1.rendezvous("planar_2r", "position:xy", TARGET, q0=[0, 0], meet=lambda p: p[0]),
+        INPUT,
+        "the event failed at",
+    ),
+    "a target in space": (
+        lambda: r1.rendezvous("planar_2r", "position:xy", r1.LinearMotion([1, 0, 0], [0, 1, 0]), q0=[0, 0], meet=1.0),
+        INPUT,
+        "the coordinates x, y",
+    ),
+    "a negative gain": (lambda: r1.control.joint_law("planar_2r", [0, 0], -2.0), INPUT, "K must be positive definite"),
+    "a decay in percent": (lambda: r1.control.gains_for_decay(5, 2.0), INPUT, "ratio must be below 1"),
+    "a method of a law": (
+        lambda: r1.control.joint_law("planar_2r", [0, 0], 2.0).simulate,
+        AttributeError,
+        "ControlLaw has no 'simulate'",
+    ),
+    # files that are written
+    "a spreadsheet of a motion": (lambda: MOTION.sample(10).csv("a.xlsx"), INPUT, "written as .csv, .txt; the file is"),
+    "a motion as a file": (lambda: MOTION.to_csv("a.csv"), AttributeError, r"did you mean sample\?"),
+    "a table as a text file": (lambda: r1.dh.dh_to_urdf([("R", 1, 0, 0, 0)], "a.txt"), INPUT, "written as .urdf, .xml"),
+    "a file in the place of axes": (lambda: r1.plots.plot_trajectory(MOTION, "a.svg"), INPUT, "a file is file='a.svg'"),
+    "a data sheet as PDF": (lambda: r1.report("planar_2r", "a.pdf"), INPUT, "a page is written as .html"),
+    "a page that is opened": (lambda: r1.view("planar_2r").open(), AttributeError, r"did you mean save\?"),
+    "a motion to look at": (lambda: r1.view("planar_2r", MOTION), INPUT, r"shown by animate\(robot, motion\)"),
+    "solutions in the place of q": (
+        lambda: r1.view("planar_2r", r1.ik_solutions("planar_2r", "position:xy", [1, 1])),
+        INPUT,
+        r"view\(robot, solutions=...\)",
+    ),
+    # workspaces, maps and scans
+    "a volume of a pose": (lambda: r1.workspaces.workspace("ur5", "pose"), TASK, "coordinates of a point"),
+    "half a grid": (
+        lambda: r1.workspaces.reachability_map("planar_2r", "position:xy", {"x": [0, 1]}),
+        INPUT,
+        "a grid names the coordinates x, y; positions names x",
+    ),
+    "samples in a text": (
+        lambda: r1.scan_singularities("planar_2r", "position:xy", samples="1e6"),
+        INPUT,
+        "samples must be an integer",
+    ),
+    "a posture that the file has not": (
+        lambda: r1.singularities.sigma_min("planar_2r", "position:xy", "middle"),
+        UNKNOWN,
+        "no posture named 'middle'",
+    ),
+    # files that are read
+    "a folder for a file": (lambda: r1.load_robot("/tmp"), FILE, "it is a folder, and no file"),
+    "packages that are not there": (
+        lambda: r1.load_robot("planar_2r", packages=["nowhere"]),
+        INPUT,
+        "there is no folder",
+    ),
+    "a joint in a table": (lambda: dh(("R", 0, 0, 0.4, "q1")), INPUT, "the joint is added to it; write its constant"),
     "a slip in a name": (lambda: r1.forward_kinematic, AttributeError, "did you mean forward_kinematics"),
 }
 

@@ -25,7 +25,7 @@ def test_the_notebook_is_thin_stripped_and_runs(path):
     assert len(pages) == 1  # a page stands in the notebook, without a file or a server
     assert "default-src &#x27;none&#x27;" in pages[0]
     assert pages[0].count("<iframe") == 1
-    pictures = [data["image/svg+xml"] for data in shown if "image/svg+xml" in data]
+    pictures = [data["image/png"] for data in shown if "image/png" in data]
     assert len(pictures) == PICTURES[path.stem[:10]]
 
 

@@ -12,7 +12,8 @@ import robotics1 as r1
 from robotics1.other_words import ATTRIBUTES, FUNCTIONS, OF_OBJECTS, PLOTS
 
 KINDS = ("Robot", "Formulas", "IKSolver", "IKResult", "IKSolutions", "SolutionSolver", "SingularSet", "PositionTask")
-OBJECTS = [INSTANCES[kind]()[0] for kind in (*KINDS, "PiecewisePolynomial", "Workspace")]
+OTHERS = ("PiecewisePolynomial", "Workspace", "MotionSamples", "Rendezvous")
+OBJECTS = [*(INSTANCES[kind]()[0] for kind in (*KINDS, *OTHERS)), r1.view("planar_2r")]
 PUBLIC = {name for space in (r1, *r1.SPACES) for name in space.__all__}
 
 

@@ -149,7 +149,7 @@ def test_a_name_that_no_file_can_have_is_refused(tmp_path):
 
 
 def test_folders_and_pipes_are_no_files(tmp_path):
-    assert "there is no such file: it is a folder" in refused(tmp_path)
+    assert "it is a folder, and no file" in refused(tmp_path)
     os.mkfifo(tmp_path / "pipe.urdf")
     assert "it is a device, a pipe or a socket" in refused(tmp_path / "pipe.urdf")
     assert "there is no such file" in refused(tmp_path / "arm.urdf" / "arm.urdf")

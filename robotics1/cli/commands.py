@@ -1,5 +1,6 @@
 """The command line: its commands, and how each ends."""
 
+import re
 import sys
 import traceback
 import warnings
@@ -27,6 +28,8 @@ from robotics1.cli.usage import CommandGroup, RobotCommand
 from robotics1.cli.workspace_table import workspace
 from robotics1.errors import Robotics1Error, RobotWarning
 from robotics1.names import printable
+
+RADIANS = r"write radians\(.*\)$"  # what Python would take; a command has an option for it
 
 app = typer.Typer(
     cls=CommandGroup,
@@ -110,7 +113,8 @@ def _shown_once() -> Callable[..., None]:
 
         if str(message) not in shown:
             shown.add(str(message))
-            PlainConsole(stderr=True).say(printable(f"warning: {message}"), style="yellow")
+            text = str(message) if sys.argv[1:2] == ["exam"] else re.sub(RADIANS, "add --degrees", str(message))
+            PlainConsole(stderr=True).say(printable(f"warning: {text}"), style="yellow")
 
     return show
 

@@ -32,11 +32,15 @@ class RobotCommand(TyperCommand):
         """Read the words of the command line."""
         names = {name for parameter in self.params for name in parameter.opts}
         apart = any(word in names for word in args[:-1])
+        one_dash = [f"-{word}" for word in args if word[:2] != "--" and f"-{word.partition('=')[0]}" in names]
         try:
             return super().parse_args(ctx, args)
         except Exception as error:
+            message = getattr(error, "message", "")
             behind = [f"{what} behind {option}" for option, what in MEANT.items() if option in names]
-            if behind and "extra argument" in getattr(error, "message", ""):
+            if behind and "extra argument" in message:
                 joined = "; numbers that belong together have a comma between them, as 1,2" if apart else ""
-                error.message = f"{error.message}: write {', '.join(behind)}{joined}"  # type: ignore[attr-defined]
+                error.message = f"{message}: write {', '.join(behind)}{joined}"  # type: ignore[attr-defined]
+            if one_dash and "No such option" in message:
+                error.message = f"one dash is too few: write {one_dash[0]}"  # type: ignore[attr-defined]
             raise

@@ -46,7 +46,7 @@ class ControlCommand(Frozen):
 
 
 @dataclass(frozen=True, eq=False)
-class ControlLaw:
+class ControlLaw(Frozen):
     """A feedback law; `joint_law` and `cartesian_law` make it.
 
     With the error in the axes A, e' = Aᵀ(r_d − r), a law of first order makes ė' = −K e', one of second order

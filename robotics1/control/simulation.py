@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import angles_of_an_iteration
 from robotics1.control.law import ControlLaw
 from robotics1.curves.named_derivatives import Side
 from robotics1.errors import InputError
@@ -118,6 +119,7 @@ def simulate_law(
     return _run(law, times, states, bound, complete=solution.end >= ends[-1])
 
 
+@angles_of_an_iteration()
 def _held(
     command: Callable[[float, Array], Array], law: ControlLaw, start: Array, end: float, step: float
 ) -> tuple[Array, Array, bool]:
@@ -137,6 +139,7 @@ def _held(
     return times[: len(states)], np.array(states), len(states) == len(times)
 
 
+@angles_of_an_iteration()
 def _run(law: ControlLaw, times: Array, states: Array, bound: Array, *, complete: bool) -> ControlRun:
     n = law.robot.nv
     found = [

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from robotics1.errors import InputError, MissingExtraError
-from robotics1.files import write_file
+from robotics1.files import check_suffix, write_file
 from robotics1.inputs import Array, real_number, text
 from robotics1.results import Frozen
 
@@ -60,6 +60,7 @@ class MotionSamples(Frozen):
         writer.writerow(columns)
         writer.writerows([repr(float(value)) for value in row] for row in zip(*columns.values(), strict=True))
         if file is not None:
+            check_suffix("a motion", file, (".csv", ".txt"))
             write_file(file, stream.getvalue())
         return stream.getvalue()
 

@@ -33,8 +33,12 @@ def number_or_name(where: str, value: Any) -> float | str:
             f"{where} must be a number, a name such as 'l2' or a negated name such as '-l2', not {shown(value)}; "
             f"a name has letters, digits and underscores, and numbers are not written as text"
         )
-    if name == "pi" or re.fullmatch(r"q\d+", name):
-        raise InputError(f"{where} cannot be called {name!r}: q1, q2, ... are the joints and pi is the number math.pi")
+    if name == "pi":
+        raise InputError(f"{where} cannot be called 'pi': write the number math.pi")
+    if re.fullmatch(r"q\d+", name):
+        raise InputError(
+            f"{where} cannot be called {name!r}: the joint is added to it; write its constant part, such as 0"
+        )
     refuse_no_number(where, name)
     return sign + name
 

@@ -17,7 +17,7 @@ from robotics1.dh.entries import joint_limits, named_values, number_or_name, val
 from robotics1.errors import InputError
 from robotics1.inputs import Array, by_name, one_of, real_array
 from robotics1.notation import joint_value, length, vector
-from robotics1.results import Frozen
+from robotics1.results import Listed
 from robotics1.robot.checking import MOST_DEGREES
 from robotics1.robot.findings import LARGEST
 from robotics1.robot.parameters import Parameters
@@ -40,7 +40,7 @@ class DHRow(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class DHTable(Frozen):
+class DHTable(Listed[DHRow]):
     """T_world_tool(q) = T_base A_1(q_1) ⋯ A_n(q_n) T_tool, with
 
         standard: A_i = Rot_z(θ_i) Trans_z(d_i) Trans_x(a_i) Rot_x(α_i)
@@ -64,6 +64,8 @@ class DHTable(Frozen):
     Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics, 2009, section 2.8.2; for the modified convention
     Craig, Introduction to Robotics, 2005, sections 3.4 and 3.6.
     """
+
+    entries_in = "rows"
 
     rows: tuple[DHRow, ...]
     convention: str = "standard"

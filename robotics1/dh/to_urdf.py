@@ -15,7 +15,7 @@ import pinocchio as pin
 
 from robotics1.dh.joints import joints_of, links_of, links_of_row
 from robotics1.dh.table import DHTable, X, Z
-from robotics1.files import write_file
+from robotics1.files import check_suffix, write_file
 from robotics1.inputs import Array
 from robotics1.robot.urdf import Link, element, urdf_text
 
@@ -41,6 +41,7 @@ def dh_to_urdf(table: DHTable | Sequence[Sequence[Any]], path: str | Path) -> Pa
     Raises:
         InputError: the rows are wrong, or the file cannot be written there.
     """
+    check_suffix("a robot", path, (".urdf", ".xml"))
     return write_file(path, dh_text(table if isinstance(table, DHTable) else DHTable(table)))  # type: ignore[arg-type]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -15,7 +15,7 @@ from robotics1.ik.result import IKStatus
 from robotics1.inputs import Array, counting_number, one_of, real_number
 from robotics1.least_squares import RANK_TOLERANCE, generalized_inverse, numeric_rank
 from robotics1.notation import count, number, vector
-from robotics1.results import Frozen, require, tuple_with_arrays
+from robotics1.results import Listed, require, tuple_with_arrays
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
 from robotics1.tables import Table, table_of
@@ -41,7 +41,7 @@ class IKIterate(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class IKIteration(Frozen):
+class IKIteration(Listed[IKIterate]):
     """What an iteration did.
 
     Attributes:
@@ -52,6 +52,8 @@ class IKIteration(Frozen):
         method: its name.
         groups: unit → the rows of e whose norm has a tolerance of its own; under "" all rows, with one tolerance.
     """
+
+    entries_in = "table"
 
     status: IKStatus
     q: Array
@@ -69,15 +71,6 @@ class IKIteration(Frozen):
     def iterations(self) -> int:
         """The number of updates of q that were made."""
         return len(self.table) - 1
-
-    def __len__(self) -> int:
-        return len(self.table)
-
-    def __iter__(self) -> Iterator[IKIterate]:
-        return iter(self.table)
-
-    def __getitem__(self, i: int) -> IKIterate:
-        return self.table[i]
 
     @property
     def error_norms(self) -> dict[str, Array]:
@@ -161,8 +154,8 @@ def iterate_ik(
     q = robot.configuration(q0, "q0")
     error_at = error_and_jacobian(robot, task, target, error)
     table: list[IKIterate] = []
-    too_far = _too_far(robot, task, q, target)
     with angles_of_an_iteration():
+        too_far = _too_far(robot, task, q, target)
         while True:
             e, J = error_at(q)
             table.append(_row(len(table), q, task.value(robot, q), e, J))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,7 +16,7 @@ from robotics1.ik.scaled_task import ScaledTask
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import count, joint_value, number
-from robotics1.results import Frozen, require
+from robotics1.results import Listed, require
 from robotics1.robot.model import Robot
 from robotics1.tables import Table, table_of
 from robotics1.tasks.task import Task
@@ -26,7 +26,7 @@ SHOWN = 32  # solutions in a table; of infinitely many there are more
 
 
 @dataclass(frozen=True, eq=False)
-class IKSolutions(Frozen):
+class IKSolutions(Listed[Array]):
     """The solutions of f(q) = r_d inside the joint limits, each listed once: whole turns of a joint apart are one.
 
     Attributes:
@@ -52,6 +52,8 @@ class IKSolutions(Frozen):
         hits: (k,) how many starts of a search have led to each solution; empty where no search has found single ones.
         unseen: the estimated share of starts that lead to solutions not seen yet; 0 by formula.
     """
+
+    entries_in = "q"
 
     q: Array
     singular: npt.NDArray[np.bool_]
@@ -99,16 +101,6 @@ class IKSolutions(Frozen):
         from robotics1.ik.postures.labels import postures
 
         return postures(self.robot, self.task).labels(q)
-
-    def __len__(self) -> int:
-        return len(self.q)
-
-    def __iter__(self) -> Iterator[Array]:
-        return iter(self.q)
-
-    def __getitem__(self, i: int) -> Array:
-        row: Array = self.q[i]
-        return row
 
     def _tables(self) -> tuple[Table, ...]:
         if not len(self):

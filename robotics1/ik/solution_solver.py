@@ -68,6 +68,9 @@ class SolutionSolver:
         task.check_integrable(robot)
         self._prepare()
 
+    def __repr__(self) -> str:
+        return f"SolutionSolver({self.robot!r}, {self.task!r})"
+
     def _prepare(self) -> None:
         self._prepared: Prepared = prepare(self.robot, self.task, self._box, self._locked)
         self._compiled: CompiledSolutions | None = self._prepared.compiled

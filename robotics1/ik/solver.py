@@ -68,6 +68,9 @@ class IKSolver:
         }
         self._prepare()
 
+    def __repr__(self) -> str:
+        return f"IKSolver({self.robot!r}, {self.task!r})"
+
     def _prepare(self) -> None:
         form = self.task.frame_map()
         if form is None or form.pose_error is None:

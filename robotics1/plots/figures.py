@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from robotics1.curves.named_derivatives import Side
-from robotics1.errors import InputError, MissingExtraError
-from robotics1.files import write_file
+from robotics1.errors import InputError, MissingExtraError, shown
+from robotics1.files import check_suffix, write_file
 from robotics1.inputs import Array, text
 from robotics1.names import printable
 
@@ -49,8 +49,9 @@ def panels_of(ax: Any, count: int) -> Any:
     if ax is None:
         return _figure((6.4, 2.2 + 1.7 * count)).subplots(count, 1, sharex=True)
     panels = np.ravel(np.asarray(ax, dtype=object))
+    hint = f"; a file is file={str(ax)!r}" if isinstance(ax, str | Path) else ""
     if len(panels) != count or not all(hasattr(panel, "plot") for panel in panels):
-        raise InputError(f"ax must be {count} Matplotlib axes, as from plt.subplots({count}); it is {ax!r}")
+        raise InputError(f"ax must be {count} Matplotlib axes, as from plt.subplots({count}); it is {shown(ax)}{hint}")
     return panels
 
 
@@ -71,9 +72,8 @@ def drawn(axes: Any, file: str | Path | None) -> Any:
         InputError: the file has another suffix, or cannot be written there.
     """
     if file is not None:
+        check_suffix("a figure", file, METADATA)
         suffix = Path(str(file)).suffix.lower() or ".svg"
-        if suffix not in METADATA:
-            raise InputError(f"a figure is written as {', '.join(METADATA)}; the file is {str(file)!r}")
         write_file(file, picture(axes, suffix))
     return axes
 

@@ -66,7 +66,7 @@ def joint_table(robot: Any) -> Table:
         if joint.kind in LETTERS:
             i, j = robot.own_model.idx_qs[number], robot.own_model.idx_vs[number]
             limits = [_limit(robot.lower[i], joint), _limit(robot.upper[i], joint)]
-            rates = [f"{robot.max_velocity[j]:g}", f"{robot.max_effort[j]:g}"]
+            rates = [_bound(robot.max_velocity[j]), _bound(robot.max_effort[j])]
         rows.append((printable(joint.name), _kind(joint), *limits, *rates))
     return table_of(("joint", "kind", "lower", "upper", "velocity", "effort"), rows)
 
@@ -83,6 +83,9 @@ def _kind(joint: Joint) -> str:
 
 def _limit(value: float, joint: Joint) -> str:
     """Return a limit in its unit, or none."""
-    if not np.isfinite(value):
-        return "none"
-    return joint_value(float(value)) if joint.kind == "revolute" else f"{value:g}"
+    turns = joint.kind == "revolute" and np.isfinite(value)
+    return joint_value(float(value)) if turns else _bound(value)
+
+
+def _bound(value: float) -> str:
+    return f"{value:g}" if np.isfinite(value) else "none"

@@ -13,8 +13,11 @@ from robotics1.angles import TURN
 from robotics1.errors import MissingExtraError, RobotFileError
 from robotics1.inputs import Array
 from robotics1.names import printable
+from robotics1.results import Shown
+from robotics1.robot.description import joint_table
 from robotics1.robot.markup import Element, undeclared
 from robotics1.robot.model import Robot
+from robotics1.tables import Table
 
 LARGEST = 1e18  # of lengths, angles and factors: sums and products of a few of them stay finite
 CONFIGURATIONS = 10  # at which forward kinematics is compared
@@ -101,7 +104,7 @@ class Findings:
 
 
 @dataclass(frozen=True, eq=False)
-class RobotReport:
+class RobotReport(Shown):
     """What a robot file is found to be.
 
     Attributes:
@@ -135,6 +138,9 @@ class RobotReport:
             verdict = f"{self.path.name}: another parser finds other poses, by up to {self.fk_difference:.1e}"
         found = [f"error: {finding}" for finding in self.errors] + [f"warning: {finding}" for finding in self.warnings]
         return printable("\n".join([verdict, *found]), keep="\n")
+
+    def _tables(self) -> tuple[Table, ...]:
+        return () if self.robot is None else (joint_table(self.robot),)
 
     def require(self) -> Robot:
         """Return the robot.

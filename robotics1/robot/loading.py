@@ -17,6 +17,7 @@ from robotics1.errors import (
     RobotFileError,
     Robotics1Error,
     RobotWarning,
+    shown,
     warn,
 )
 from robotics1.inputs import by_name
@@ -247,9 +248,13 @@ class RobotText:
 def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
     listed = [packages] if isinstance(packages, str | Path) else packages
     try:
-        return tuple(Path(folder).resolve() for folder in listed)
+        folders = tuple(Path(folder).resolve() for folder in listed)
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
+    for folder in folders:
+        if not folder.is_dir():
+            raise InputError(f"packages must be folders; there is no folder {shown(str(folder))}")
+    return folders
 
 
 def _refuse_choices(what: str, parameters: Any, base: str | None, locked: Any) -> None:

@@ -16,7 +16,7 @@ from robotics1.angles import warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import InputError, UnknownNameError
 from robotics1.inputs import Array, by_name, real_array
-from robotics1.other_words import made_by
+from robotics1.other_words import ClassOfWords, made_by
 from robotics1.robot.building import restore_followers
 from robotics1.robot.description import DescribedRobot
 from robotics1.robot.frames import frame_number, links_of
@@ -41,7 +41,7 @@ class RobotSource(Protocol):
 
 @made_by("load_robot('ur5')")
 @dataclass(frozen=True, eq=False, repr=False)
-class Robot(DescribedRobot):
+class Robot(DescribedRobot, metaclass=ClassOfWords):
     """A robot as Pinocchio sees it.
 
     Threads may share a Robot: each thread has a scratch `pin.Data` of its own. A Robot can be pickled and copied. What

@@ -139,7 +139,7 @@ def _check_file(path: Path) -> None:
         raise RobotFileError(f"it cannot be read: {getattr(error, 'strerror', error)}", path=path) from error
     if not S_ISREG(mode):
         what = "a folder" if S_ISDIR(mode) else "a device, a pipe or a socket"
-        raise RobotFileError(f"there is no such file: it is {what}", path=path)
+        raise RobotFileError(f"it is {what}, and no file", path=path)
 
 
 def _shortened(text: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ from robotics1.errors import FormulaError
 from robotics1.inputs import Array
 from robotics1.names import printable
 from robotics1.notation import pi_fraction
-from robotics1.results import Frozen, require
+from robotics1.results import Frozen, Listed, require
 from robotics1.robot.box import JointBox
 from robotics1.robot.model import Robot
 from robotics1.singularities.spaces import Subspaces, subspaces_of_rank
@@ -153,7 +153,7 @@ class SingularSetStatus(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class SingularSet(Frozen):
+class SingularSet(Listed[SingularBranch]):
     """All singular configurations of a robot in a task.
 
     Attributes:
@@ -169,6 +169,8 @@ class SingularSet(Frozen):
         jacobian: the task's Jacobian in exact form, if it was found.
         without_solution: the equations of the lengths, or of one joint, that were met and have no solution.
     """
+
+    entries_in = "branches"
 
     robot: Robot
     task: Task
@@ -208,15 +210,6 @@ class SingularSet(Frozen):
         """The joints that matter on no branch."""
         names = self.robot.joint_names
         return tuple(name for name in names if all(name in branch.free_joints for branch in self.branches))
-
-    def __len__(self) -> int:
-        return len(self.branches)
-
-    def __iter__(self) -> Iterator[SingularBranch]:
-        return iter(self.branches)
-
-    def __getitem__(self, i: int) -> SingularBranch:
-        return self.branches[i]
 
     def _repr_latex_(self) -> str | None:
         """Return the conditions of the branches, and the rank on each; None of a set that was found by numbers."""

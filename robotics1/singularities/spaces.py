@@ -10,8 +10,10 @@ import numpy.typing as npt
 
 from robotics1.inputs import Array, real_array, real_number
 from robotics1.least_squares import RANK_TOLERANCE, least_distance_in_box, numeric_rank
+from robotics1.notation import vector
 from robotics1.printed_digits import all_printed, half_units, shared_half_units
 from robotics1.results import Frozen
+from robotics1.tables import Table, table_of
 
 FOUR_DECIMALS = 5e-5  # of σ₁: what a configuration that is rounded to four decimals does not tell from zero
 DECIMALS = 3  # of an entry of a matrix that is a rounded one: with fewer, as 0.5 and 0.25, it is a choice
@@ -83,6 +85,15 @@ class Subspaces(Frozen):
             return rank
         sigma = self.singular_values[self.certain_rank]
         return f"{rank}; σ = {sigma:.1e} is below {self.rounding:.1e}, and without it the rank is {self.certain_rank}"
+
+    def _tables(self) -> tuple[Table, ...]:
+        bases = {
+            "task velocities that can be realised, R(J)": self.range,
+            "those that are lost, and forces that need no torque, N(Jᵀ)": self.left_null,
+            "joint velocities that do not move the task, N(J)": self.null,
+        }
+        rows = [(name, ", ".join(map(vector, basis.T)) or "none") for name, basis in bases.items()]
+        return (table_of(("subspace", "orthonormal basis"), rows),)
 
     def contains(self, v: npt.ArrayLike) -> bool:
         """Return whether the task velocity v (m,) can be realised: v ∈ R(J), to 1e-9 of its length and to its digits.

@@ -19,7 +19,7 @@ from robotics1.ik.solutions import ik_solutions
 from robotics1.inputs import Array, answer_of, per_joint, real_array, real_number
 from robotics1.least_squares import generalized_inverse
 from robotics1.notation import vector
-from robotics1.results import Frozen, require
+from robotics1.results import Frozen, Listed, require
 from robotics1.robot.box import nearest_turn
 from robotics1.robot.given import RobotLike
 from robotics1.robot.model import ConfigurationLike, Robot
@@ -32,6 +32,7 @@ from robotics1.trajectories.elementary import cubic
 from robotics1.trajectories.limits import LimitUse, limit_violations
 from robotics1.trajectories.target_motion import TargetMotion
 
+EVENT = "meet=lambda t, p: p[0]"
 INSTANTS = 4000  # at which an event is looked at before its zero is refined
 
 
@@ -77,7 +78,7 @@ class MeetingBranch(Frozen):
 
 
 @dataclass(frozen=True, eq=False)
-class Rendezvous(Frozen):
+class Rendezvous(Listed[MeetingBranch]):
     """When and where the target is met, and every way to do it.
 
     Attributes:
@@ -88,6 +89,8 @@ class Rendezvous(Frozen):
         status: whether one of them works.
         miss: the least distance to the meeting point in the task's units; zero when it is reached.
     """
+
+    entries_in = "branches"
 
     time: float
     position: Any
@@ -189,7 +192,10 @@ def meeting_time(
     horizon = real_number("horizon", horizon, positive=True)
 
     def g(t: float) -> float:
-        return real_number("the event's value", answer_of("the event", event, t, target_motion(t)))
+        value = answer_of("the event", event, t, target_motion(t))
+        if isinstance(value, bool | np.bool_):
+            raise InputError(f"the event must be a number that is zero at the meeting, as in {EVENT}, not {value}")
+        return real_number("the event's value", value)
 
     times = np.linspace(0.0, horizon, INSTANTS + 1)
     before = g(0.0)

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from robotics1.angles import warn_of_degrees
+from robotics1.curves.curve import Curve
 from robotics1.curves.given import Motion
 from robotics1.errors import InputError
 from robotics1.ik.solution_set import IKSolutions
@@ -71,7 +73,7 @@ def animate(
             the file cannot be written there.
 
     Warns:
-        RobotWarning: a mesh was not found or cannot be read, and is not drawn.
+        RobotWarning: angles of a motion look like degrees; a mesh was not found or cannot be read, and is not drawn.
     """
     robots, motions = _pairs(robot, motion, recorded_values=times is not None or q is not None)
     labels = names_of("names", names, [one.name for one in robots])
@@ -81,6 +83,7 @@ def animate(
     for i, (one, moved, label) in enumerate(zip(robots, motions, labels, strict=True)):
         across += (1 + APART) * one.reach  # from the edge of the robot before
         samples = samples_of(moved, one) if moved is not None else recorded(times, q, one)
+        warn_of_degrees("the motion", samples.q[[0, -1]], one.revolute, one.lower, one.upper)
         arms.append(_arm(one, samples.q[0], task, shapes, label))
         actors.append(
             {
@@ -132,6 +135,10 @@ def view(
         RobotWarning: a mesh was not found or cannot be read, and is not drawn.
     """
     robot = robot_from(robot)
+    if isinstance(q, Curve):
+        raise InputError("a motion is shown by animate(robot, motion); here a motion stands in the place of q")
+    if isinstance(q, IKSolutions):
+        raise InputError("solutions are shown by view(robot, solutions=...); here they stand in the place of q")
     states = _labelled(robot, solutions)
     start = robot.configuration(q) if q is not None else states[0][1] if states else robot.postures["zero"]
     shapes = Shapes()

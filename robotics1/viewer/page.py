@@ -12,6 +12,7 @@ from typing import Any
 from robotics1.errors import InputError, MissingExtraError
 from robotics1.files import write_file
 from robotics1.names import printable
+from robotics1.other_words import names_what_is_meant
 
 SCRIPTS = (
     *("linear", "kinematics", "inverse", "stage", "drawing", "motion"),
@@ -21,6 +22,7 @@ OTHER_KINDS = (".png", ".jpg", ".jpeg", ".svg", ".pdf", ".gif", ".mp4", ".urdf",
 HEIGHT = 620  # of a page in a notebook [px]
 
 
+@names_what_is_meant
 @dataclass(frozen=True)
 class Page:
     """A page that shows a robot.

@@ -8,6 +8,7 @@ from robotics1.errors import InputError, Robotics1Error
 from . import kinematics_questions as arm, motion_questions as motion
 from .answer import Answer
 from .meeting_questions import MEETING_KEYS, feedback_gain, meeting
+from .places import meant
 from .reading import QUESTION_KEYS, Question, check_keys
 
 
@@ -43,7 +44,7 @@ def answered(question: Question) -> Answer:
     """
     kind = KINDS.get(question.ask)
     if kind is None:
-        question.place.refuse(f"question {question.name} asks {question.ask!r}; known are {', '.join(KINDS)}", "ask")
+        question.place.refuse(f"question {question.name} asks {question.ask!r}; {meant(question.ask, KINDS)}", "ask")
     check_keys(question.given, (*QUESTION_KEYS, *kind.keys), question.place, f"question {question.name}")
     try:
         answer = kind.answer(question)

@@ -1,16 +1,40 @@
 """Where in a TOML file something stands: its reader keeps no lines, and an error must name one."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
 
-from robotics1.errors import InputError
+from robotics1.errors import InputError, nearest_names
 from robotics1.names import printable
 
 HEADER = re.compile(r"\s*\[\[?\s*([\w.\s]+?)\s*\]\]?\s*(#.*)?$")
 KEY = re.compile(r"""\s*(?:"([^"]+)"|'([^']+)'|([\w-]+))\s*[.=]""")
 QUOTES = re.compile(r'"""|' + "'''")
+
+
+WHERE = re.compile(r"(.*) \(at line (\d+), column \d+\)")
+WRITTEN = 'texts and formulas stand in quotes, as q = [0, "pi/2"], and numbers have a point, as 0.5'
+TWICE = "it is there already; each exercise begins with [[exercise]], each question with [[exercise.question]]"
+
+
+def meant(name: str, known: Iterable[str]) -> str:
+    """Return which of the known names is meant, or all of them."""
+    names = list(known)
+    close = nearest_names(name, names)
+    return f"did you mean {' or '.join(map(repr, close))}?" if close else f"known are {', '.join(names)}"
+
+
+def not_toml(path: Path, text: str, error: Exception) -> InputError:
+    """Return the error of a text that is no TOML, with its line and with what would be right."""
+    lines = text.splitlines() or [""]
+    found = WHERE.match(str(error))
+    number = int(found[2]) if found else len(lines)
+    what = found[1] if found else str(error)
+    hint = TWICE if what.startswith("Cannot") else WRITTEN
+    line = printable(lines[number - 1].strip()[:80])
+    return InputError(f"{path}:{number}: it is no TOML: {printable(what)}: {line}; {hint}")
 
 
 @dataclass

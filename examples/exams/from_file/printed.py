@@ -62,7 +62,8 @@ def numbers_text(values: Any) -> str:
 
 def missed(check: Check) -> str:
     """Return the sentence about a published value that is not reproduced."""
-    return f"Not reproduced: {check.name}, printed {check.printed}, computed {check.computed}."
+    shown = check.computed if isinstance(check.computed, str) else f"{check.computed:.10g}"
+    return f"Not reproduced: {check.name}, printed {check.printed}, computed {shown}."
 
 
 def verdict(comparison: Comparison) -> str:

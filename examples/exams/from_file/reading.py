@@ -14,7 +14,7 @@ from robotics1.errors import InputError, Robotics1Error
 from robotics1.tasks.given import short_form
 from robotics1.tasks.task import FrameTask
 
-from .places import Place, places_of
+from .places import Place, meant, not_toml, places_of
 from .values import number_of
 
 FILE_KEYS = ("title", "exercise")
@@ -122,7 +122,7 @@ def read_exam(path: Path, seed: int | None = None) -> Exam:
     try:
         content = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise InputError(f"{path}: it is no TOML: {error}") from error
+        raise not_toml(path, text, error) from error
     check_keys(content, FILE_KEYS, whole, "the exam")
     exercises = tables(content, "exercise", whole, MOST_EXERCISES)
     rng = None if seed is None else np.random.default_rng(seed)
@@ -242,7 +242,7 @@ def check_keys(table: Mapping[str, Any], known: tuple[str, ...], place: Place, w
     """
     for key in table:
         if key not in known:
-            place.refuse(f"{what} has {key!r}; known are {', '.join(known)}", key)
+            place.refuse(f"{what} has {key!r}; {meant(key, known)}", key)
 
 
 def tables(table: Mapping[str, Any], key: str, place: Place, most: int) -> list[dict[str, Any]]:
@@ -252,8 +252,10 @@ def tables(table: Mapping[str, Any], key: str, place: Place, most: int) -> list[
         InputError: there are none, or too many.
     """
     found = table.get(key, [])
+    name = key if key == "exercise" else f"exercise.{key}"
+    if isinstance(found, dict):
+        place.refuse(f"one pair of brackets is too few: write [[{name}]]", key)
     if not isinstance(found, list) or not found or not all(isinstance(entry, dict) for entry in found):
-        name = key if key == "exercise" else f"exercise.{key}"
         place.refuse(f"there is no [[{name}]] here; each {key} begins with such a line")
     if len(found) > most:
         place.refuse(f"there are {len(found)} {key}s; at most {most} are read")

@@ -26,7 +26,8 @@ def number_of(value: Any, names: Mapping[str, float]) -> float:
     formula = expression_of(value)
     unknown = sorted(str(symbol) for symbol in formula.free_symbols if str(symbol) not in names)
     if unknown:
-        raise InputError(f"{value!r} has the name {unknown[0]!r}; known are {', '.join(names) or 'none'}")
+        known = f"known are {', '.join(names)}" if names else "only numbers can stand here"
+        raise InputError(f"{value!r} has the name {unknown[0]!r}; {known}")
     found = complex(formula.subs({symbol: names[str(symbol)] for symbol in formula.free_symbols}).evalf())
     if found.imag or not np.isfinite(found.real):
         raise InputError(f"{value!r} is no real number")

@@ -1,6 +1,6 @@
 """The formulas of all solutions: a result that explains itself and can be written as source."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
 from typing import Any, NamedTuple
@@ -14,7 +14,7 @@ from robotics1.ik.closed_form.one_unknown import JointFormula
 from robotics1.ik.closed_form.source import c_source, latex_source, matlab_source, python_source
 from robotics1.ik.closed_form.words import sentences
 from robotics1.inputs import Array
-from robotics1.results import Frozen
+from robotics1.results import Frozen, Listed
 from robotics1.robot.model import Robot
 from robotics1.tasks.task import Task
 
@@ -86,7 +86,7 @@ class IKBranch(Frozen):
 
 
 @dataclass(frozen=True, eq=False)
-class IKFormulas(Frozen):
+class IKFormulas(Listed[IKBranch]):
     """The formulas of every solution of f(q) = r_d, each compared with Pinocchio.
 
     Attributes:
@@ -100,6 +100,8 @@ class IKFormulas(Frozen):
         branches: the solutions.
     """
 
+    entries_in = "branches"
+
     robot: Robot
     task: Task
     target: tuple[sympy.Symbol, ...]
@@ -108,15 +110,6 @@ class IKFormulas(Frozen):
     joints: tuple[JointFormula, ...]
     constraints: tuple[sympy.Expr, ...]
     free_joints: tuple[str, ...]
-
-    def __len__(self) -> int:
-        return len(self.branches)
-
-    def __iter__(self) -> Iterator[IKBranch]:
-        return iter(self.branches)
-
-    def __getitem__(self, i: int) -> IKBranch:
-        return self.branches[i]
 
     def _repr_latex_(self) -> str:
         return f"$${self.latex()}$$"

@@ -12,7 +12,7 @@ import numpy as np
 import sympy
 from sympy.polys.matrices import DomainMatrix
 
-from robotics1.angles import printed_twelfths_of_pi, twelfths_of_pi
+from robotics1.angles import printed_twelfths_of_pi, twelfths_of_pi, warn_of_degrees
 from robotics1.caching import cached_property
 from robotics1.errors import FormulaError, InputError, TaskError, UnknownNameError
 from robotics1.inputs import real_number
@@ -161,6 +161,7 @@ def _exact(name: str, value: Any, *, angle: bool) -> tuple[sympy.Expr, str]:
         return value.replace(lambda e: e.is_Float, lambda e: sympy.Rational(exact_length(float(e)))), ""
     number = real_number(name, value)
     if angle:
+        warn_of_degrees(name, np.array([number]))
         k = twelfths_of_pi(number, 1e-14 * max(1.0, abs(number)))
         if k is not None:
             return sympy.pi * k / 12, ""
