@@ -13,8 +13,11 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags
 from numba.core.compiler_machinery import PassManager
 from numba.core.targetconfig import ConfigStack
+from numba.core.typed_passes import NativeLowering
 from numba.core.types import Function
 from numba.core.typing import Context
+
+from robotics1.kernels.element_code import KernelLowering
 
 # Passes for what no kernel has: closures, `with` blocks, branches on types, literals, array expressions.
 NOT_NEEDED = {
@@ -33,6 +36,7 @@ NOT_NEEDED = {
     "annotate_types",
     "dump_parfor_diagnostics",
 }
+END_OF_LIVES = "ir_legalization"  # where each variable is let go, which matters to those that count references
 
 
 class KernelCompiler(CompilerBase):  # type: ignore[misc]
@@ -52,7 +56,9 @@ class KernelCompiler(CompilerBase):  # type: ignore[misc]
             state.library.enable_object_caching()
         usual = DefaultPassBuilder.define_nopython_pipeline(state)
         pipeline = Passes(usual.pipeline_name)
-        pipeline.passes = [each for each in usual.passes if each[0]._name not in NOT_NEEDED]
+        unneeded = NOT_NEEDED if state.flags.nrt else NOT_NEEDED | {END_OF_LIVES}
+        passes = [each for each in usual.passes if each[0]._name not in unneeded]
+        pipeline.passes = [(KernelLowering if p is NativeLowering else p, what) for p, what in passes]
         pipeline.finalize()
         return [pipeline]
 
