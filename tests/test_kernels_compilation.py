@@ -148,3 +148,31 @@ def test_an_inner_kernel_called_from_python_raises_a_type_error_also_once_it_is_
         for _ in range(2):
             with pytest.raises(TypeError, match=f"{kernel.__name__} is called by other kernels only"):
                 kernel(*arguments)
+
+
+def elements(A, whole, small, C):
+    """Entries read and written by every kind of index."""
+    A[-1, 0], A[0, -1], whole[1] = whole[-2], 7, A[1, 1]
+    k = -2
+    A[k, k + 3] += small[1] + C[1, 0, -1] + C[k + 1][1, k]
+    A[:, 2][k] = A.T[0, 1] + A[::2][1, 0]  # not contiguous
+    A[1] = whole[:3]
+    for i in range(len(whole) - 1, -1, -2):
+        whole[i - 1] = whole[i] + i
+    return A[2, 1] + whole[-1]
+
+
+def test_an_element_of_an_array_is_read_and_written_as_numpy_does():
+    from numba import njit
+
+    from robotics1.kernels.one_program import KernelCompiler
+
+    def given():
+        A, C = np.arange(9.0).reshape(3, 3) + 0.5, np.arange(8.0).reshape(2, 2, 2) / 3
+        return A, np.arange(10, 14), np.array([3, 200], dtype=np.uint8), C
+
+    expected, found = given(), given()
+    kernel = njit(elements, pipeline_class=KernelCompiler, no_cfunc_wrapper=True)
+    assert kernel(*found) == elements(*expected)
+    for own, numpy in zip(found, expected, strict=True):
+        np.testing.assert_array_equal(own, numpy)

@@ -29,7 +29,7 @@ def goal_of(robot: Robot, pose_error: PoseError, target: Any) -> Array:
     return pose_error.goal(robot, target)
 
 
-def goals_of(robot: Robot, pose_error: PoseError, targets: Sequence[Any], first: int = 0) -> Array:
+def goals_of(robot: Robot, pose_error: PoseError, targets: Sequence[Any] | Array, first: int = 0) -> Array:
     """Return the poses (k, 4, 4) of targets first, first + 1, ... of a batch, as `goal_of` does.
 
     Raises:
@@ -38,9 +38,9 @@ def goals_of(robot: Robot, pose_error: PoseError, targets: Sequence[Any], first:
     if pose_error.takes_poses:
         if all(type(target) is pin.SE3 for target in targets):
             return np.concatenate([target.homogeneous for target in targets]).reshape(-1, 4, 4)
-        if all(map(_is_a_matrix, targets)):
+        if isinstance(targets, np.ndarray) or all(map(_is_a_matrix, targets)):
             goals = np.array(targets)
-            if (goals[:, 3] == LAST_ROW).all():
+            if goals.shape[1:] == (4, 4) and goals.dtype == np.float64 and (goals[:, 3] == LAST_ROW).all():
                 return goals
     goals = np.empty((len(targets), 4, 4))
     for i, target in enumerate(targets):

@@ -120,7 +120,8 @@ class SolutionSolver:
         listed = list_of_targets(targets)
         if self._compiled is None or self._pose_error is None:
             return self._one_by_one(len(listed), lambda i: self(listed[i]))
-        q, answers = self._compiled.solve_many(goals_of(self.robot, self._pose_error, listed))
+        given = targets if isinstance(targets, np.ndarray) else listed
+        q, answers = self._compiled.solve_many(goals_of(self.robot, self._pose_error, given))
         careful: dict[int, IKSolutions] = {}
         for i in np.flatnonzero((answers[:, COUNT] < 0) | (answers[:, EDGE] < BOUNDARY)).tolist():
             found = self._compiled.answer(q[i], *answers[i].tolist())

@@ -217,8 +217,8 @@ def solutions_of_a_wrist(
             to others, or none; the ERROR of the first, whether inside or not, ∞ if there is no solution at all, NaN in
             doubt; how far the target is from the EDGE, ∞ if that is not near.
     """
-    scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
-    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6)
+    scaled, goal, x = scratch((7, 15)), scratch((3, 4)), scratch((MANY, 6))
+    A, L, found, slides = scratch((6, 3, 4)), scratch((3, 4)), scratch((MANY, 6)), scratch(6)
     for i in range(len(targets)):
         unit, count = in_own_units(links, targets[i], numbers[LENGTH], scaled, goal), UNKNOWN
         if unit > 0.0:
@@ -234,8 +234,8 @@ def solutions_of_a_plane(
     targets: Array, q: Array, answers: Array,
 ) -> None:  # fmt: skip
     """Do what `solutions_of_a_wrist` does for six joints of which three move in a plane."""
-    scaled, goal, x = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
-    A, L, found, slides = np.empty((6, 3, 4)), np.empty((3, 4)), np.empty((MANY, 6)), np.empty(6)
+    scaled, goal, x = scratch((7, 15)), scratch((3, 4)), scratch((MANY, 6))
+    A, L, found, slides = scratch((6, 3, 4)), scratch((3, 4)), scratch((MANY, 6)), scratch(6)
     for i in range(len(targets)):
         unit, count = in_own_units(links, targets[i], numbers[LENGTH], scaled, goal), UNKNOWN
         if unit > 0.0:
@@ -264,7 +264,7 @@ def solutions_of_candidates(
     links: Array, joints: Array, rows: Indices, numbers: Array, target: Array, x: Array, q: Array, answer: Array
 ) -> None:
     """Do what `solutions_of_a_wrist` does for one target from candidates x, (k, 6), in radians and metres."""
-    scaled, goal, candidates = np.empty((7, 15)), np.empty((3, 4)), np.empty((MANY, 6))
+    scaled, goal, candidates = scratch((7, 15)), scratch((3, 4)), scratch((MANY, 6))
     unit, count = in_own_units(links, target, numbers[LENGTH], scaled, goal), UNKNOWN
     if unit > 0.0 and len(x) <= MANY:
         count = len(x)

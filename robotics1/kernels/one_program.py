@@ -33,6 +33,7 @@ NOT_NEEDED = {
     "annotate_types",
     "dump_parfor_diagnostics",
 }
+END_OF_LIVES = "ir_legalization"  # where each variable is let go, which matters to those that count references
 
 
 class KernelCompiler(CompilerBase):  # type: ignore[misc]
@@ -52,7 +53,8 @@ class KernelCompiler(CompilerBase):  # type: ignore[misc]
             state.library.enable_object_caching()
         usual = DefaultPassBuilder.define_nopython_pipeline(state)
         pipeline = Passes(usual.pipeline_name)
-        pipeline.passes = [each for each in usual.passes if each[0]._name not in NOT_NEEDED]
+        unneeded = NOT_NEEDED if state.flags.nrt else NOT_NEEDED | {END_OF_LIVES}
+        pipeline.passes = [each for each in usual.passes if each[0]._name not in unneeded]
         pipeline.finalize()
         return [pipeline]
 
