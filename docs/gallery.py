@@ -5,7 +5,8 @@ from pathlib import Path
 
 import robotics1 as r1
 from robotics1 import plots
-from robotics1.cli.exam import FIRST, example, example_folder
+from robotics1.cli.exam import FIRST, example
+from robotics1.robot.sources import own_folder
 from robotics1.workspaces import workspace
 
 XY = r1.PositionTask("xy")
@@ -53,7 +54,7 @@ def _sheet(file: Path) -> None:
 
 
 def _exam(file: Path) -> None:
-    example("exams.from_file.worked").work_file(example_folder() / "exams" / FIRST, file)
+    example("exams.from_file.worked").work_file(own_folder("examples") / "exams" / FIRST, file)
 
 
 MADE: dict[str, Callable[[Path], None]] = {

@@ -1,10 +1,11 @@
 """The search for solutions from many starts: what differs, what is singular, and how many dimensions a family has."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
-from robotics1.ik.descent import REACHED, End, TaskDescent
+from robotics1.ik.descent import REACHED, TaskDescent
 from robotics1.inputs import Array
 from robotics1.singularities.points import ON_THE_SET, SingularPoints
 
@@ -26,15 +27,15 @@ class SolutionSearch(TaskDescent):
 
     points: SingularPoints | None = None
 
-    def distinct(self, ends: list[End]) -> tuple[list[Array], list[int]]:
-        """Return the solutions among the ends, each once, in ascending order, and how many ends each has."""
+    def solution(self, q: Array) -> Array | None:
+        """Return the solution at the end of a descent; None if there is none."""
+        return self._wound(self.at_the_singularity(q)) if self.relative_error(q) <= REACHED else None
+
+    def distinct(self, solutions: Iterable[Array]) -> tuple[list[Array], list[int]]:
+        """Return solutions, each once, in ascending order, and how often each was there."""
         found: list[Array] = []
         hits: list[int] = []
-        for q, _ in sorted(ends, key=lambda end: end[1]):
-            p = self.at_the_singularity(q) if self.relative_error(q) <= REACHED else None
-            p = None if p is None else self._wound(p)
-            if p is None:
-                continue
+        for p in solutions:
             same = next((i for i, other in enumerate(found) if self._apart(p, other) <= SAME), None)
             if same is None:
                 found.append(p)

@@ -1,12 +1,13 @@
 """The solutions of a target that descents from random starts lead to: some of them, or a proof that there are none."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from robotics1.ik.boundary_distance import BOUNDARY, Root, boundary_distance, distance_of_singular
-from robotics1.ik.descent import REACHED
+from robotics1.ik.descent import REACHED, End
 from robotics1.ik.families import Families
 from robotics1.ik.proof import is_out_of_reach
 from robotics1.ik.result import IKStatus
@@ -19,7 +20,8 @@ from robotics1.singularities.points import SingularPoints, singular_points
 
 FEWEST, MOST = 100, 1000  # starts
 SAMPLES = 12  # of a set, that tell what stays the same on it
-MANY = 0.25  # solutions a start: so many that they may be no single ones
+ALONE = 16  # solutions of six joints, at most, if none is on a curve of them
+Tried = tuple[End, Array | None]  # the end of a descent, and the solution there
 
 
 def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) -> IKSolutions:
@@ -36,17 +38,17 @@ def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) ->
         return _of_a_task_that_nothing_moves(problem, target, problem.box.random(rng, starts or FEWEST))
     points = singular_points(robot, task, problem.box, rng)
     search = SolutionSearch(problem, target, points=points)
-    ends = [search.descend(q) for q in problem.random(rng, starts or FEWEST)]
-    found, hits = search.distinct(ends)
+    tried = [_tried(search, q) for q in problem.random(rng, starts or FEWEST)]
+    found, hits = _distinct(search, tried)
     redundant = np.count_nonzero(problem.moving) > points.rank
-    while starts is None and len(ends) < MOST and _more_are_expected(hits):
-        if (redundant or len(found) > MANY * len(ends)) and _dimension(search, found):
+    while starts is None and len(tried) < MOST and _more_are_expected(hits):
+        if (redundant or len(found) > ALONE) and _dimension(search, found):
             break
-        ends += [search.descend(q) for q in problem.random(rng, FEWEST)]
-        found, hits = search.distinct(ends)
-    closest = found[0] if found else search.nearest_miss(min(ends, key=lambda end: end[1])[0])
+        tried += [_tried(search, q) for q in problem.random(rng, FEWEST)]
+        found, hits = _distinct(search, tried)
+    closest = found[0] if found else search.nearest_miss(min((end for end, _ in tried), key=lambda end: end[1])[0])
     if not found:  # what is nearest may be a solution after all
-        found, hits = search.distinct([(closest, 0.0)])
+        found, hits = _distinct(search, [((closest, 0.0), search.solution(closest))])
     dimension = _dimension(search, found)
     if found:
         status, closest = IKStatus.INFINITE if dimension else IKStatus.FINITE, found[0]
@@ -66,6 +68,17 @@ def searched(problem: ScaledTask, target: Any, starts: int | None, seed: int) ->
     near = boundary_distance(roots, (), search, points)
     status = IKStatus.BOUNDARY if near < np.inf else IKStatus.FINITE
     return replace(answer, status=status, boundary_distance=near, hits=np.array(hits), unseen=unseen_share(hits))
+
+
+def _tried(search: SolutionSearch, start: Array) -> Tried:
+    end = search.descend(start)
+    return end, search.solution(end[0])
+
+
+def _distinct(search: SolutionSearch, tried: Sequence[Tried]) -> tuple[list[Array], list[int]]:
+    """Return the solutions, of those that are one the most exact, and how many starts led to each."""
+    best_first = sorted(tried, key=lambda one: one[0][1])
+    return search.distinct([solution for _, solution in best_first if solution is not None])
 
 
 def _tangents(found: list[Array], search: SolutionSearch, dimension: int) -> Array:

@@ -31,7 +31,7 @@ def homogeneous(name: str, value: Any) -> pin.SE3:
     matrix = value.homogeneous if isinstance(value, pin.SE3) else value
     matrix = matrix.as_matrix() if hasattr(matrix, "as_matrix") and hasattr(matrix, "translation") else matrix
     T = real_array(name, matrix, (4, 4), MEANING)
-    if not np.allclose(T[3], [0, 0, 0, 1], atol=ROTATION_TOLERANCE):
+    if np.abs(T[3] - [0, 0, 0, 1]).max() > ROTATION_TOLERANCE:
         raise InputError(f"{name} must have the last row (0, 0, 0, 1); it is {T[3].tolist()}")
     return pin.SE3(rotation_matrix(f"{name}'s rotation", T[:3, :3]), T[:3, 3])
 
