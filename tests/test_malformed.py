@@ -145,7 +145,7 @@ def test_a_xacro_handed_in_as_urdf_is_told_so(file):
 
 def test_a_folder_is_refused(tmp_path):
     (tmp_path / "arm.urdf").mkdir()
-    assert "there is no such file" in str(refused(tmp_path / "arm.urdf"))
+    assert "it is a folder, and no file" in str(refused(tmp_path / "arm.urdf"))
 
 
 def test_a_file_that_may_not_be_read_is_refused(file, monkeypatch):

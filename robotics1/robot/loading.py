@@ -251,9 +251,8 @@ def _folders(packages: Iterable[str | Path]) -> tuple[Path, ...]:
         folders = tuple(Path(folder).resolve() for folder in listed)
     except TypeError as error:
         raise InputError(f"packages must be folders, as in packages=['ros/src']; it is {packages!r}") from error
-    for folder in folders:
-        if not folder.is_dir():
-            raise InputError(f"packages must be folders; there is no folder {shown(str(folder))}")
+    if folders and not any(folder.is_dir() for folder in folders):
+        raise InputError(f"packages must be folders; there is no folder {shown(str(folders[0]))}")
     return folders
 
 
