@@ -80,7 +80,8 @@ def best_pivots(objective: Objective, enough: float, end: float) -> list[Pivot]:
     """Return some pivots, the one with the best bound first, of those found before `end` of the monotonic clock.
 
     What the parts of a pivot have at random configurations is no more than their extremes: with these the pivot cannot
-    be better. So those that promise most are climbed first, until the others cannot be better, or one is good enough.
+    be better. So those that promise most are climbed first, until the others cannot be better, or all kept are good
+    enough: what one promises may be hard to prove, and easy of another.
 
     Args:
         objective: what is bounded.
@@ -95,8 +96,8 @@ def best_pivots(objective: Objective, enough: float, end: float) -> list[Pivot]:
     promising = sorted((pivot for k, o in in_time for pivot in _pivots_at(objective, k, o)), key=order)
     found: list[Pivot] = []
     for pivot in promising:
-        no_better = len(found) == TRIED and order(pivot) >= order(found[-1])
-        if monotonic() > end or no_better or (found and order(found[0]) <= objective.sign * enough):
+        worst = order(found[-1]) if len(found) == TRIED else np.inf
+        if monotonic() > end or worst <= max(order(pivot), objective.sign * enough):
             break
         found = sorted([*found, pivot.climbed()], key=order)[:TRIED]
     return found
