@@ -80,7 +80,7 @@ def __getattr__(name: str) -> Any:
 
 
 class _Namespace(ModuleType):
-    """A namespace whose unknown names, and calls of it as of a function, get a sentence that says what is meant."""
+    """A namespace that says what is meant by an unknown name, or by a call as if it were a function."""
 
     def __getattr__(self, name: str) -> NoReturn:  # asked after the namespace's own `__getattr__`
         raise AttributeError(f"{self.__name__} has no {name!r}{_meant(name)}", name=name)

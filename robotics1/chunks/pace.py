@@ -5,7 +5,7 @@ from time import monotonic
 
 from robotics1.errors import warn
 
-LONG = 3600.0  # s, of which a caller is warned
+LONG = 3600.0  # s: a caller is warned of work that takes longer
 AFTER = 1.0  # s after the first chunk, which may have waited for a compiler, at which a pace is known
 ADVICE = "give it to a cluster (executor=, --scheduler), or keep what is done (checkpoint=) and go on another time"
 UNITS = (("year", 365.25 * 86400), ("day", 86400.0), ("hour", 3600.0))

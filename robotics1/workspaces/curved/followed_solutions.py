@@ -48,7 +48,7 @@ def solutions_across(section: CurvedSection, middle: Array, z: Array, at: Array)
     """Return solutions q (k, n, N, 2) at places z (k, n, 2), and on which lines one is missing, (k,).
 
     Args:
-        section: of which.
+        section: the section of the arm.
         middle: (k, N, 2) the solutions in the middles of the lines.
         z: the places.
         at: (n,) what the solutions are smooth in.
@@ -60,7 +60,7 @@ def solutions_across(section: CurvedSection, middle: Array, z: Array, at: Array)
 
 
 def _follow(section: CurvedSection, q: Array, z: Array, at: Array) -> None:
-    """Write solutions q (k, n, N, 2) at places z (k, n, 2), of which those in the middle are known: Newton's method."""
+    """Write solutions q (k, n, N, 2) at places z (k, n, 2) by Newton's method; those in the middle are known."""
     n, domain = q.shape[1], section.arm.domain
     middle = n // 2
     for i in (*range(middle + 1, n), *range(middle - 1, -1, -1)):

@@ -44,7 +44,7 @@ class SweptStrips:
     """Strips in which several solutions reach each place, as many in each, and the length of the first joint's range.
 
     Attributes:
-        section, strips: of which.
+        section, strips: the section of the arm, and its strips.
         span: upper − lower of the first joint [rad or sizes].
     """
 
